@@ -80,7 +80,7 @@ TEST(Stability, IsNotJudgedWithoutACentreOfGravity) {
   const Summary summary = summarize(rocket);
   EXPECT_EQ(summary.stability, Stability::unknown);
   EXPECT_FALSE(summary.centre_of_gravity_m);
-  EXPECT_EQ(side_view(*rocket.geometry, summary).find("centre of gravity"), std::string::npos);
+  EXPECT_EQ(side_view(*rocket.geometry, summary, 880.0).find("centre of gravity"), std::string::npos);
 }
 
 TEST(Remarks, NameWhatContradicts) {
@@ -108,11 +108,13 @@ TEST(Remarks, GiveTheOffsetOfCantedFinsInCanardAngles) {
 
 TEST(SideView, ShowsEveryFinCanardAndCentre) {
   const sim::Vehicle rocket = vehicle("tasha3_launch2");
-  const std::string svg = side_view(*rocket.geometry, summarize(rocket));
-  for (const char* part : {"centre of pressure", "centre of gravity 0.900 m", "measured area", "model area"}) {
-    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  for (const double width : {880.0, 428.0}) {
+    const std::string svg = side_view(*rocket.geometry, summarize(rocket), width);
+    for (const char* part : {"centre of pressure", "centre of gravity 0.900 m", "measured area", "model area"}) {
+      EXPECT_NE(svg.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
   }
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
 }  // namespace

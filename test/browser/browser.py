@@ -88,9 +88,37 @@ class Browser:
             time.sleep(0.05)
         raise AssertionError(f"not within {seconds} s: {script}")
 
+    def run_async(self, script, *arguments):
+        """What the script gives to the function that is its last argument."""
+        return self.call("POST", f"/session/{self.session}/execute/async", {"script": script, "args": list(arguments)})
+
+    def patience(self, seconds):
+        """With scripts; a busy machine needs it."""
+        self.call("POST", f"/session/{self.session}/timeouts", {"script": 1000 * seconds})
+
     def picture(self, file):
         pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
         pathlib.Path(file).write_bytes(base64.b64decode(self.call("GET", f"/session/{self.session}/screenshot")))
+
+    def devtools(self, command, **parameters):
+        return self.call("POST", f"/session/{self.session}/goog/cdp/execute", {"cmd": command, "params": parameters})
+
+    def long_picture(self, file, most_px=6000):
+        """Also of what has to be scrolled to, from the top."""
+        width, height = self.run("return [innerWidth, document.documentElement.scrollHeight]")
+        clip = {"x": 0, "y": 0, "width": width, "height": min(height, most_px), "scale": 1}
+        picture = self.devtools("Page.captureScreenshot", captureBeyondViewport=True, clip=clip)["data"]
+        pathlib.Path(file).write_bytes(base64.b64decode(picture))
+
+    def screen(self, width, height, dark=False, phone=False):
+        """Of any size: a window is never narrower than 500 px."""
+        self.devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=phone)
+        self.devtools("Emulation.setTouchEmulationEnabled", enabled=phone)
+        self.devtools("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+
+    def print(self, file, width_cm, height_cm):
+        page = {"page": {"width": width_cm, "height": height_cm}, "background": True}
+        pathlib.Path(file).write_bytes(base64.b64decode(self.call("POST", f"/session/{self.session}/print", page)))
 
     def complaints(self):
         """Errors and warnings of the page's console since the last call."""

@@ -107,6 +107,34 @@ TEST(Page, NumbersOfATableStandRightAndTonesAreClasses) {
   EXPECT_TRUE(holds(table(columns, two_lines), "<td>1<small class=\"bad\">&lt;2&gt;</small></td>"));
 }
 
+TEST(Page, ATableIsReachedByKeysAndAColumnWithoutAHeadingHasNone) {
+  const std::vector<Column> columns{{""}, {"value", true}};
+  const std::string text = table(columns, std::vector{std::vector{Cell{"a"}, Cell{"1"}}});
+  EXPECT_TRUE(holds(
+      text,
+      "<div class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"Table of 2 columns\"><table class=\"plain\">"));
+  EXPECT_TRUE(holds(text, "<thead><tr><td></td><th scope=\"col\" class=\"number\">value</th></tr></thead>"));
+}
+
+TEST(Page, ATableWithSentencesBesideOthersHasItsHeadingsAtItsCellsToo) {
+  const std::string sentence = "The motor is not named, and the drag was fitted.";
+  const auto beside = [](std::size_t others, const Cell& cell) {
+    std::vector<Column> columns(others, {"figure", true});
+    columns.push_back({"re<mark>"});
+    std::vector<Cell> row(others, {"1"});
+    row.push_back(cell);
+    return table(columns, std::vector<std::vector<Cell>>{row});
+  };
+  const std::string cards = beside(3, {sentence});
+  EXPECT_TRUE(holds(cards, "<table class=\"cards\">"));
+  EXPECT_TRUE(holds(cards, "<tr><td class=\"number\">1</td><td class=\"number\" data-label=\"figure\">1</td>"));
+  EXPECT_TRUE(holds(cards, "<td data-label=\"re&lt;mark&gt;\">The motor"));
+  EXPECT_FALSE(holds(beside(2, {sentence}), "cards"));
+  EXPECT_FALSE(holds(beside(3, {"not named"}), "cards"));
+  EXPECT_TRUE(
+      holds(table(std::vector{Column{""}}, std::vector{std::vector{Cell{"a name of words"}}}), "class=\"named\""));
+}
+
 TEST(Page, AListLinksWhereThereIsAnAddress) {
   const std::vector<Link> links{{"a&b/report.html", "run <3>", ": -1.5"}, {"", "run 4", ""}};
   EXPECT_EQ(list(links),

@@ -120,9 +120,10 @@ std::string html(const sim::Vehicle& vehicle, const Summary& summary) {
     part_rows.push_back(
         {{.text = part.name}, {.text = fixed(part.slope_per_rad, 2)}, {.text = fixed(part.position_m, 3)}});
   }
-  std::string body = page::section(
-      "From the side",
-      page::figure(side_view(*vehicle.geometry, summary), "To scale. The bar at the centre of pressure is its range."));
+  std::string body =
+      page::section("From the side", page::figure(side_view(*vehicle.geometry, summary, page::full_page),
+                                                  side_view(*vehicle.geometry, summary, page::half_page),
+                                                  "To scale. The bar at the centre of pressure is its range."));
   body += page::section("Numbers", page::table(columns, rows) + page::note(method));
   body += page::section("Normal force", page::table(part_columns, part_rows) +
                                             page::note("Of small angles, on the cross-section of the body."));

@@ -13,6 +13,6 @@ namespace fantail::airframe {
 
 /// The rocket from the side, nose to the left, to scale, with its centres of gravity and pressure: an SVG that takes
 /// its colours from the page.
-[[nodiscard]] std::string side_view(const sim::Geometry& shape, const Summary& summary);
+[[nodiscard]] std::string side_view(const sim::Geometry& shape, const Summary& summary, double width);
 
 }  // namespace fantail::airframe

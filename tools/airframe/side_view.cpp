@@ -7,17 +7,18 @@
 #include "airframe/model/body.hpp"
 #include "airframe/report.hpp"
 #include "page/page.hpp"
+#include "page/svg_plot.hpp"
 #include "text/number.hpp"
 
 namespace fantail::airframe {
 namespace {
 
-constexpr double width = 880.0;
 constexpr double edge = 14.0;
 constexpr double label_row = 18.0;
 
 /// From metres to the picture.
 struct Scale {
+  double width;
   double per_m;
   double axis_y;
 
@@ -75,23 +76,23 @@ std::string fins(const sim::Geometry& shape, const sim::Geometry::FinSet& set, c
 /// A mark on the axis with a line down to its label.
 std::string mark(const char* role, double position_m, double foot_y, const std::string& label, const Scale& scale) {
   const double x = scale.x(position_m);
-  const bool at_end = x > 0.72 * width;
+  const bool at_end = x + 5.0 + page::text_width(label) > scale.width;
   return fmt::format(
       R"(<path class="{0} dots" d="M{1:.1f},{2:.1f}h0.01"/><path class="{0} level" d="M{1:.1f},{2:.1f}V{3:.1f}"/>)"
-      R"(<text class="axis" x="{4:.1f}" y="{5:.1f}" text-anchor="{6}">{7}</text>)",
+      R"(<text class="axis mark" x="{4:.1f}" y="{5:.1f}" text-anchor="{6}">{7}</text>)",
       role, x, scale.axis_y, foot_y, at_end ? x - 5.0 : x + 5.0, foot_y, at_end ? "end" : "start",
       page::escape_html(label));
 }
 
 }  // namespace
 
-std::string side_view(const sim::Geometry& shape, const Summary& summary) {
+std::string side_view(const sim::Geometry& shape, const Summary& summary, double width) {
   const double per_m = (width - 2.0 * edge) / longest_m(shape);
   const double half = widest_m(shape) * per_m;
-  const Scale scale{.per_m = per_m, .axis_y = edge + half};
+  const Scale scale{.width = width, .per_m = per_m, .axis_y = edge + half};
   const double height = edge + 2.0 * half + 2.0 * label_row + edge;
   std::string svg = fmt::format(
-      R"(<svg class="chart" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" role="img" aria-label="The rocket from the side">)"
+      R"(<svg class="chart" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" style="--w:{0:.0f}" role="img" aria-label="The rocket from the side">)"
       R"(<rect class="paper" width="{0:.0f}" height="{1:.0f}"/>)",
       width, height);
   svg += body(shape, scale);
@@ -105,12 +106,13 @@ std::string side_view(const sim::Geometry& shape, const Summary& summary) {
   const double foot_y = edge + 2.0 * half + label_row;
   svg += fmt::format(R"(<path class="limit line" d="M{:.1f},{:.1f}H{:.1f}"/>)", scale.x(pressure.low), scale.axis_y,
                      scale.x(pressure.high));
-  svg += mark("limit", pressure.value, foot_y,
-              fmt::format("centre of pressure {} m", ::fantail::text::fixed(pressure.value, 3)), scale);
   if (summary.centre_of_gravity_m) {
     svg += mark("reference", *summary.centre_of_gravity_m, foot_y + label_row,
                 fmt::format("centre of gravity {} m", ::fantail::text::fixed(*summary.centre_of_gravity_m, 3)), scale);
   }
+  // Last: where there is little room, the other line goes through its label.
+  svg += mark("limit", pressure.value, foot_y,
+              fmt::format("centre of pressure {} m", ::fantail::text::fixed(pressure.value, 3)), scale);
   return svg + "</svg>";
 }
 

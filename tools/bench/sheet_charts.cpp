@@ -43,7 +43,7 @@ std::string whole_turn(const CanardTrace& trace, const Sheet& sheet, std::size_t
   Chart chart = chart_of(trace, {0, trace.size()}, 0, 1.0 / tick_s);
   chart.label = fmt::format("Canard {}: command and encoder over time, {}", canard + 1, caption);
   chart.x_label = "time / s";
-  chart.height = 215.0;  // three sheets of A4 for four canards
+  chart.height = 205.0;  // three sheets of A4 or Letter for four canards
   if (sheet.kind != ExerciseKind::limits) {
     chart.width = page::full_page;  // alone on its row
     chart.height = 260.0;

@@ -14,7 +14,7 @@ coverage_packages="$test_packages clang-19 llvm-19 libclang-rt-19-dev"
 mutation_packages="$test_packages python3-clang-19 libclang-common-19-dev"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
-browser_packages="chromium chromium-driver"
+browser_packages="chromium chromium-driver poppler-utils"
 card_packages="librsvg2-bin fonts-dejavu-core"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.

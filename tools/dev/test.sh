@@ -20,6 +20,16 @@ python_tools() {
   fi
 }
 
+# What judges the pages in test/browser. It is fetched anew when the script that names it has changed.
+axe_core() {
+  cmp -s test/browser/fetch_axe.py build/axe/fetch_axe.py && return 0
+  rm -rf build/axe
+  /usr/bin/python3 test/browser/fetch_axe.py build/axe && cp test/browser/fetch_axe.py build/axe/ || {
+    rm -rf build/axe
+    echo "dev: axe-core could not be fetched (no network?): the test of the pages in a browser is SKIPPED" >&2
+  }
+}
+
 # stage NAME COMMAND...: runs a command; --times prints one line for it.
 stage() {
   local name="$1" begun code=0
@@ -32,6 +42,7 @@ stage() {
 
 fetch_tools() {
   stage python python_tools
+  stage axe axe_core
   stage prover prover_of_proofs ||
     echo "dev: pip could not install the model checker (no network?): the proofs are SKIPPED" >&2
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.hpp"
 
+#include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include <fmt/core.h>
@@ -83,6 +85,27 @@ std::string made_by(const Page& page) {
 std::string footer(const Page& page) {
   const std::string text = (page.footer.empty() ? "" : paragraph(page.footer)) + made_by(page);
   return text.empty() ? "" : fmt::format("<footer>\n{}</footer>\n", text);
+}
+
+// A column of these beside others would be a narrow and very high one on a telephone.
+bool has_sentences(std::span<const Column> columns, std::span<const std::vector<Cell>> rows) {
+  constexpr std::size_t sentence = 36;
+  constexpr std::size_t beside_each_other = 3;
+  return columns.size() > beside_each_other && std::ranges::any_of(rows, [](const std::vector<Cell>& row) {
+           return std::ranges::any_of(row | std::views::drop(1),
+                                      [](const Cell& cell) { return cell.text.size() > sentence; });
+         });
+}
+
+// Of a table on a telephone: cards, or a first column that has room for its names.
+std::string_view table_class(std::span<const Column> columns, std::span<const std::vector<Cell>> rows) {
+  constexpr std::size_t short_name = 12;
+  if (has_sentences(columns, rows)) {
+    return "cards";
+  }
+  const bool named = std::ranges::any_of(
+      rows, [](const std::vector<Cell>& row) { return !row.empty() && row.front().text.size() > short_name; });
+  return named ? "named" : "plain";
 }
 
 // Of the svg itself, beside those that it has.
@@ -183,17 +206,27 @@ std::string side_by_side(std::span<const std::string> parts_html) {
 }
 
 std::string table(std::span<const Column> columns, std::span<const std::vector<Cell>> rows) {
-  std::string out = "<div class=\"table\"><table>\n<thead><tr>";
+  const std::string_view kind = table_class(columns, rows);
+  const bool cards = kind == "cards";
+  // With a place in the order of keys, because it may have to be scrolled.
+  std::string out = fmt::format(
+      "<div class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"Table of {} columns\"><table class=\"{}\">\n"
+      "<thead><tr>",
+      columns.size(), kind);
   for (const Column& column : columns) {
-    out += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(column.number, Tone::plain),
-                       printed(column.heading));
+    out += column.heading.empty() ? "<td></td>"
+                                  : fmt::format("<th scope=\"col\"{}>{}</th>",
+                                                class_attribute(column.number, Tone::plain), printed(column.heading));
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const std::vector<Cell>& row : rows) {
     out += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
       const auto& [text, tone, below, tone_below] = row[i];
-      out += fmt::format("<td{}>{}", class_attribute(i < columns.size() && columns[i].number, tone), printed(text));
+      out += fmt::format(
+          "<td{}{}>{}", class_attribute(i < columns.size() && columns[i].number, tone),
+          cards && i > 0 && i < columns.size() ? fmt::format(" data-label=\"{}\"", printed(columns[i].heading)) : "",
+          printed(text));
       out +=
           below.empty() ? "" : fmt::format("<small{}>{}</small>", class_attribute(false, tone_below), printed(below));
       out += "</td>";

@@ -115,9 +115,13 @@ std::string search_sections(const WindowFindings& window) {
   const auto mapped =
       std::ranges::find_if(window.results, [](const Identification& r) { return r.error_map.has_value(); });
   if (mapped != window.results.end()) {
+    const page::HeatMap map = error_map_chart(window, *mapped->error_map);
+    page::HeatMap narrow = map;
+    narrow.width = page::half_page;
+    narrow.height = 300.0;
     out += page::section(
         "The error over alpha and beta",
-        page::figure(page::svg(error_map_chart(window, *mapped->error_map)),
+        page::figure(page::svg(map), page::svg(narrow),
                      "Each cell shows the mean angle error with the disturbance that fits best. A long dark valley "
                      "means that many pairs of alpha and beta fit the log almost equally well."));
   }

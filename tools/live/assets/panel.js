@@ -62,8 +62,7 @@
     source.onerror = () => {  // a browser tries again by itself, but not after every kind of failure
       source.close();
       if (connected || lostSince === null) lostSince = performance.now();
-      connected = false;
-      changed = true;
+      [connected, changed] = [false, true];
       setTimeout(listen, 1000);
     };
   }
@@ -116,8 +115,7 @@
     if (list.length === 0) return;
     while (rows.children.length < list.length || rows.children[0].children.length < 5) {
       if (rows.children[0]?.children.length === 1) rows.replaceChildren();
-      const row = rows.insertRow();
-      for (let i = 0; i < 5; i++) row.insertCell().className = i > 0 && i < 4 ? "n" : "";
+      for (let i = 0, row = rows.insertRow(); i < 5; i++) row.insertCell().className = i > 0 && i < 4 ? "n" : "";
     }
     list.forEach((canard, i) => {
       const verdict = canard.verdict ?? "unknown";
@@ -205,7 +203,7 @@
     });
   }
 
-  // Once a second, for who does not see the drawings.
+  // Once a second and with new plots, for who does not see the drawings.
   function describe() {
     if (!now || now.phase === undefined) return;
     dial.at.setAttribute("aria-label", `Roll angle ${signed(now.roll_deg, 1)} degrees, reference ${signed(now.reference_deg, 1)}`);
@@ -229,8 +227,7 @@
   function build() {
     $("plots").replaceChildren();
     for (const plot of plots) {
-      const holder = Object.assign(document.createElement("div"), {className: "plot"});
-      const title = document.createElement("h3");
+      const [holder, title] = [Object.assign(document.createElement("div"), {className: "plot"}), document.createElement("h3")];
       title.append(`${plot.title}, ${plot.unit}`);
       for (const [name, , role, dashed] of plot.lines) {
         const key = document.createElement("span");
@@ -239,13 +236,12 @@
         key.append(swatch, name);
         title.append(key);
       }
-      plot.place = document.createElement("div");
-      plot.place.role = "img";
-      plot.place.setAttribute("aria-label", plot.title);
+      plot.place = Object.assign(document.createElement("div"), {role: "img", ariaLabel: plot.title});
       holder.append(title, plot.place);
       $("plots").append(holder);
       plot.chart = new uPlot(options(plot, plot.place.clientWidth), data(plot), plot.place);
     }
+    describe();
   }
 
   const data = (plot) => [columns[0], ...plot.lines.map(([, column]) => columns[column])];
@@ -290,6 +286,10 @@
     }
   }).observe($("plots"));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
+  // On paper: as wide as the sheet, in its colours (panel.css, chart.css).
+  for (const [when, is] of [["beforeprint", true], ["afterprint", false]]) {
+    addEventListener(when, () => { document.documentElement.classList.toggle("on-paper", is); build(); });
+  }
   setInterval(() => {
     describe();
     if (!connected) changed = true;  // the age goes on

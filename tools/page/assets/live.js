@@ -23,6 +23,7 @@
     spreading = true;
     for (const chart of charts) chart?.setScale("x", {min: begin, max: end});
     spreading = false;
+    charts.forEach((chart, i) => chart?.root.querySelector(".u-wrap").setAttribute("aria-label", inWords(data.plots[i])));
     drawTimeline();
     if (scene) queueMicrotask(placeCursors);  // when the plots have taken their new range
     for (const button of toolbar.querySelectorAll("[data-begin]")) {
@@ -45,6 +46,19 @@
     chart.over.addEventListener("mouseleave", placeCursors);
   }
   const scene = data.scene ? fantailScene(data.scene, number, placeCursors) : null;
+
+  // For who does not see a plot: between what values each of its lines runs in the view.
+  function inWords(plot) {
+    const [times, ...columns] = unpacked.get(plot);
+    const lines = plot.series.flatMap(({name, edge}, i) => {
+      if (!name) return [];  // the lower edge of a band
+      const seen = (edge ? [columns[i - 1], columns[i]] : [columns[i]]).flatMap((values) =>
+        values.filter((value, j) => value !== null && times[j] >= view[0] && times[j] <= view[1]));
+      return seen.length === 0 ? name + " has no data"
+        : `${name} ${number(Math.min(...seen).toFixed(1))} to ${number(Math.max(...seen).toFixed(1))}`;
+    });
+    return `${plot.title}, ${plot.unit}, from ${number(view[0].toFixed(1))} to ${number(view[1].toFixed(1))} s: ${lines.join("; ")}`;
+  }
 
   // --- the strip of event names that stays in sight above the plots ---
   const timeline = document.createElement("div");
@@ -244,8 +258,10 @@
   function build() {
     for (const chart of charts.splice(0)) chart?.destroy();
     data.plots.forEach((plot, i) => {
-      charts.push(plot.more && more.hidden ? null
-        : new uPlot(chartOptions(plot, holders[i].clientWidth, plot.height), unpacked.get(plot), holders[i]));
+      if (plot.more && more.hidden) return charts.push(null);
+      const height = plot.height * (!document.documentElement.matches(".on-paper") ? 1 : plot.wide ? .65 : .7);
+      charts.push(new uPlot(chartOptions(plot, holders[i].clientWidth, height), unpacked.get(plot), holders[i]));
+      charts[i].root.querySelector(".u-wrap").role = "img";
     });
     if (scene) charts.filter(Boolean).forEach(followPointer);
     scene?.draw();
@@ -266,4 +282,12 @@
     show(...view);
   }).observe(content);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
+  // On paper: as wide as the sheet, in its colours (page.css, chart.css).
+  const onPaper = (is) => () => {
+    document.documentElement.classList.toggle("on-paper", is);
+    mostRows = 1;
+    build();
+  };
+  addEventListener("beforeprint", onPaper(true));
+  addEventListener("afterprint", onPaper(false));
 })();
