@@ -93,8 +93,27 @@ TEST(Progress, IsShownOnATerminalForALongRunAndThenErased) {
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_NE(outcome.err.find("flying tunnel_steps: "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("x real time"), std::string::npos);
-  EXPECT_NE(outcome.err.find(" s to go"), std::string::npos);
+  EXPECT_NE(outcome.err.find(" to go"), std::string::npos);
   EXPECT_NE(outcome.err.find("\r\033[Kfantail: interrupted"), std::string::npos) << "the line is left standing";
+}
+
+TEST(Progress, OfWorkThatCannotSayHowFarItIsNamesTheChapter) {
+  const Folder folder;
+  ASSERT_EQ(fantail({"fly", "--out", "flight"}, {.working_folder = folder.path()}).exit_code, 0);
+  std::atomic<bool> has_spoken = false;
+  const auto slow_down_until_it_speaks = [&](int process) {
+    wait_until_caught(process, SIGHUP);
+    for (int pauses = 0; !has_spoken && pauses < 100; ++pauses) {
+      pause_for(process, 100ms);
+    }
+  };
+  const Outcome outcome = fantail({"log", "export", "flight", "--to", "ulog"}, {.working_folder = folder.path(),
+                                                                                .meanwhile = slow_down_until_it_speaks,
+                                                                                .terminal = true,
+                                                                                .has_spoken = &has_spoken});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("log export: chapter "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" of 2, "), std::string::npos) << outcome.err;
 }
 
 TEST(Progress, IsSilentOnATerminalForWorkOfAMoment) {

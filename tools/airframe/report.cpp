@@ -9,6 +9,7 @@
 #include "page/page.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/table.hpp"
 
 namespace fantail::airframe {
 namespace {
@@ -49,13 +50,23 @@ constexpr const char* method =
 
 }  // namespace
 
-std::string text(const sim::Vehicle& vehicle, const Summary& summary) {
+std::string text(const sim::Vehicle& vehicle, const Summary& summary, std::size_t columns) {
   std::string out = fmt::format("{}: {}\n{}\n\n", vehicle.name, size(vehicle), summary.sentence);
-  out += fmt::format("  {:<42} {:>10} {:>19} {:>10}  {}\n", "", "from shape", "range", "file", "unit");
+  ::fantail::text::Table table{{{""}, {"from shape"}, {"range", 1}, {"file"}, {"unit"}}};
+  const auto row = [&table](const std::string& what, const std::string& computed, const std::string& range,
+                            const std::string& in_file, const std::string& unit) {
+    table.row({fmt::format("  {:<42}", what), fmt::format(" {:>10}", computed), fmt::format(" {:>19}", range),
+               fmt::format(" {:>10}", in_file), fmt::format("  {}", unit)});
+  };
+  row("", "from shape", "range", "file", "unit");
   for (const Line& line : summary.lines) {
-    out += fmt::format("  {:<42} {:>10} {:>19} {:>10}  {}\n", line.what, computed(line), range(line), in_file(line),
-                       line.unit);
+    const bool stands_alone = line.what.size() > 42 && columns != ::fantail::text::any_width;
+    if (stands_alone) {
+      table.row({fmt::format("  {}", line.what)});
+    }
+    row(stands_alone ? "" : line.what, computed(line), range(line), in_file(line), line.unit);
   }
+  out += table.text(columns);
   out += fmt::format("\n{}\n", method);
   for (const std::string& remark : summary.remarks) {
     out += remark + "\n";

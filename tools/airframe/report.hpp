@@ -4,10 +4,12 @@
 #include <string>
 
 #include "airframe/summary.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::airframe {
 
-[[nodiscard]] std::string text(const sim::Vehicle& vehicle, const Summary& summary);
+[[nodiscard]] std::string text(const sim::Vehicle& vehicle, const Summary& summary,
+                               std::size_t columns = ::fantail::text::any_width);
 [[nodiscard]] std::string json(const sim::Vehicle& vehicle, const Summary& summary);
 [[nodiscard]] std::string html(const sim::Vehicle& vehicle, const Summary& summary);
 

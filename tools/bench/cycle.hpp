@@ -12,6 +12,7 @@
 #include "link/avionics_link.hpp"
 #include "link/session.hpp"
 #include "sim/canard_tolerances.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::bench {
 
@@ -80,7 +81,7 @@ struct Course {
 [[nodiscard]] bool knows_battery(const Cycle& cycle);
 
 /// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
-[[nodiscard]] std::string cycle_text(const Cycle& cycle);
+[[nodiscard]] std::string cycle_text(const Cycle& cycle, std::size_t columns = text::any_width);
 /// One object; every figure with its unit in its name.
 [[nodiscard]] std::string cycle_json(const Cycle& cycle);
 /// One row a lap. Empty cells: not measured.

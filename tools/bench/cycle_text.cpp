@@ -7,13 +7,14 @@
 #include "bench/sheet_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/table.hpp"
 
 namespace fantail::bench {
 namespace {
 
 class Page {
  public:
-  explicit Page(const Cycle& cycle) : cycle_{cycle} {}
+  Page(const Cycle& cycle, std::size_t columns) : cycle_{cycle}, columns_{columns} {}
 
   std::string write() {
     heading();
@@ -23,6 +24,7 @@ class Page {
     if (knows_battery(cycle_)) {
       title("battery, V");
       row("lowest", battery_course(cycle_), 1.0, 2);
+      finish();
     }
     out_ += fmt::format("\n{}\n", display_name(judgement(cycle_)));
     for (const std::string& conclusion : conclusions(cycle_)) {
@@ -48,7 +50,14 @@ class Page {
   }
 
   void title(std::string_view what) {
-    out_ += fmt::format("\n{:<30}{:>6}{:>7}{:>7}   each tenth of the laps\n", what, "first", "last", "worst");
+    out_ += '\n';
+    table_.row({fmt::format("{:<30}", what), fmt::format("{:>6}", "first"), fmt::format("{:>7}", "last"),
+                fmt::format("{:>7}", "worst"), "   each tenth of the laps"});
+  }
+
+  void finish() {
+    out_ += table_.text(columns_);
+    table_ = empty_table();
   }
 
   void table(std::string_view what, Course (*course)(const Cycle&, std::size_t), double unit, int decimals) {
@@ -56,25 +65,33 @@ class Page {
     for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
       row(fmt::format("canard {}", canard + 1), course(cycle_, canard), unit, decimals);
     }
+    finish();
   }
 
   void row(std::string_view name, const Course& course, double unit, int decimals) {
     const auto cell = [&](const std::optional<double>& value) {
       return value ? text::fixed(unit * *value, decimals) : std::string{"-"};
     };
-    out_ += fmt::format("  {:<28}{:>6}{:>7}{:>7}  ", name, cell(course.first), cell(course.last), cell(course.worst));
+    std::string tenths = "  ";
     for (const auto& tenth : course.tenths) {
-      out_ += fmt::format("{:>5}", cell(tenth));
+      tenths += fmt::format("{:>5}", cell(tenth));
     }
-    out_ += '\n';
+    table_.row({fmt::format("  {:<28}", name), fmt::format("{:>6}", cell(course.first)),
+                fmt::format("{:>7}", cell(course.last)), fmt::format("{:>7}", cell(course.worst)), tenths});
+  }
+
+  static text::Table empty_table() {
+    return text::Table{{{""}, {"first"}, {"last"}, {"worst"}, {"each tenth of the laps", 1}}};
   }
 
   const Cycle& cycle_;
+  std::size_t columns_;
+  text::Table table_ = empty_table();
   std::string out_;
 };
 
 }  // namespace
 
-std::string cycle_text(const Cycle& cycle) { return Page{cycle}.write(); }
+std::string cycle_text(const Cycle& cycle, std::size_t columns) { return Page{cycle, columns}.write(); }
 
 }  // namespace fantail::bench

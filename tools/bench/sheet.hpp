@@ -15,6 +15,7 @@
 #include "core/canard_monitor.hpp"
 #include "link/avionics_link.hpp"
 #include "sim/canard_tolerances.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::bench {
 
@@ -93,7 +94,7 @@ struct Sheet {
 [[nodiscard]] std::string sheet_csv(const link::Recording& recording, const Exercise& exercise);
 
 /// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
-[[nodiscard]] std::string sheet_text(const Sheet& sheet);
+[[nodiscard]] std::string sheet_text(const Sheet& sheet, std::size_t columns = text::any_width);
 
 /// A printable page, complete in itself: no script, nothing loaded.
 [[nodiscard]] std::string sheet_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise);

@@ -7,6 +7,7 @@
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
+#include "text/table.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t cell_width = 10;
 
 class Page {
  public:
-  explicit Page(const Sheet& sheet) : sheet_{sheet} {}
+  Page(const Sheet& sheet, std::size_t columns) : sheet_{sheet}, columns_{columns} {}
 
   std::string write() {
     heading();
@@ -57,14 +58,15 @@ class Page {
   }
 
   void row(const std::string& label, const std::string& allowed, const std::vector<std::string>& cells) {
-    std::string text = fmt::format("{:<{}}{:<{}}", label, label_width, allowed, allowed_width);
+    std::vector<std::string> all{fmt::format("{:<{}}", label, label_width),
+                                 fmt::format("{:<{}}", allowed, allowed_width)};
     for (const std::string& one : cells) {
       // The mark of a failure hangs to the right of the column, so that figures stay in line.
       const bool failed = one.ends_with(" !");
-      text +=
-          fmt::format("{:>{}}{}", failed ? one.substr(0, one.size() - 2) : one, cell_width - 2, failed ? " !" : "  ");
+      all.push_back(
+          fmt::format("{:>{}}{}", failed ? one.substr(0, one.size() - 2) : one, cell_width - 2, failed ? " !" : "  "));
     }
-    line("{}", text);
+    table_.row_to_its_last_word(all);
   }
 
   void table() {
@@ -77,12 +79,13 @@ class Page {
     const std::vector<SheetRow> rows = sheet_rows(sheet_);
     write(rows, &Cell::alone, &Cell::alone_passed);
     monitor();
-    line("");
+    table_.row({""});
     if (std::ranges::any_of(rows, [](const SheetRow& r) { return has(r, &Cell::together); })) {
-      line("All four together");
+      table_.row({"All four together"});
       write(rows, &Cell::together, &Cell::together_passed);
-      line("");
+      table_.row({""});
     }
+    out_ += table_.text(columns_);
   }
 
   static bool has(const SheetRow& row, std::string Cell::* text) {
@@ -116,6 +119,8 @@ class Page {
   }
 
   const Sheet& sheet_;
+  std::size_t columns_;
+  text::Table table_{std::vector<text::Table::Column>(2 + core::canard_count)};
   std::string out_;
 };
 
@@ -126,6 +131,6 @@ std::string printable(std::string text) {
   return text;
 }
 
-std::string sheet_text(const Sheet& sheet) { return Page{sheet}.write(); }
+std::string sheet_text(const Sheet& sheet, std::size_t columns) { return Page{sheet, columns}.write(); }
 
 }  // namespace fantail::bench

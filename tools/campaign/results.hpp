@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/analysis.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::campaign {
 
@@ -28,7 +29,7 @@ struct Report {
 [[nodiscard]] std::vector<std::string> remarks(const Report& report);
 
 /// For a terminal.
-[[nodiscard]] std::string report_text(const Report& report);
+[[nodiscard]] std::string report_text(const Report& report, std::size_t columns = text::any_width);
 /// summary.json: one object, every figure with its unit in its name; what does not exist is null.
 [[nodiscard]] std::string report_json(const Report& report);
 /// campaign.html: one page that loads nothing.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "campaign/results.hpp"
 #include "text/number.hpp"
+#include "text/table.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -133,19 +135,31 @@ std::string list_of_influences(const Report& report) {
   return text;
 }
 
+std::string table_of_figures(const Analysis& analysis, std::size_t columns) {
+  text::Table table{{{""}, {"least"}, {"5 %", 1}, {"median"}, {"95 %", 2}, {"largest"}}};
+  const auto row = [&table](const std::string& name, const std::array<std::string, 5>& values) {
+    std::vector<std::string> cells{fmt::format("  {:<24}", name)};
+    for (const std::string& value : values) {
+      cells.push_back(fmt::format(" {:>10}", value));
+    }
+    table.row(cells);
+  };
+  row("", {"least", "5 %", "median", "95 %", "largest"});
+  for (const Column& c : analysis.figures) {
+    row(c.name, {text::fixed(c.least, 3), text::fixed(c.quantiles.p5, 3), text::fixed(c.quantiles.p50, 3),
+                 text::fixed(c.quantiles.p95, 3), text::fixed(c.largest, 3)});
+  }
+  return table.text(columns);
+}
+
 }  // namespace
 
-std::string report_text(const Report& report) {
+std::string report_text(const Report& report, std::size_t columns) {
   const FlownCampaign& flown = report.flown;
   std::string text =
       fmt::format("{} ({}), {}, seed {}\n{}\n\n{}\n", flown.scenario, flown.vehicle, runs(flown.runs.size()),
                   report.campaign.seed, headline(report), list_of_outcomes(report));
-  text += fmt::format("  {:<24} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", "least", "5 %", "median", "95 %", "largest");
-  for (const Column& c : report.analysis.figures) {
-    text += fmt::format("  {:<24} {:>10} {:>10} {:>10} {:>10} {:>10}\n", c.name, text::fixed(c.least, 3),
-                        text::fixed(c.quantiles.p5, 3), text::fixed(c.quantiles.p50, 3),
-                        text::fixed(c.quantiles.p95, 3), text::fixed(c.largest, 3));
-  }
+  text += table_of_figures(report.analysis, columns);
   text += fmt::format("\n{}\n", list_of_influences(report));
   for (const std::string& sentence : remarks(report)) {
     text += fmt::format("  {}\n", sentence);

@@ -8,13 +8,20 @@
 
 #include "text/number.hpp"
 #include "text/shell_word.hpp"
+#include "text/table.hpp"
 
 namespace fantail::detection {
 namespace {
 
-std::string events_table(const Report& report, std::size_t rule) {
-  std::string text = fmt::format("  {:<10} {:>10} {:>20} {:>30}   {}\n", "event", "events", "launch imagined",
-                                 "false actuations", "with one accelerometer bad");
+std::string events_table(const Report& report, std::size_t rule, std::size_t columns) {
+  text::Table table{
+      {{"event"}, {"events"}, {"launch imagined"}, {"false actuations"}, {"with one accelerometer bad", 1}}};
+  const auto row = [&table](const auto& event, const auto& events, const auto& imagined, const auto& false_ones,
+                            const auto& of_bad) {
+    table.row({fmt::format("  {:<10}", event), fmt::format(" {:>10}", events), fmt::format(" {:>20}", imagined),
+               fmt::format(" {:>30}", false_ones), fmt::format("   {}", of_bad)});
+  };
+  row("event", "events", "launch imagined", "false actuations", "with one accelerometer bad");
   for (const Kind kind : report.campaign.kinds) {
     if (is_launch(kind)) {
       continue;
@@ -25,14 +32,14 @@ std::string events_table(const Report& report, std::size_t rule) {
     const std::string of_bad = bad.events == 0 ? "none"
                                                : fmt::format("of {}: imagined {}, false actuations {}", bad.events,
                                                              bad.detected, with_bound(bad.controlling, bad.events));
-    text += fmt::format("  {:<10} {:>10} {:>20} {:>30}   {}\n", info(kind).name, well.events,
-                        fmt::format("{} ({} %)", well.detected,
-                                    text::fixed(100.0 * static_cast<double>(well.detected) /
-                                                    static_cast<double>(std::max<std::uint64_t>(1, well.events)),
-                                                2)),
-                        with_bound(well.controlling, well.events), of_bad);
+    row(info(kind).name, well.events,
+        fmt::format("{} ({} %)", well.detected,
+                    text::fixed(100.0 * static_cast<double>(well.detected) /
+                                    static_cast<double>(std::max<std::uint64_t>(1, well.events)),
+                                2)),
+        with_bound(well.controlling, well.events), of_bad);
   }
-  return text;
+  return table.text(columns);
 }
 
 std::string in_units(const std::optional<int>& value, double scale, int decimals) {
@@ -121,7 +128,7 @@ std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event)
   return command;
 }
 
-std::string report_text(const Report& report) {
+std::string report_text(const Report& report, std::size_t columns) {
   const Campaign& campaign = report.campaign;
   std::string text =
       fmt::format("{} events, seed {}; shares \"at most\" are 95 % bounds\n", campaign.total(), campaign.seed);
@@ -129,7 +136,7 @@ std::string report_text(const Report& report) {
     text +=
         fmt::format("\n{}{}\n", campaign.rules[rule].name(), campaign.rules[rule].judged ? "" : " (shown, not judged)");
     const bool any_event = std::ranges::any_of(campaign.kinds, [](Kind kind) { return !is_launch(kind); });
-    text += any_event ? events_table(report, rule) : "";
+    text += any_event ? events_table(report, rule, columns) : "";
     text += launch_lines(report, rule);
   }
   text += '\n';

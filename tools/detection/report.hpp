@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "detection/campaign.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::detection {
 
@@ -62,7 +63,7 @@ struct Requirement {
 [[nodiscard]] bool judges_launches(const Campaign& campaign);
 [[nodiscard]] bool judges_events(const Campaign& campaign);
 
-[[nodiscard]] std::string report_text(const Report& report);
+[[nodiscard]] std::string report_text(const Report& report, std::size_t columns = text::any_width);
 /// Events that a command can show again are named by it.
 [[nodiscard]] std::string report_json(const Report& report);
 [[nodiscard]] std::string report_html(const Report& report);

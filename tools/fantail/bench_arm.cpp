@@ -12,6 +12,7 @@
 #include "fantail/line_input.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "json/value.hpp"
 #include "link/arm_steps.hpp"
 #include "link/session.hpp"
@@ -31,7 +32,7 @@ constexpr hal::Microseconds switch_patience{60'000'000};
 
 void tell(const ArmOptions& options, const std::string& text) {
   if (!options.bench.json) {
-    fmt::print("{}\n", text);
+    show("{}\n", text);
     std::fflush(stdout);
   }
 }

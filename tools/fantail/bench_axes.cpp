@@ -10,6 +10,8 @@
 #include "fantail/can_place.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "link/plan_reader.hpp"
 
 namespace fantail::tool {
@@ -31,7 +33,11 @@ void axes(const BenchOptions& options) {
   if (const auto found = result.right ? std::nullopt : bench::mounting_of(seen, believed)) {
     result.plan_lines = bench::mounting_lines(*found, believed);
   }
-  fmt::print("{}", options.json ? bench::axes_json(result) : bench::axes_text(result));
+  if (options.json) {
+    fmt::print("{}", bench::axes_json(result));
+  } else {
+    show_text(painted_decision(bench::axes_text(result)));
+  }
   if (!result.right) {
     throw RequirementNotMet{""};
   }

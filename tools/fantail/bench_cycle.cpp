@@ -18,6 +18,8 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
 
@@ -84,7 +86,8 @@ void write(const bench::Cycle& cycle, const CycleOptions& options, const std::fi
   if (options.bench.json) {
     fmt::print("{}", json);
   } else {
-    fmt::print("{}\n  series  {}\n", bench::cycle_text(cycle), (folder / "cycle.csv").string());
+    show("{}\n  series  {}\n", painted_decision(bench::cycle_text(cycle, output_columns())),
+         (folder / "cycle.csv").string());
   }
 }
 

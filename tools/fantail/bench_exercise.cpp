@@ -19,6 +19,8 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "link/session.hpp"
 #include "text/output_folder.hpp"
 
@@ -96,7 +98,8 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   if (options.bench.json) {
     fmt::print("{}", json);
   } else {
-    fmt::print("{}\n  sheet  {}\n", bench::sheet_text(sheet), (folder / "sheet.html").string());
+    show("{}\n  sheet  {}\n", painted_decision(bench::sheet_text(sheet, output_columns())),
+         (folder / "sheet.html").string());
   }
   if (sheet.judgement() == bench::Judgement::none) {
     throw link::LinkError{"no verdict: " + sheet.doubts.front()};

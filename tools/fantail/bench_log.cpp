@@ -18,6 +18,7 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "json/value.hpp"
 #include "link/log_download.hpp"
 
@@ -49,7 +50,7 @@ struct Visit {
   template <typename... Values>
   void tell(fmt::format_string<Values...> text, Values&&... values) const {
     if (!options.bench.json) {
-      fmt::print(text, std::forward<Values>(values)...);
+      show(text, std::forward<Values>(values)...);
     }
   }
 

@@ -13,6 +13,7 @@
 #include "fantail/can_place.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
@@ -74,7 +75,7 @@ void send(const PlanOptions& options) {
                            {"refused_because", stored ? json::Value{} : json::Value(replies::sentence(reply))}};
     fmt::print("{}\n", json.dump());
   } else if (stored) {
-    fmt::print("{}: {} bytes sent, checked, stored and read back; it is in force\n", options.plan, block.size());
+    show("{}: {} bytes sent, checked, stored and read back; it is in force\n", options.plan, block.size());
   }
   if (!stored) {
     throw RequirementNotMet{"the avionics refuses " + options.plan + ": " + replies::sentence(reply) +

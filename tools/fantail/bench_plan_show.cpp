@@ -9,6 +9,7 @@
 #include "fantail/plan_json.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
 #include "json/value.hpp"
 #include "link/plan_reader.hpp"
@@ -31,7 +32,7 @@ void show_plan_in_force(const BenchOptions& options) {
             .pretty());
     return;
   }
-  fmt::print("{}", input::plan_table(read.plan));
+  show_text(input::plan_table(read.plan));
   // Beside the file, so that what is printed is the file and nothing else.
   say(fmt::format("fantail: {}: the plan in force is {}; block_crc {}\n", options.interface,
                   avionics::text(read.source), block_crc));

@@ -5,14 +5,14 @@
 #include <optional>
 #include <string>
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include "bench/watch.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/live_screen.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -37,14 +37,14 @@ void watch(const WatchOptions& options) {
       return;
     }
   }
-  const bool screen = !options.bench.json && ::isatty(STDOUT_FILENO) == 1;
+  std::optional<LiveScreen> screen;
+  if (!options.bench.json && output_is_screen()) {
+    screen.emplace();
+  }
   const hal::Microseconds period = screen ? screen_period : line_period;
   const hal::Microseconds end = options.seconds
                                     ? place.now() + hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)}
                                     : hal::Microseconds::max();
-  if (screen) {
-    fmt::print("\033[2J");
-  }
   try {
     for (hal::Microseconds next = place.now() + period;; next = std::max(next + period, place.now())) {
       do {
@@ -54,9 +54,9 @@ void watch(const WatchOptions& options) {
         }
       } while (place.now() < next);
       watch.look(place.now());
-      const std::string text =
-          screen ? "\033[H\033[J" + watch.table() : (options.bench.json ? watch.json() : watch.line());
-      if (!show_live(text) || place.now() >= end) {
+      const bool is_seen = screen ? screen->draw(painted_phase(watch.table()))
+                                  : show_live(options.bench.json ? watch.json() : watch.line());
+      if (!is_seen || place.now() >= end) {
         return;
       }
     }

@@ -18,6 +18,7 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
 #include "link/plan_reader.hpp"
 #include "text/output_folder.hpp"
@@ -133,12 +134,15 @@ void zero(const ZeroOptions& options) {
       say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
     }
   }
-  fmt::print("{}", options.bench.json ? bench::zero_json(zeros, plan.canards, trusted)
-                                      : bench::zero_text(zeros, plan.canards, trusted));
+  if (options.bench.json) {
+    fmt::print("{}", bench::zero_json(zeros, plan.canards, trusted));
+  } else {
+    show_text(bench::zero_text(zeros, plan.canards, trusted));
+  }
   if (!options.write.empty()) {
     write_plan(options.write, with_zeros(plan, zeros, trusted));
     if (!options.bench.json) {
-      fmt::print("\n  plan  {}\n", options.write);
+      show("\n  plan  {}\n", options.write);
     }
   }
 }

@@ -21,6 +21,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 
@@ -115,7 +116,7 @@ void show_one(const DetectionOptions& options) {
   const std::array<text::NamedFile, 1> page{{{fmt::format("{}_{}.html", detection::info(kind).name, event),
                                               detection::event_html(campaign, kind, event, shown)}}};
   text::OutputFolder{folder_of(options)}.write(page);
-  fmt::print("{}  page  {}\n", shown.text, (folder_of(options) / page[0].name).string());
+  show("{}  page  {}\n", shown.text, (folder_of(options) / page[0].name).string());
 }
 
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {
@@ -172,7 +173,7 @@ void detect(const DetectionOptions& options) {
   if (options.json) {
     fmt::print("{}", summary);
   } else {
-    fmt::print("{}  page  {}\n", detection::report_text(report), (folder / "detection.html").string());
+    show("{}  page  {}\n", detection::report_text(report, output_columns()), (folder / "detection.html").string());
   }
   if (detection::verdict(detection::requirements(report)) == detection::Verdict::not_met) {
     throw RequirementNotMet{""};

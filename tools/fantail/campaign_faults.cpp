@@ -17,6 +17,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "faults/results.hpp"
 #include "input/shipped.hpp"
 #include "text/number.hpp"
@@ -112,8 +113,11 @@ void fly_one(const FaultsOptions& options) {
   const fs::path folder = folder_of(options) / faults::run_folder(options.cell, options.run);
   faults::write_run(campaign, options.cell, options.run, alone, folder);
   const std::string report = (folder / "report.html").string();
-  fmt::print("{}", options.json ? faults::run_json(campaign, alone, report, FANTAIL_VERSION)
-                                : faults::run_text(alone, report));
+  if (options.json) {
+    fmt::print("{}", faults::run_json(campaign, alone, report, FANTAIL_VERSION));
+  } else {
+    show_text(faults::run_text(alone, report));
+  }
   if (alone.judged.colour == faults::Colour::red) {
     throw RequirementNotMet{""};
   }
@@ -121,7 +125,7 @@ void fly_one(const FaultsOptions& options) {
 
 void list_names() {
   for (const faults::FaultRow& row : faults::fault_table()) {
-    fmt::print("{:13} {:18} {}\n", row.device, row.fault, row.meaning);
+    show("{:13} {:18} {}\n", row.device, row.fault, row.meaning);
   }
 }
 
@@ -145,15 +149,17 @@ void fly_all(const FaultsOptions& options) {
     say(fmt::format("fantail: {} stored parts in {} were damaged, and have been flown again\n", result.damaged,
                     folder.string()));
   }
+  Chapters chapters{"faults", 1, "the worst flights and the page"};
   faults::write_worst(result, prepared, folder, [&folder] { stop_if_interrupted(folder); });
   const std::string summary = faults::report_json(result, FANTAIL_VERSION);
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};
   text::OutputFolder{folder}.write(files);
+  chapters.end();
   if (options.json) {
     fmt::print("{}", summary);
   } else {
-    fmt::print("{}  page  {}\n", faults::report_text(result), (folder / "faults.html").string());
+    show("{}  page  {}\n", faults::report_text(result), (folder / "faults.html").string());
   }
   if (faults::has_red(result)) {
     throw RequirementNotMet{""};

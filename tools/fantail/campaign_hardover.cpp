@@ -14,6 +14,7 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fantail/terminal.hpp"
 #include "hardover/study.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
@@ -84,7 +85,7 @@ void fly(const HardoverOptions& options) {
   if (options.json) {
     fmt::print("{}", hardover::study_json(study));
   } else {
-    fmt::print("{}  page  {}\n", hardover::study_text(study), (folder / "hardover.html").string());
+    show("{}  page  {}\n", hardover::study_text(study), (folder / "hardover.html").string());
   }
 }
 

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "fantail/terminal.hpp"
 #include "input/messages.hpp"
 #include "text/number.hpp"
 
@@ -67,6 +68,17 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   return "unknown verb \"" + word + '"' + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list);
 }
 
+// What every verb has.
+void add_color(CLI::App& app) {
+  for (CLI::App* verb : app.get_subcommands(nullptr)) {
+    verb->add_option_function<std::string>("--color", set_color,
+                                           "Colours, or none; auto: on a terminal, without NO_COLOR")
+        ->type_name("auto|always|never")
+        ->check(CLI::IsMember(std::vector<std::string>{"auto", "always", "never"}));
+    add_color(*verb);
+  }
+}
+
 }  // namespace
 
 void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
@@ -74,6 +86,7 @@ void read_command_line(const std::string& name, const std::string& meaning, void
   CLI::App program{"", "fantail"};
   program.require_subcommand(1);
   fill(Verb{program.add_subcommand(name, meaning)});
+  add_color(program);
   // CLI11 takes the words from behind.
   std::ranges::reverse(words);
   words.push_back(name);
@@ -83,7 +96,7 @@ void read_command_line(const std::string& name, const std::string& meaning, void
     if (error.get_exit_code() != 0) {
       throw UsageError{complaint(program, error)};
     }
-    program.exit(error);  // help, asked for
+    show_text(program.help());  // asked for
   }
 }
 

@@ -16,6 +16,7 @@
 #include "fantail/command_line.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
 #include "flight_log/flight_log.hpp"
 #include "flight_log/integrity.hpp"
@@ -195,8 +196,7 @@ std::filesystem::path output_file(const ExportOptions& options, const ExportForm
   return std::filesystem::path{"out"} / "export" / (name_of_log(options.log) + flight + std::string{format.ending});
 }
 
-/// The log, and what a flight left in its folder or in that of the target: a flight.csv has columns that no log can
-/// give back.
+/// The log, and the files of a flight beside it or the target: a flight.csv has columns that no log can give back.
 std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& log,
                                                   const std::filesystem::path& target) {
   const bool in_folder = std::filesystem::is_directory(log);
@@ -212,10 +212,9 @@ std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& l
   return all;
 }
 
-/// What is there under this name must look like an earlier export: a scenario, a log or a sheet must not be lost by a
-/// slip of the pen.
+/// What is there under this name must look like an earlier export: no slip of the pen may lose a scenario or a log.
 void refuse_to_replace(const std::filesystem::path& target, const ExportFormat& format) {
-  if (target.extension() != format.ending && std::filesystem::exists(target)) {
+  if (target != "-" && target.extension() != format.ending && std::filesystem::exists(target)) {
     throw text::OutputError{
         fmt::format("--out {}: this file exists, and its name does not end in {}, as that of an earlier export "
                     "would; choose another name",
@@ -229,15 +228,16 @@ void export_log(const ExportOptions& options) {
     throw UsageError{fmt::format("--from {:g} lies behind --until {:g}", *from_s, *until_s)};
   }
   const ExportFormat& format = *std::ranges::find(export_formats, options.format, &ExportFormat::name);
-  if (options.out != "-") {
-    refuse_to_replace(output_file(options, format), format);
-  }
+  refuse_to_replace(output_file(options, format), format);
+  Chapters chapters{"log export", 2, "reading " + options.log};
   flight_log::LogFile file = flight_log::read_log_file(options.log);
   const std::string foreign = flight_log::foreign_bytes_text(file);
   const flight_log::Flight flight = take_flight(file, options.flight);
   give_up_if_interrupted();
+  chapters.next("replaying, and writing it as " + options.format);
   const Exported exported = export_flight(
       {.log = options.log, .format = &format, .fields = options.fields, .window = options.window}, flight);
+  chapters.end();
   give_up_if_interrupted();
   if (!foreign.empty()) {
     say("fantail: note: " + foreign + "\n");

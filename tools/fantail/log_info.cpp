@@ -8,7 +8,9 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
 
@@ -35,7 +37,8 @@ std::string heading(const flight_log::LogFile& file) {
   return text;
 }
 
-void show(const InfoOptions& options) {
+void show_info(const InfoOptions& options) {
+  Chapters chapters{"log info", 2, "reading " + options.log};
   flight_log::LogFile file = flight_log::read_log_file(options.log);
   if (options.flight) {
     // The bytes between the flights are nothing to do with one of them.
@@ -43,17 +46,19 @@ void show(const InfoOptions& options) {
     file.flights.clear();
     file.flights.push_back(std::move(chosen));
   }
+  chapters.next("replaying what was recorded");
   std::vector<FlightInfo> flights;
   for (std::size_t i = 0; i < file.flights.size(); ++i) {
     give_up_if_interrupted();
     flights.push_back(flight_info(file.flights[i]));
   }
+  chapters.end();
   if (options.json) {
     fmt::print("{}", log_info_json(file, flights));
   } else {
-    fmt::print("{}", heading(file));
+    show("{}", heading(file));
     for (const FlightInfo& info : flights) {
-      fmt::print("{}", log_info_text(info));
+      show("{}", log_info_text(info));
     }
   }
   if (!flight_log::intact(file)) {
@@ -94,7 +99,7 @@ void add_log_info(const Verb& log) {
       "  fantail log info out/tasha3_launch2    who flew what, is it intact, does a replay give the same\n"
       "  fantail log info flash.ftl --flight 2  one of several flights that a board's flash held\n"
       "  fantail log info flown.ftl --json      every figure and every event, for a script");
-  verb.action([options] { show(*options); });
+  verb.action([options] { show_info(*options); });
 }
 
 }  // namespace fantail::tool

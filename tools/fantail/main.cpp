@@ -13,6 +13,7 @@
 
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "fantail/verb_table.hpp"
 #include "input/messages.hpp"
 
@@ -20,6 +21,7 @@ namespace {
 
 using fantail::tool::ExitCode;
 using fantail::tool::say;
+using fantail::tool::show;
 using fantail::tool::verb_table;
 
 constexpr const char* examples =
@@ -42,16 +44,16 @@ ExitCode printed() {
 }
 
 ExitCode help() {
-  fmt::print(
+  show(
       "Fantail: roll control for sounding rockets, from the wind tunnel to flight\n"
       "Usage: fantail VERB ...\n\n"
       "  -h,--help    Print this; fantail VERB --help is about one verb\n"
       "  --version    Print the version\n\n"
       "Verbs:\n");
   for (const auto& verb : verb_table) {
-    fmt::print("  {:<10} {}\n", verb.name, verb.meaning);
+    show("  {:<10} {}\n", verb.name, verb.meaning);
   }
-  fmt::print("\n{}", examples);
+  show("\n{}", examples);
   return printed();
 }
 
@@ -101,7 +103,7 @@ ExitCode start(int argc, char** argv) {
     return help();
   }
   if (word == "--version") {
-    fmt::print("fantail {}\n", FANTAIL_VERSION);
+    show("fantail {}\n", FANTAIL_VERSION);
     return printed();
   }
   if (word.starts_with('-')) {

@@ -9,6 +9,7 @@
 
 #include "fantail/command_line.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fantail/terminal.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
@@ -211,19 +212,19 @@ void check_plan(const PlanCheck& asked) {
     fmt::print("{}\n", json_of(found, loop).dump());
     return;
   }
-  fmt::print("{}: every field is known and within its range: the firmware takes this plan\n", found.file);
+  show("{}: every field is known and within its range: the firmware takes this plan\n", found.file);
   if (const std::vector<std::string> weaker = weaker_than_shipped(found.plan); !weaker.empty()) {
-    fmt::print(
+    show(
         "{}: warning: launches may be imagined more easily than by the shipped plan of two accelerometers, of which "
         "the safety case has its figures:\n",
         found.file);
     for (const std::string& what : weaker) {
-      fmt::print("  {}\n", what);
+      show("  {}\n", what);
     }
-    fmt::print("  measure it: fantail campaign detection --plan {}\n", text::shell_word(found.file));
+    show("  measure it: fantail campaign detection --plan {}\n", text::shell_word(found.file));
   }
   if (!loop.sentence.empty()) {
-    fmt::print("{}: {}{}\n", found.file, loop.warns ? "warning: " : "", loop.sentence);
+    show("{}: {}{}\n", found.file, loop.warns ? "warning: " : "", loop.sentence);
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/progress.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -13,18 +12,42 @@ namespace fantail::tool {
 namespace {
 
 constexpr std::chrono::seconds in_a_pipe{10};
+constexpr std::chrono::milliseconds on_a_terminal{500};
+
+bool is_on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+// "0.6" below ten: of three chapters in five seconds nothing else would be left.
+std::string rounded(double rate) { return rate < 9.5 ? fmt::format("{:.2g}", rate) : fmt::format("{:.0f}", rate); }
+
+std::string duration(double seconds) {
+  return seconds < 119.5 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60.0);
+}
 
 }  // namespace
+
+std::string progress_line(std::string_view what, const Progress::Measure& measure, double done, double elapsed_s) {
+  // What was expected beforehand may turn out to be too little.
+  const double total = measure.total.value_or(0.0);
+  const bool is_enough = total >= done && total > 0.0;
+  std::string line = fmt::format("{}: {:.0f}", what, done);
+  line += is_enough ? fmt::format(" of {:.0f} {}", total, measure.unit) : fmt::format(" {}", measure.unit);
+  const double rate = done / elapsed_s;
+  if (rate > 0.0) {
+    line += ", " + rounded(rate) + std::string{measure.rate};
+    line += is_enough ? ", " + duration((total - done) / rate) + " to go" : "";
+  }
+  return line;
+}
 
 Progress::Progress(std::string what, const Measure& measure)
     : what_{std::move(what)},
       measure_{measure},
-      terminal_{::isatty(STDERR_FILENO) == 1},
-      next_{start_ + (terminal_ ? std::chrono::milliseconds{500} : in_a_pipe)} {}
+      terminal_{is_on_terminal()},
+      next_{start_ + (terminal_ ? on_a_terminal : in_a_pipe)} {}
 
 Progress::~Progress() {
   if (shown_) {
-    say("\r\033[K");
+    say_for_now("");
   }
 }
 
@@ -33,20 +56,53 @@ void Progress::show(double done) {
   if (now < next_) {
     return;
   }
-  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-  const double rate = done / elapsed_s;
-  std::string line = fmt::format("{}: {:.0f} {}, {:.0f}{}", what_, done, measure_.unit, rate, measure_.rate);
-  if (measure_.total && rate > 0.0) {
-    line += fmt::format(", {:.0f} s to go", std::max(0.0, *measure_.total - done) / rate);
-  }
+  const std::string line = progress_line(what_, measure_, done, std::chrono::duration<double>(now - start_).count());
   if (!terminal_) {
     say(line + "\n");
     next_ = now + in_a_pipe;
     return;
   }
-  say("\r\033[K" + line);
+  say_for_now(line);
   shown_ = true;
   next_ = now + std::chrono::milliseconds{100};
+}
+
+Chapters::Chapters(std::string what, std::size_t count, std::string first)
+    : what_{std::move(what)},
+      count_{count},
+      terminal_{is_on_terminal()},
+      name_{std::move(first)},
+      shows_{[this](const std::stop_token& stop) { show_until(stop); }} {}
+
+void Chapters::next(std::string name) {
+  const std::lock_guard lock{mutex_};
+  chapter_ += 1;
+  name_ = std::move(name);
+}
+
+void Chapters::end() {
+  if (shows_.joinable()) {
+    shows_.request_stop();
+    shows_.join();
+  }
+}
+
+void Chapters::show_until(const std::stop_token& stop) {
+  const auto stopped = [&stop] { return stop.stop_requested(); };
+  std::unique_lock lock{mutex_};
+  for (auto next = start_ + (terminal_ ? on_a_terminal : in_a_pipe); !wake_.wait_until(lock, stop, next, stopped);
+       next += terminal_ ? on_a_terminal : in_a_pipe) {
+    const std::string line = fmt::format("{}: chapter {} of {}, {}, {}", what_, chapter_, count_, name_,
+                                         duration(std::chrono::duration<double>(Clock::now() - start_).count()));
+    if (terminal_) {
+      say_for_now(line);
+    } else {
+      say(line + "\n");
+    }
+  }
+  if (terminal_) {
+    say_for_now("");
+  }
 }
 
 }  // namespace fantail::tool

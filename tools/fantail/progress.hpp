@@ -2,9 +2,14 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace fantail::tool {
 
@@ -34,6 +39,40 @@ class Progress {
   bool shown_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_;
+};
+
+/// "flying tasha3_launch2: 12 of 60 runs, 7.5 a second, 6 s to go"; without a rate as long as nothing is done.
+[[nodiscard]] std::string progress_line(std::string_view what, const Progress::Measure& measure, double done,
+                                        double elapsed_s);
+
+/// The same for work in a few parts that cannot say how far they are: "log export: chapter 2 of 3, replaying, 4 s". A
+/// thread of its own shows it, because the work does not come by.
+class Chapters {
+ public:
+  Chapters(std::string what, std::size_t count, std::string first);
+  ~Chapters() { end(); }
+  Chapters(const Chapters&) = delete;
+  Chapters& operator=(const Chapters&) = delete;
+
+  /// The next one has begun.
+  void next(std::string name);
+  /// All are done: nothing is shown any more.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void show_until(const std::stop_token& stop);
+
+  std::string what_;
+  std::size_t count_;
+  bool terminal_;
+  Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;  ///< of number and name of the chapter
+  std::condition_variable_any wake_;
+  std::size_t chapter_ = 1;
+  std::string name_;
+  std::jthread shows_;
 };
 
 }  // namespace fantail::tool

@@ -60,9 +60,9 @@ ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const
 std::string command_of(const char* name, const std::vector<std::string>& words) {
   std::string command = fmt::format("fantail {}", name);
   for (auto word = words.begin(); word != words.end(); ++word) {
-    if (*word == "--out") {
+    if (*word == "--out" || *word == "--color") {
       word += word + 1 != words.end() ? 1 : 0;
-    } else if (*word != "--json" && !word->starts_with("--out=")) {
+    } else if (*word != "--json" && !word->starts_with("--out=") && !word->starts_with("--color=")) {
       command.append(1, ' ').append(text::shell_word(*word));
     }
   }

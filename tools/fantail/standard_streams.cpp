@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/standard_streams.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -9,7 +10,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "fantail/terminal.hpp"
+#include "text/wrapped.hpp"
+
 namespace fantail::tool {
+namespace {
+
+std::atomic<bool> line_is_for_now = false;
+constexpr const char* take_away = "\r\033[K";
+
+}  // namespace
 
 void guard_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -22,8 +32,21 @@ void guard_standard_streams() {
 }
 
 void say(std::string_view text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  const std::string whole =
+      (line_is_for_now.exchange(false) ? take_away : "") + text::wrapped(text, columns_of(STDERR_FILENO));
+  std::fwrite(whole.data(), 1, whole.size(), stderr);
   std::fflush(stderr);
+}
+
+void say_for_now(std::string_view line) {
+  if (line.empty() && !line_is_for_now.exchange(false)) {
+    return;
+  }
+  // A line that the terminal breaks would stay when the next is drawn.
+  const std::string whole = take_away + std::string{line.substr(0, columns_of(STDERR_FILENO) - 1)};
+  std::fwrite(whole.data(), 1, whole.size(), stderr);
+  std::fflush(stderr);
+  line_is_for_now = !line.empty();
 }
 
 bool output_was_taken() {

@@ -11,8 +11,13 @@ namespace fantail::tool {
 /// instead of signals, which kill. Call it before anything else.
 void guard_standard_streams();
 
-/// Standard error, as far as it takes anything: a message that cannot be written must not change the exit code.
+/// Standard error, wrapped where that is a terminal, as far as it takes anything: a message that cannot be written must
+/// not change the exit code.
 void say(std::string_view text);
+
+/// A line on the terminal that standard error is, until the next such line or anything else is written there; an empty
+/// one takes it away.
+void say_for_now(std::string_view line);
 
 /// False when standard output has lost anything of what was printed.
 [[nodiscard]] bool output_was_taken();

@@ -5,6 +5,7 @@
 
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "tunnel/flow.hpp"
 
@@ -27,7 +28,7 @@ void flow(const FlowOptions& options) {
   const std::string json = tunnel::flow_json(log, flow);
   write_tunnel_output(options.output, default_folder,
                       {.files = {{"flow.json", json}, {"report.html", tunnel::flow_html(log, flow)}},
-                       .text = tunnel::flow_text(log, flow),
+                       .text = tunnel::flow_text(log, flow, output_columns()),
                        .json = json,
                        .made_from = {options.log}});
 }

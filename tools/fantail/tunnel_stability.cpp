@@ -13,6 +13,8 @@
 #include <fmt/core.h>
 
 #include "fantail/command_line.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "input/document.hpp"
 #include "input/shipped.hpp"
@@ -159,7 +161,11 @@ std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, t
   constexpr double bin_s = 0.01;
   constexpr double shortest_steady_s = 5.0;  // five readings is what it takes
   std::vector<tunnel::StabilitySwing> swings;
+  Chapters chapters{"tunnel stability", options.logs.size(), "the swings of " + options.logs.front()};
   for (const std::string& path : options.logs) {
+    if (!heading.logs.empty()) {
+      chapters.next("the swings of " + path);
+    }
     const tunnel::SwingLog log = tunnel::averaged(tunnel::read_swing_log(path), bin_s);
     heading.logs.push_back(log.name);
     heading.signal = log.is_rate ? "pitch rate" : "pitch angle";
@@ -216,7 +222,7 @@ void stability(const StabilityOptions& options) {
                       {.files = {{"swings.csv", tunnel::stability_csv(found)},
                                  {"stability.json", json},
                                  {"report.html", tunnel::stability_html(heading, found)}},
-                       .text = tunnel::stability_text(heading, found),
+                       .text = tunnel::stability_text(heading, found, output_columns()),
                        .json = json,
                        .made_from = {options.logs.begin(), options.logs.end()}});
   if (found.verdict != tunnel::StabilityVerdict::stable) {

@@ -7,7 +7,9 @@
 
 #include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
+#include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "input/messages.hpp"
 #include "sim/atmosphere.hpp"
@@ -70,7 +72,17 @@ void steps(const StepsVerbOptions& options) {
   const NamedAirframe frame = named_airframe(options.airframe, options.run);
   log.warnings.insert(log.warnings.end(), frame.warnings.begin(), frame.warnings.end());
   const tunnel::StepsHeading head = heading(options, log, frame);
-  const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options);
+  std::optional<Progress> progress;
+  const auto tell = [&progress](std::size_t done, std::size_t of) {
+    give_up_if_interrupted();
+    if (!progress) {
+      progress.emplace("identifying",
+                       Progress::Measure{.unit = "steps", .rate = " a second", .total = static_cast<double>(of)});
+    }
+    progress->show(static_cast<double>(done));
+  };
+  const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options, tell);
+  progress.reset();
   const std::string json = tunnel::steps_json(head, table);
   write_tunnel_output(options.output, default_folder,
                       {.files = {{"steps.csv", tunnel::steps_csv(head, table)},

@@ -4,6 +4,7 @@
 
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "text/error.hpp"
 #include "tunnel/swirl.hpp"
@@ -46,11 +47,17 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
 }
 
 void swirl(const SwirlVerbOptions& options) {
-  const tunnel::SwirlSessions sessions{read(options.without, options), read(options.with, options)};
+  Chapters chapters{"tunnel swirl", 3, "reading the run without straightener"};
+  tunnel::SwirlSessions sessions{.without = read(options.without, options), .with = {}};
+  chapters.next("reading the run with straightener");
+  sessions.with = read(options.with, options);
+  chapters.next("its page");
   const tunnel::Swirl swirl = tunnel::examine_swirl(sessions.without, sessions.with, options.swirl);
   const std::string json = tunnel::swirl_json(sessions, swirl);
+  const std::string page = tunnel::swirl_html(sessions, swirl);
+  chapters.end();
   write_tunnel_output(options.output, default_folder,
-                      {.files = {{"swirl.json", json}, {"report.html", tunnel::swirl_html(sessions, swirl)}},
+                      {.files = {{"swirl.json", json}, {"report.html", page}},
                        .text = tunnel::swirl_text(sessions, swirl),
                        .json = json,
                        .made_from = {options.without.roll, options.with.roll}});

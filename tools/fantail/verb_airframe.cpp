@@ -10,6 +10,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "input/document.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
@@ -25,7 +26,7 @@ struct AirframeOptions {
   bool json = false;
 };
 
-void show(const AirframeOptions& options) {
+void show_airframe(const AirframeOptions& options) {
   const std::string file = input::find_input(input::Shipped::vehicle, options.vehicle);
   input::Document document = input::Document::load(file);
   for (const std::string& change : options.changes) {
@@ -52,7 +53,7 @@ void show(const AirframeOptions& options) {
     fmt::print("{}", json);
     return;
   }
-  fmt::print("{}\n  page  {}\n", airframe::text(vehicle, summary), (folder / "airframe.html").string());
+  show("{}\n  page  {}\n", airframe::text(vehicle, summary, output_columns()), (folder / "airframe.html").string());
 }
 
 void fill(const Verb& verb) {
@@ -69,7 +70,7 @@ void fill(const Verb& verb) {
       "shape\n"
       "  fantail airframe my_rocket.toml --set fins.span_m=0.07    the same with larger fins\n"
       "  fantail airframe my_rocket.toml --json | jq .stability    for a script");
-  verb.action([options] { show(*options); });
+  verb.action([options] { show_airframe(*options); });
 }
 
 }  // namespace

@@ -21,6 +21,8 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
 #include "text/number.hpp"
@@ -145,8 +147,8 @@ void print_shard(const campaign::Shard& shard, std::size_t runs, const fs::path&
     fmt::print("{}\n", said.dump());
     return;
   }
-  fmt::print("shard {} of {}: {} runs in {}; what is asked of them is answered when all are merged\n", shard.number,
-             shard.of, runs, file.string());
+  show("shard {} of {}: {} runs in {}; what is asked of them is answered when all are merged\n", shard.number, shard.of,
+       runs, file.string());
 }
 
 void fly_campaign(const CampaignOptions& options) {
@@ -154,20 +156,22 @@ void fly_campaign(const CampaignOptions& options) {
   const fs::path folder = folder_of(options);
   campaign::FlownCampaign flown = fly(campaign, folder, options.threads);
   if (!flown.remark.empty()) {
-    fmt::print(stderr, "fantail: {}\n", flown.remark);
+    say("fantail: " + flown.remark + "\n");
   }
   if (campaign.shard.of > 1) {
     print_shard(campaign.shard, flown.runs.size(), folder / campaign::RunsFolder::runs_name, options.json);
     return;
   }
+  Chapters chapters{"campaign", 1, "figures, the worst flights and the page"};
   const campaign::Report report = campaign::conclude(
       campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent),
       FANTAIL_VERSION, folder, [&] { leave_if_interrupted(folder); });
+  chapters.end();
   if (options.json) {
     fmt::print("{}", campaign::report_json(report));
   } else {
-    fmt::print("{}\n  page  {}\n  runs  {}\n", campaign::report_text(report), (folder / "campaign.html").string(),
-               (folder / campaign::RunsFolder::runs_name).string());
+    show("{}\n  page  {}\n  runs  {}\n", campaign::report_text(report, output_columns()),
+         (folder / "campaign.html").string(), (folder / campaign::RunsFolder::runs_name).string());
   }
   if (report.analysis.judgement && *report.analysis.judgement != campaign::Judgement::met) {
     throw RequirementNotMet{""};
@@ -176,9 +180,11 @@ void fly_campaign(const CampaignOptions& options) {
 
 void merge(const MergeOptions& options) {
   const std::vector<fs::path> shards{options.shards.begin(), options.shards.end()};
+  Chapters chapters{"merge", 1, fmt::format("the runs of {} shards", shards.size())};
   const std::uint64_t runs = campaign::merge(shards, options.out);
-  fmt::print("{} shards, {} runs: {}\n", shards.size(), runs,
-             (fs::path{options.out} / campaign::RunsFolder::runs_name).string());
+  chapters.end();
+  show("{} shards, {} runs: {}\n", shards.size(), runs,
+       (fs::path{options.out} / campaign::RunsFolder::runs_name).string());
 }
 
 void fill_merge(const Verb& verb) {

@@ -11,7 +11,9 @@
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "identify/choices.hpp"
 #include "logs/compare.hpp"
 #include "logs/roll_log.hpp"
@@ -87,8 +89,11 @@ void compare_logs(const CompareVerbOptions& options) {
   if (options.save_maps && options.a.map.empty() && options.b.map.empty()) {
     throw UsageError{"--save-columns: there is nothing to keep without --a-columns or --b-columns"};
   }
+  Chapters chapters{"compare", 3, "reading " + options.a.path};
   const logs::RollLog a = read(options.a, "--a-");
+  chapters.next("reading " + options.b.path);
   const logs::RollLog b = read(options.b, "--b-");
+  chapters.next("comparing, and its page");
   if (options.save_maps) {
     save_maps(options);
   }
@@ -110,11 +115,12 @@ void compare_logs(const CompareVerbOptions& options) {
   give_up_if_interrupted();
   const std::filesystem::path folder{options.out};
   write_compare_results(results, folder);
+  chapters.end();
   if (options.json) {
     fmt::print("{}", compare_json(results));
   } else {
-    fmt::print("{}\n  page  {}\n  data  {}\n", compare_text(results), (folder / "compare.html").string(),
-               (folder / "differences.csv").string());
+    show("{}\n  page  {}\n  data  {}\n", compare_text(results), (folder / "compare.html").string(),
+         (folder / "differences.csv").string());
   }
   if (const std::vector<std::string> objections = results.objections(); !objections.empty()) {
     throw RequirementNotMet{fmt::format("{}", fmt::join(objections, "; "))};

@@ -19,6 +19,8 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "fantail/wall_clock.hpp"
 #include "flight/phase_names.hpp"
 #include "fly/fly_scenario.hpp"
@@ -50,24 +52,25 @@ struct FlyOptions {
 
 void print_figure(std::string_view label, const std::optional<double>& value, std::string_view format) {
   if (value) {
-    fmt::print("  {:<22}{}\n", label, fmt::format(fmt::runtime(format), *value));
+    show("  {:<22}{}\n", label, fmt::format(fmt::runtime(format), *value));
   }
 }
 
 void print_summary(const flight::Flight& flight, const report::Results& results) {
-  fmt::print("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0), results.verdict.text);
+  show("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0),
+       painted_verdict(results.verdict));
   if (!flight.changes.empty()) {
-    fmt::print("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
+    show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
   }
   std::vector<std::string> assumed = flight.notes;
   if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
     assumed.insert(assumed.begin(), imposed);
   }
-  fmt::print("{}", assumed.empty() ? "" : "\nAssumptions and notes:\n");
+  show("{}", assumed.empty() ? "" : "\nAssumptions and notes:\n");
   for (const std::string& sentence : assumed) {
-    fmt::print("  {}\n", sentence);
+    show("  {}\n", sentence);
   }
-  fmt::print("\n");
+  show("\n");
   const flight::Events& events = flight.events;
   const auto percent = results.figures.saturated_fraction;
   print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
@@ -78,8 +81,8 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
   print_figure("  at time", events.apogee_s, "{:.2f} s");
   for (const flight::LoopMargin& margin : flight.loop_margins) {
-    fmt::print("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin",
-               text::degrees(margin.phase_margin_rad), margin.speed_m_s, report::gain_margin_text(margin));
+    show("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin", text::degrees(margin.phase_margin_rad),
+         margin.speed_m_s, report::gain_margin_text(margin));
   }
   print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
 }
@@ -214,6 +217,7 @@ void fly_and_report(const FlyOptions& options) {
   flight.changes = std::move(changes);
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
+  Chapters chapters{"report", 1, "figures, files and page"};
   report::Results results = report::results(flight);
   if (options.card) {
     results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
@@ -221,6 +225,7 @@ void fly_and_report(const FlyOptions& options) {
   const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
   give_up_if_interrupted();
   report::write_results(flight, results, folder);
+  chapters.end();
   if (options.json) {
     fmt::print("{}", results.summary);
     (void)lcm.finish();
@@ -228,18 +233,18 @@ void fly_and_report(const FlyOptions& options) {
     return;
   }
   print_summary(flight, results);
-  fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+  show("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
   if (!flight.log.empty()) {
-    fmt::print("  log     {}\n", (folder / "flight.ftl").string());
+    show("  log     {}\n", (folder / "flight.ftl").string());
   }
   if (options.card) {
-    fmt::print("  card    {}\n", (folder / "card.png").string());
+    show("  card    {}\n", (folder / "card.png").string());
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
-    fmt::print("  lcm     {}\n", sent);
+    show("  lcm     {}\n", sent);
   }
   if (const std::string shown = page.finish(); !shown.empty()) {
-    fmt::print("  page    {}\n", shown);
+    show("  page    {}\n", shown);
   }
 }
 

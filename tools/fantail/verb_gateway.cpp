@@ -12,6 +12,7 @@
 #include "fantail/page_output.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "gateway/gateway.hpp"
 #include "link/place.hpp"
 #include "link/session.hpp"
@@ -121,7 +122,7 @@ void run(const GatewayOptions& options) {
   Outlets outlets{publisher.get(), page.sink()};
   gateway::Gateway gateway{place.bus(), outlets};
   StatusPrinter printer{options.interface, gateway, publisher.get(), place.now()};
-  fmt::print("{} to {}; Ctrl-C ends\n", options.interface, options.url.empty() ? "the page" : options.url);
+  show("{} to {}; Ctrl-C ends\n", options.interface, options.url.empty() ? "the page" : options.url);
   std::fflush(stdout);
   const hal::Microseconds end = options.seconds
                                     ? place.now() + hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)}
@@ -135,13 +136,13 @@ void run(const GatewayOptions& options) {
   } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it
   }
   const link::LinkFigures& heard = gateway.heard();
-  fmt::print("frames: {} of the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,
-             heard.damaged, heard.foreign, gateway.overrun());
+  show("frames: {} of the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,
+       heard.damaged, heard.foreign, gateway.overrun());
   if (const std::string shown = page.finish(); !shown.empty()) {
-    fmt::print("page: {}\n", shown);
+    show("page: {}\n", shown);
   }
   if (publisher) {
-    fmt::print("{}\n", report_of(publisher->finish(), options.url));
+    show("{}\n", report_of(publisher->finish(), options.url));
   }
 }
 

@@ -13,7 +13,9 @@
 #include "fantail/identify_options.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "identify/choices.hpp"
 #include "identify/joint_fit.hpp"
 #include "identify/make_record.hpp"
@@ -96,21 +98,24 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
 }
 
 void print(const std::string& text, const std::filesystem::path& folder, const std::vector<std::string>& models) {
-  fmt::print("{}\n  report  {}\n", text, (folder / "report.html").string());
+  show("{}\n  report  {}\n", text, (folder / "report.html").string());
   for (const std::string& name : models) {
-    fmt::print("  model   {}\n", (folder / name).string());
+    show("  model   {}\n", (folder / name).string());
   }
 }
 
 void identify_one(const IdentifyOptions& o) {
+  Chapters chapters{"identify", 2, "identifying " + o.data.front()};
   const identify::result::Study result = study_of(o, o.data.front());
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
+  chapters.next("writing the page");
   write_study(result, folder);
+  chapters.end();
   if (o.json) {
     fmt::print("{}", as_json(result));
   } else {
-    print(as_text(result), folder, model_csv_names(result));
+    print(as_text(result, output_columns()), folder, model_csv_names(result));
   }
 }
 
@@ -146,8 +151,11 @@ void identify_together(const IdentifyOptions& asked) {
   o.fit_initial = true;
   std::vector<identify::result::Study> studies;
   std::size_t windows = 0;
+  Chapters chapters{"identify", o.data.size() + 1, "identifying " + o.data.front()};
   for (const std::string& data : o.data) {
     studies.push_back(study_of(o, data));
+    chapters.next(studies.size() < o.data.size() ? "identifying " + o.data[studies.size()]
+                                                 : "fitting one model to all");
     windows += studies.back().windows.size();
     give_up_if_interrupted();
   }
@@ -169,16 +177,18 @@ void identify_together(const IdentifyOptions& asked) {
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
   write_joint(result, folder);
+  chapters.end();
   if (o.json) {
     fmt::print("{}", as_json(result));
   } else {
-    print(as_text(result), folder, model_csv_names(result));
+    print(as_text(result, output_columns()), folder, model_csv_names(result));
   }
 }
 
 void validate_model(const IdentifyOptions& o) {
   require_one_open_loop_fit(o, "--validate");
   const identify::result::KnownModel model = identify::result::read_model(*o.validate);
+  Chapters chapters{"identify", 2, "identifying " + o.data.front()};
   const identify::result::Study studied = study_of(o, o.data.front());
   identify::result::Validation result = identify::validate(
       model, studied, o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured);
@@ -194,7 +204,9 @@ void validate_model(const IdentifyOptions& o) {
   }
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
+  chapters.next("writing the page");
   write_validation(result, folder);
+  chapters.end();
   if (o.json) {
     fmt::print("{}", as_json(result));
   } else {

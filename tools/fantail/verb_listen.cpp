@@ -11,6 +11,8 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "flight/table.hpp"
 #include "input/document.hpp"
 #include "input/plan_file.hpp"
@@ -98,7 +100,7 @@ listen::Heard fly(const ListenOptions& o, listen::ImuLog log) {
                                   .plan = input::read_plan(input::Document::load(plan.string())),
                                   .longest_bridge_s = o.longest_gap_s,
                                   .pad_s = o.pad_s};
-  Progress progress{"listening", {" s", " x real time", log.end_s() - log.begin_s() + o.pad_s}};
+  Progress progress{"listening", {"s", " x real time", log.end_s() - log.begin_s() + o.pad_s}};
   return listen::fly_log(std::move(log), question, [&](double done_s) {
     give_up_if_interrupted();
     progress.show(done_s);
@@ -121,13 +123,13 @@ void listen_to(const ListenOptions& o) {
   text::OutputFolder{folder, {o.log}}.write(
       std::array{text::NamedFile{"listen.html", listen::as_html(heard)}, text::NamedFile{"listen.json", json}});
   if (!remark.empty()) {
-    fmt::print(stderr, "fantail: {} This one is in {}; --out names another place.\n", remark, folder.string());
+    say(fmt::format("fantail: {} This one is in {}; --out names another place.\n", remark, folder.string()));
   }
   if (o.json) {
     fmt::print("{}", json);
   } else {
-    fmt::print("{}\n  page  {}\n  data  {}\n", listen::as_text(heard), (folder / "listen.html").string(),
-               (folder / "listen.json").string());
+    show("{}\n  page  {}\n  data  {}\n", listen::as_text(heard, output_columns()), (folder / "listen.html").string(),
+         (folder / "listen.json").string());
   }
 }
 

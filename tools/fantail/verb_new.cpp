@@ -15,6 +15,7 @@
 #include "airframe/openrocket/read.hpp"
 #include "airframe/report.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "input/document.hpp"
 #include "input/rasp_file.hpp"
 #include "input/shipped.hpp"
@@ -153,7 +154,7 @@ airframe::NewRocket from_design(const NewOptions& options) {
   vehicle.drag_area_m2 = drag_coefficient * 0.25 * std::numbers::pi * shape.diameter_m * shape.diameter_m;
   rocket.assumed.push_back(fmt::format("Drag: a coefficient of {} on the cross-section.", drag_coefficient));
   for (const std::string& left_out : design.not_used) {
-    fmt::print("Not used: {}\n", left_out);
+    show("Not used: {}\n", left_out);
   }
   return rocket;
 }
@@ -187,24 +188,24 @@ void make(const NewOptions& options) {
   const airframe::NewFiles files = airframe::files_of(rocket);
   const sim::Vehicle made = write(folder, files.files, options.from);
   const airframe::Summary summary = airframe::summarize(made);
-  fmt::print("{}\n", summary.sentence);
+  show("{}\n", summary.sentence);
   for (const std::string& remark : summary.remarks) {
-    fmt::print("{}\n", remark);
+    show("{}\n", remark);
   }
   if (!made.geometry->canards) {
-    fmt::print(
+    show(
         "It has no canards: nothing controls its roll until the vehicle has the section [canard_fins] and is made "
         "anew.\n");
   }
-  fmt::print("{}{}", files.gains, files.gains.empty() ? "" : "\n");
+  show("{}{}", files.gains, files.gains.empty() ? "" : "\n");
   for (const std::string& assumed : made.assumed) {
-    fmt::print("Assumed: {}\n", assumed);
+    show("Assumed: {}\n", assumed);
   }
-  fmt::print("\n");
+  show("\n");
   for (const text::NamedFile& file : files.files) {
-    fmt::print("  made  {}\n", (folder / file.name).string());
+    show("  made  {}\n", (folder / file.name).string());
   }
-  fmt::print("\nNext: fantail airframe {0}/vehicle.toml, fantail fly {0}/scenario.toml\n", folder.string());
+  show("\nNext: fantail airframe {0}/vehicle.toml, fantail fly {0}/scenario.toml\n", folder.string());
 }
 
 void fill(const Verb& verb) {

@@ -18,6 +18,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
 #include "fly/pace.hpp"
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/console.hpp"
@@ -157,8 +158,8 @@ void run_node(const NodeOptions& options) {
   telemetry::LimitTap tap{bus};
   PadEar ear{is_told ? static_cast<hal::CanBus&>(tap) : bus};
   Node node{scenario, {.can_bus = ear, .flash = *flash, .console = console, .entropy = entropy}, ear};
-  fmt::print("{} ({}) on {}; type help for the commands at the pad, Ctrl-C ends\n", scenario.name,
-             scenario.vehicle.name, options.interface);
+  show("{} ({}) on {}; type help for the commands at the pad, Ctrl-C ends\n", scenario.name, scenario.vehicle.name,
+       options.interface);
   std::fflush(stdout);
   if (is_told) {
     node.observe([&](const core::TickRecord& record, SteadyClock::duration took) {
@@ -175,17 +176,17 @@ void run_node(const NodeOptions& options) {
   }
   node.run(options.seconds);
   const hal::CanCounters counters = bus.counters();
-  fmt::print(
+  show(
       "ended after {:.1f} s of the rocket's time; {} of {} ticks ended later than a millisecond after they were due, "
       "{:.1f} s were left "
       "out; frames: {} sent, {} received, {} dropped\n",
       1e-3 * static_cast<double>(node.ticks()), node.pace().late(), node.ticks(),
       std::chrono::duration<double>{node.pace().left_out()}.count(), counters.sent, counters.received, counters.unsent);
   if (const std::string sent = lcm.finish(); !sent.empty()) {
-    fmt::print("{}\n", sent);
+    show("{}\n", sent);
   }
   if (const std::string shown = page.finish(); !shown.empty()) {
-    fmt::print("page: {}\n", shown);
+    show("page: {}\n", shown);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "paper/chapters.hpp"
 #include "paper/paper_page.hpp"
 #include "text/output_folder.hpp"
@@ -23,7 +24,7 @@ struct PaperOptions {
 };
 
 std::vector<paper::Chapter> work_through() {
-  Progress progress{"repeating the publication", {.unit = "chapters", .rate = " a second", .total = 6.0}};
+  Progress progress{"paper", {.unit = "chapters", .rate = " a second", .total = 6.0}};
   double done = 0.0;
   const paper::Tell tell = [&](const std::string&) {
     give_up_if_interrupted();
@@ -45,13 +46,12 @@ std::vector<paper::Chapter> work_through() {
 
 void print_chapters(const std::vector<paper::Chapter>& chapters) {
   for (const paper::Chapter& chapter : chapters) {
-    fmt::print("{}\n", chapter.title);
+    show("{}\n", chapter.title);
     for (const paper::Claim& claim : chapter.claims) {
-      fmt::print("  {:<33} {}: {} ({})\n", paper::words(claim.finding), claim.place, claim.what,
-                 paper::words(claim.basis));
-      fmt::print("  {:<33}   printed {}{}{}\n", "", claim.theirs, claim.ours.empty() ? "" : "; ours ", claim.ours);
+      show("  {:<33} {}: {} ({})\n", paper::words(claim.finding), claim.place, claim.what, paper::words(claim.basis));
+      show("  {:<33}   printed {}{}{}\n", "", claim.theirs, claim.ours.empty() ? "" : "; ours ", claim.ours);
     }
-    fmt::print("\n");
+    show("\n");
   }
 }
 
@@ -68,7 +68,7 @@ void repeat_the_paper(const PaperOptions& options) {
     return;
   }
   print_chapters(chapters);
-  fmt::print("{}\n\n  page  {}\n", paper::summary(paper::tally(chapters)), (folder / "paper.html").string());
+  show("{}\n\n  page  {}\n", paper::summary(paper::tally(chapters)), (folder / "paper.html").string());
 }
 
 void fill(const Verb& verb) {

@@ -12,6 +12,7 @@
 #include "fantail/plan_check.hpp"
 #include "fantail/plan_json.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
@@ -43,9 +44,13 @@ void check(const PlanOptions& options) {
   check_plan({.plan = options.plan, .scenario = options.scenario, .json = options.json});
 }
 
-void show(const PlanOptions& options) {
+void show_plan(const PlanOptions& options) {
   const core::FlightPlan plan = options.plan ? load(options).plan : core::default_plan();
-  fmt::print("{}", options.json ? plan_json(plan).pretty() : input::plan_table(plan));
+  if (options.json) {
+    fmt::print("{}", plan_json(plan).pretty());
+  } else {
+    show_text(input::plan_table(plan));
+  }
 }
 
 void compile(const PlanOptions& options) {
@@ -65,8 +70,8 @@ void compile(const PlanOptions& options) {
                                    {"schema", fmt::format("{:08x}", protocol::plan_schema_hash())}}
                            .dump());
   } else {
-    fmt::print("{}: {} bytes, format {}, schema {:08x}\n", file.string(), size, protocol::plan_block_version,
-               protocol::plan_schema_hash());
+    show("{}: {} bytes, format {}, schema {:08x}\n", file.string(), size, protocol::plan_block_version,
+         protocol::plan_schema_hash());
   }
 }
 
@@ -98,7 +103,7 @@ constexpr Action showing{
     "Print every field, defaults included",
     false,
     "; left out: every default",
-    show,
+    show_plan,
     "Examples:\n"
     "  fantail plan show                                 every field with its default, unit, range and meaning\n"
     "  fantail plan show tasha3_launch2 > my_plan.toml   a plan of your own to begin with\n"

@@ -16,6 +16,8 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "input/shipped.hpp"
 #include "predict/results.hpp"
 #include "report/results.hpp"
@@ -170,11 +172,11 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
     fmt::print("{}", results.summary);
     return;
   }
-  fmt::print("{} ({})\n{}\n", repeated.flight.scenario, repeated.flight.vehicle, results.verdict.text);
+  show("{} ({})\n{}\n", repeated.flight.scenario, repeated.flight.vehicle, painted_verdict(results.verdict));
   for (const std::string& note : repeated.flight.notes) {
-    fmt::print("  {}\n", note);
+    show("  {}\n", note);
   }
-  fmt::print("\n  report  {}\n", (folder / "report.html").string());
+  show("\n  report  {}\n", (folder / "report.html").string());
 }
 
 void predict_launch(const PredictOptions& options) {
@@ -187,17 +189,20 @@ void predict_launch(const PredictOptions& options) {
     return;
   }
   const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options);
+  Chapters chapters{"predict", 2, "deciding, and flying what it advises"};
   const predict::Decision decision =
       predict::decide(prediction, {.authority_share = 0.01 * options.authority_percent,
                                    .held_share = 0.01 * options.held_percent,
                                    .phase_margin_rad = text::radians(options.phase_margin_deg)});
   const std::filesystem::path folder = folder_of(scenario, options);
+  chapters.next("its page and runs");
   predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder);
+  chapters.end();
   if (options.json) {
     fmt::print("{}", predict::prediction_json(prediction, decision, FANTAIL_VERSION));
   } else {
-    fmt::print("{}\n  page  {}\n  runs  {}\n", predict::prediction_text(prediction, decision),
-               (folder / "predict.html").string(), (folder / "runs.csv").string());
+    show("{}\n  page  {}\n  runs  {}\n", painted_decision(predict::prediction_text(prediction, decision)),
+         (folder / "predict.html").string(), (folder / "runs.csv").string());
   }
   if (!decision.go) {
     throw RequirementNotMet{""};

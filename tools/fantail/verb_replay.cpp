@@ -11,7 +11,9 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/replay.hpp"
@@ -70,8 +72,8 @@ void verify(const ReplayOptions& options, const flight_log::Flight& flight, cons
   if (options.json) {
     fmt::print("{}", to_json(options, flight, replayed).pretty());
   } else {
-    fmt::print("{}: {}\n  {:.0f} ticks a second, {:.0f} times as fast as the flight\n", options.log,
-               flight_log::replay_text(flight, replayed.result), replayed.ticks_per_s, replayed.ticks_per_s / 1000.0);
+    show("{}: {}\n  {:.0f} ticks a second, {:.0f} times as fast as the flight\n", options.log,
+         flight_log::replay_text(flight, replayed.result), replayed.ticks_per_s, replayed.ticks_per_s / 1000.0);
   }
   if (replayed.result.differing > 0) {
     throw RequirementNotMet{""};
@@ -115,15 +117,18 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
     fmt::print("{}", json.pretty());
     return;
   }
-  fmt::print("{}\n  page  {}\n  data  {}\n", what_if_text(result), (folder / "what_if.html").string(),
-             (folder / "what_if.csv").string());
+  show("{}\n  page  {}\n  data  {}\n", what_if_text(result), (folder / "what_if.html").string(),
+       (folder / "what_if.csv").string());
 }
 
 void run(const ReplayOptions& options) {
+  Chapters chapters{"replay", 2, "reading " + options.log};
   flight_log::LogFile file = flight_log::read_log_file(options.log);
   const flight_log::Flight flight = take_flight(file, options.flight);
+  chapters.next("replaying");
   const Replayed flown = timed_replay(flight, options.log, flight_log::plan_for_replay(flight, options.log, {}));
   give_up_if_interrupted();
+  chapters.end();
   if (options.changes.empty()) {
     verify(options, flight, flown);
   } else {

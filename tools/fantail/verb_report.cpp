@@ -12,7 +12,10 @@
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
@@ -41,9 +44,11 @@ struct ReportOptions {
 std::filesystem::path default_folder(const std::string& name) { return std::filesystem::path{"out"} / "report" / name; }
 
 void report_one(const ReportOptions& options) {
+  Chapters chapters{"report", 2, "reading " + options.a};
   flight::Flight flight = logs::read_flight(options.a);
   flight.command = "fantail report " + text::shell_word(options.a);
   give_up_if_interrupted();
+  chapters.next("figures and page");
   report::Results results = report::results(flight);
   if (options.card) {
     results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
@@ -51,23 +56,27 @@ void report_one(const ReportOptions& options) {
   const std::filesystem::path folder =
       options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
   report::write_report(flight, results, folder, options.a);
+  chapters.end();
   if (options.json) {
     fmt::print("{}", results.summary);
     return;
   }
-  fmt::print("{}\n{}\n", flight.scenario, results.verdict.text);
+  show("{}\n{}\n", flight.scenario, painted_verdict(results.verdict));
   for (const std::string& note : flight.notes) {
-    fmt::print("  {}\n", note);
+    show("  {}\n", note);
   }
-  fmt::print("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+  show("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
   if (options.card) {
-    fmt::print("  card    {}\n", (folder / "card.png").string());
+    show("  card    {}\n", (folder / "card.png").string());
   }
 }
 
 void report_two(const ReportOptions& options) {
+  Chapters chapters{"report", 3, "reading " + options.a};
   const logs::RollLog a = logs::read_roll_log(options.a, {.options = ""}, {});
+  chapters.next("reading " + options.b);
   const logs::RollLog b = logs::read_roll_log(options.b, {.options = ""}, {});
+  chapters.next("comparing, and its page");
   give_up_if_interrupted();
   CompareResults results{.a = options.a, .b = options.b, .window = {}, .shift_found = options.align == "angle"};
   logs::CompareOptions question{.from_s = options.from_s, .to_s = options.to_s};
@@ -90,11 +99,12 @@ void report_two(const ReportOptions& options) {
       std::array<text::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
                                       {"compare.json", compare_json(results)},
                                       {"differences.csv", compare_csv(results.comparison)}}});
+  chapters.end();
   if (options.json) {
     fmt::print("{}", compare_json(results));
   } else {
-    fmt::print("{}\n  report  {}\n  data    {}\n", compare_text(results), (folder / "report.html").string(),
-               (folder / "differences.csv").string());
+    show("{}\n  report  {}\n  data    {}\n", compare_text(results), (folder / "report.html").string(),
+         (folder / "differences.csv").string());
   }
 }
 

@@ -12,6 +12,7 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fantail/terminal.hpp"
 #include "input/shipped.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
@@ -156,8 +157,8 @@ void tune_scenario(const TuneOptions& options) {
   if (options.json) {
     fmt::print("{}", json);
   } else {
-    fmt::print("{}\n  page  {}\n  plan  {}\n", tune::tuning_text(tuning), (folder / "tune.html").string(),
-               plan_name.empty() ? "none written" : plan_name);
+    show("{}\n  page  {}\n  plan  {}\n", tune::tuning_text(tuning), (folder / "tune.html").string(),
+         plan_name.empty() ? "none written" : plan_name);
   }
   if (!tuning.is_proposed()) {
     throw RequirementNotMet{""};

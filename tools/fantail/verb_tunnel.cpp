@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
 
 namespace fantail::tool {
@@ -18,10 +19,10 @@ void write_tunnel_output(const TunnelOutput& output, const std::string& default_
   if (output.json) {
     fmt::print("{}", results.json);
   } else {
-    fmt::print("{}\n", results.text);
+    show("{}\n", results.text);
     for (const text::NamedFile& file : results.files) {
       const bool is_page = file.name.ends_with(".html");
-      fmt::print("  {}  {}\n", is_page ? "report" : "data  ", (folder / file.name).string());
+      show("  {}  {}\n", is_page ? "report" : "data  ", (folder / file.name).string());
     }
   }
 }

@@ -3,14 +3,14 @@
 #include <optional>
 #include <string>
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/live_screen.hpp"
 #include "fantail/page_output.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "hal/linux/clock.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/subscription.hpp"
@@ -54,22 +54,23 @@ void watch(const WatchOptions& options) {
     receiver.take(channel, bytes, clock.now());
     page.take(channel, bytes);
   };
-  const bool screen = !options.json && ::isatty(STDOUT_FILENO) == 1;
+  std::optional<LiveScreen> screen;
+  if (!options.json && output_is_screen()) {
+    screen.emplace();
+  }
   const hal::Microseconds period = screen ? screen_period : line_period;
   const hal::Microseconds end =
       options.seconds ? hal::Microseconds{static_cast<std::int64_t>(1e6 * *options.seconds)} : hal::Microseconds::max();
-  if (screen) {
-    fmt::print("\033[2J");
-  }
   bool more = true;
   for (hal::Microseconds next = std::min(period, end); more; next = std::min(next + period, end)) {
     more = listen_until(next, clock, subscription, take) && next < end;
     panel.look(clock.now());
-    const std::string text = screen ? "\033[H\033[J" + panel.table() : (options.json ? panel.json() : panel.lines());
-    if (!show_live(text)) {
+    if (!(screen ? screen->draw(painted_phase(panel.table(output_columns())))
+                 : show_live(options.json ? panel.json() : panel.lines()))) {
       return;
     }
   }
+  screen.reset();
   if (const std::string shown = page.finish(); !shown.empty()) {
     say("page: " + shown + "\n");
   }

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "listen/heard.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::listen {
 
 /// For a terminal: the finding, the phases, the law beside the log, and the notes.
-[[nodiscard]] std::string as_text(const Heard& heard);
+[[nodiscard]] std::string as_text(const Heard& heard, std::size_t columns = text::any_width);
 /// listen.json; `version` is the program's.
 [[nodiscard]] std::string as_json(const Heard& heard, std::string_view version);
 /// listen.html.

@@ -6,6 +6,7 @@
 #include "listen/sentences.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/table.hpp"
 
 namespace fantail::listen {
 namespace {
@@ -70,7 +71,48 @@ std::vector<Row> comparison(const Heard& heard) {
   return rows;
 }
 
-std::string as_text(const Heard& heard) {
+namespace {
+
+std::string phase_lines(const Heard& heard, std::size_t columns) {
+  text::Table table{
+      {{"phase"}, {"because"}, {"log / s"}, {"lift-off + / s"}, {"height", 3}, {"speed", 2}, {"tilt", 1}}};
+  const auto add = [&table](const PhaseRow& row) {
+    table.row({fmt::format("  {:<12}", row.phase), fmt::format(" {:<34}", row.reason),
+               fmt::format(" {:>10}", row.log_time), fmt::format(" {:>14}", row.since_lift_off),
+               fmt::format(" {:>10}", row.height), fmt::format(" {:>10}", row.speed), fmt::format(" {:>8}", row.tilt)});
+  };
+  add({"phase", "because", "log / s", "lift-off + / s", "height / m", "v / (m/s)", "tilt/deg"});
+  for (const PhaseRow& row : phase_rows(heard)) {
+    add(row);
+  }
+  return table.text(columns);
+}
+
+std::string comparison_lines(const Heard& heard, std::size_t columns) {
+  text::Table table{{{""}, {"the law"}, {"the log"}}};
+  const auto add = [&table](const std::string& what, const std::string& law, const std::string& log) {
+    table.row({fmt::format("  {:<32}", what), fmt::format(" {:<36}", law), fmt::format(" {}", log)});
+  };
+  const std::string since = " s after lift-off";
+  bool is_short = false;
+  const auto fitting = [&](std::string cell) {
+    if (columns < 100 && cell.ends_with(since)) {
+      cell.resize(cell.size() - since.size());
+      cell += " s";
+      is_short = true;
+    }
+    return cell;
+  };
+  add("", "the law", "the log");
+  for (const Row& row : comparison(heard)) {
+    add(row.what, fitting(row.law), fitting(row.log));
+  }
+  return table.text(columns) + (is_short ? "  Times behind a comma count from lift-off.\n" : "");
+}
+
+}  // namespace
+
+std::string as_text(const Heard& heard, std::size_t columns) {
   const core::LaunchDetectionPlan& rule = heard.flown.launch_detection;
   std::string text = fmt::format(
       "{}: {} rows, {:.3f} s to {:.3f} s{}\nplan {}: {} g for {} s{}, {}\n\n", heard.log.name, heard.log.rows,
@@ -84,16 +126,7 @@ std::string as_text(const Heard& heard) {
     text += "In doubt: " + doubt + "\n";
   }
   text += headline(heard) + "\n";
-  text += fmt::format("\n  {:<12} {:<34} {:>10} {:>14} {:>10} {:>10} {:>8}\n", "phase", "because", "log / s",
-                      "lift-off + / s", "height / m", "v / (m/s)", "tilt/deg");
-  for (const PhaseRow& row : phase_rows(heard)) {
-    text += fmt::format("  {:<12} {:<34} {:>10} {:>14} {:>10} {:>10} {:>8}\n", row.phase, row.reason, row.log_time,
-                        row.since_lift_off, row.height, row.speed, row.tilt);
-  }
-  text += fmt::format("\n  {:<32} {:<36} {}\n", "", "the law", "the log");
-  for (const Row& row : comparison(heard)) {
-    text += fmt::format("  {:<32} {:<36} {}\n", row.what, row.law, row.log);
-  }
+  text += fmt::format("\n{}\n{}", phase_lines(heard, columns), comparison_lines(heard, columns));
   text += "\nNote: " + lift_off_rule();
   for (const std::string& note : heard.notes) {
     text += "\nNote: " + note;

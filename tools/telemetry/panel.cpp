@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "replies/sentence.hpp"
+#include "text/table.hpp"
 
 namespace fantail::telemetry {
 namespace {
@@ -121,27 +122,31 @@ std::string Panel::health_text() const {
   return text;
 }
 
-std::string Panel::channels_text() const {
+std::string Panel::channels_text(std::size_t columns) const {
   const double span_s = in_seconds(receiver_.recent_span());
-  std::string text =
-      fmt::format("link, last {:.0f} s     per s  received    lost    late  duplicate  ignored  unreadable\n", span_s);
+  text::Table table{
+      {{""}, {"per s"}, {"received"}, {"lost"}, {"late"}, {"duplicate", 2}, {"ignored", 1}, {"unreadable", 3}}};
+  table.row({fmt::format("link, last {:.0f} s     ", span_s), "per s", "  received", "    lost", "    late",
+             "  duplicate", "  ignored", "  unreadable"});
   for (std::size_t i = 0; i < channel_count; ++i) {
     const auto channel = static_cast<Channel>(i);
     const ChannelFigures recent = receiver_.recent(channel);
-    text += fmt::format("  {:<17} {:>7.1f}  {:>8}  {:>6}  {:>6}  {:>9}  {:>7}  {:>10}\n", name(channel),
-                        span_s > 0.0 ? static_cast<double>(recent.received) / span_s : 0.0, recent.received,
-                        lost_lately(recent), recent.late, recent.duplicate, recent.ignored, recent.unreadable);
+    const double per_s = span_s > 0.0 ? static_cast<double>(recent.received) / span_s : 0.0;
+    table.row({fmt::format("  {:<17}", name(channel)), fmt::format(" {:>7.1f}", per_s),
+               fmt::format("  {:>8}", recent.received), fmt::format("  {:>6}", lost_lately(recent)),
+               fmt::format("  {:>6}", recent.late), fmt::format("  {:>9}", recent.duplicate),
+               fmt::format("  {:>7}", recent.ignored), fmt::format("  {:>10}", recent.unreadable)});
   }
-  return text;
+  return table.text(columns);
 }
 
-std::string Panel::table() const {
+std::string Panel::table(std::size_t columns) const {
   std::string text = fmt::format("{}  {}", url_, link_state());
   if (!receiver_.state()) {
-    return text + ": nothing received yet\n" + channels_text();
+    return text + ": nothing received yet\n" + channels_text(columns);
   }
   text += fmt::format(", {:.2f} s since power-up\n", in_seconds(receiver_.state()->stamp.time));
-  text += motion_text() + canards_text() + health_text() + channels_text();
+  text += motion_text() + canards_text() + health_text() + channels_text(columns);
   for (const Heard<Event>& event : newest_events_) {
     text += fmt::format("event  {:.3f} s  {}\n", in_seconds(event.stamp.time), event_text(event.content));
   }

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "telemetry/receiver.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::telemetry {
 
@@ -22,8 +23,9 @@ class Panel {
   /// Takes the events and the recent figures. Call it before the others.
   void look(hal::Microseconds now);
 
-  /// Some lines around a table of the canards; every line ends with a newline. What is old says so at its place.
-  [[nodiscard]] std::string table() const;
+  /// Some lines around a table of the canards; every line ends with a newline. For a place of so many columns. What is
+  /// old says so at its place.
+  [[nodiscard]] std::string table(std::size_t columns = text::any_width) const;
   /// The same in one line, for a pipe, after a line for each event since the last look.
   [[nodiscard]] std::string lines() const;
   /// One JSON object in one line. What is not known is null; what is known but old has "stale": true beside it.
@@ -40,7 +42,7 @@ class Panel {
   [[nodiscard]] std::string motion_text() const;
   [[nodiscard]] std::string canards_text() const;
   [[nodiscard]] std::string health_text() const;
-  [[nodiscard]] std::string channels_text() const;
+  [[nodiscard]] std::string channels_text(std::size_t columns) const;
 
   std::string url_;
   Receiver& receiver_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "text/wrapped.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
 #include "tunnel/tunnel_log.hpp"
@@ -33,7 +34,7 @@ struct Flow {
 [[nodiscard]] Flow examine_flow(const TunnelLog& log, const SteadySegments& segments);
 
 // What `fantail tunnel flow` prints, its flow.json, and its page.
-[[nodiscard]] std::string flow_text(const TunnelLog& log, const Flow& flow);
+[[nodiscard]] std::string flow_text(const TunnelLog& log, const Flow& flow, std::size_t columns = text::any_width);
 [[nodiscard]] std::string flow_json(const TunnelLog& log, const Flow& flow);
 [[nodiscard]] std::string flow_html(const TunnelLog& log, const Flow& flow);
 

@@ -7,6 +7,7 @@
 
 #include "page/page.hpp"
 #include "text/number.hpp"
+#include "text/table.hpp"
 #include "tunnel/flow.hpp"
 #include "tunnel/json.hpp"
 
@@ -128,16 +129,28 @@ std::string points_table(const Flow& flow) {
 
 }  // namespace
 
-std::string flow_text(const TunnelLog& log, const Flow& flow) {
+std::string flow_text(const TunnelLog& log, const Flow& flow, std::size_t columns) {
   fmt::memory_buffer out;
   const auto print = [&out](const std::string& text) { out.append(text.data(), text.data() + text.size()); };
   print(fmt::format("{}: {} steady set points\n\n", log.name, flow.points.size()));
-  print("    fan       steady       mean     deviation   Gamma      sigma/mean   of rounding   readings\n");
+  text::Table table{{{"fan"},
+                     {"steady"},
+                     {"mean"},
+                     {"deviation"},
+                     {"Gamma"},
+                     {"sigma/mean", 3},
+                     {"of rounding", 2},
+                     {"readings", 1}}};
+  table.row({"    fan  ", "     steady  ", "     mean   ", "  deviation", "   Gamma    ", "  sigma/mean",
+             "   of rounding", "   readings"});
   for (const FlowPoint& p : flow.points) {
-    print(fmt::format("{:5.0f} rpm {:>5g}-{:<5g} s {:7.3f} m/s {:6.3f} m/s {:8.5f} m/s {:7.3f} % {:10.3f} % {:9}\n",
-                      p.segment.fan_rpm.value_or(0.0), p.segment.begin_s, p.segment.end_s, p.mean_m_s, p.deviation_m_s,
-                      p.gamma_m_s, 100.0 * p.relative_deviation, 100.0 * p.rounding_share, p.segment.count));
+    table.row({fmt::format("{:5.0f} rpm", p.segment.fan_rpm.value_or(0.0)),
+               fmt::format(" {:>5g}-{:<5g} s", p.segment.begin_s, p.segment.end_s),
+               fmt::format(" {:7.3f} m/s", p.mean_m_s), fmt::format(" {:6.3f} m/s", p.deviation_m_s),
+               fmt::format(" {:8.5f} m/s", p.gamma_m_s), fmt::format(" {:7.3f} %", 100.0 * p.relative_deviation),
+               fmt::format(" {:10.3f} %", 100.0 * p.rounding_share), fmt::format(" {:9}", p.segment.count)});
   }
+  print(table.text(columns));
   if (flow.line) {
     print(fmt::format("\nspeed = {:.6f} m/s per rpm x fan {} {:.3f} m/s, R2 = {:.6f}\n", flow.line->slope,
                       flow.line->offset < 0.0 ? "-" : "+", std::abs(flow.line->offset), flow.line->r_squared));

@@ -8,6 +8,8 @@
 #include "page/page.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/table.hpp"
+#include "text/wrapped.hpp"
 #include "tunnel/json.hpp"
 #include "tunnel/stability.hpp"
 
@@ -111,20 +113,30 @@ std::vector<std::vector<std::string>> cells(const Stability& stability) {
 
 }  // namespace
 
-std::string stability_text(const StabilityHeading& heading, const Stability& stability) {
+std::string stability_text(const StabilityHeading& heading, const Stability& stability, std::size_t columns) {
   std::string text = fmt::format("{}\n{}\n\n{}\n\n", fmt::join(heading.logs, ", "), stability.sentence, basis(heading));
-  text += fmt::format("{:>9} {:>16} {:>7} {:>18} {:>16} {:>10} {:>20}\n", "speed", "swing", "from", "frequency",
-                      "damping", "log.", "stiffness/inertia");
-  text += fmt::format("{:>9} {:>16} {:>7} {:>18} {:>16} {:>10} {:>20}\n", "m/s", "s", "deg", "rad/s", "ratio",
-                      "decrement", "1/s2");
+  text::Table table{{{"speed"},
+                     {"swing"},
+                     {"from", 2},
+                     {"frequency"},
+                     {"damping"},
+                     {"logarithmic decrement", 1},
+                     {"stiffness/inertia", 3}}};
+  const auto add = [&table](const std::vector<std::string>& row) {
+    constexpr std::array<std::size_t, 7> widths{9, 16, 7, 18, 16, 10, 20};
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      const std::string blanks(widths[i] - std::min(widths[i], text::display_width(row[i])), ' ');
+      cells.push_back(fmt::format("{}{}{}", i == 0 ? "" : " ", blanks, row[i]));
+    }
+    table.row(cells);
+  };
+  add({"speed", "swing", "from", "frequency", "damping", "log.", "stiffness/inertia"});
+  add({"m/s", "s", "deg", "rad/s", "ratio", "decrement", "1/s2"});
   for (const auto& row : cells(stability)) {
-    // The sign in a figure with an interval is two bytes and one column.
-    const auto wide = [](const std::string& cell, std::size_t width) {
-      return width + (cell.find("±") == std::string::npos ? 0 : 1);
-    };
-    text += fmt::format("{:>9} {:>16} {:>7} {:>{}} {:>{}} {:>10} {:>{}}\n", row[0], row[1], row[2], row[3],
-                        wide(row[3], 18), row[4], wide(row[4], 16), row[5], row[6], wide(row[6], 20));
+    add(row);
   }
+  text += table.text(columns);
   text += "\nA figure behind ± is the reach of its 95 % interval.\n";
   for (const std::string& remark : stability.remarks) {
     text += "  " + remark + "\n";

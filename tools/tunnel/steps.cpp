@@ -197,11 +197,14 @@ std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
 }
 
 StepTable identify_steps(const logs::RollLog& log, const identify::model::Airframe& airframe,
-                         const StepOptions& options) {
+                         const StepOptions& options, const StepProgress& progress) {
   StepTable table;
   const std::vector<ReferenceStep> all = find_reference_steps(log);
   std::vector<std::string> left_out;
   for (std::size_t i = 0; i < all.size(); ++i) {
+    if (progress) {
+      progress(i, all.size());
+    }
     if (!wanted(all[i], options.direction)) {
       continue;
     }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -96,10 +97,13 @@ struct StepTable {
   std::vector<std::string> remarks{};
 };
 
+/// Told of how many steps as many are done; it may throw to give up.
+using StepProgress = std::function<void(std::size_t done, std::size_t of)>;
+
 /// A step that cannot be identified, because it is too short for one, or that does not tell alpha and beta is left out,
 /// and a remark says why. Throws text::Error (bad_data) when none is left.
 [[nodiscard]] StepTable identify_steps(const logs::RollLog& log, const identify::model::Airframe& airframe,
-                                       const StepOptions& options);
+                                       const StepOptions& options, const StepProgress& progress = {});
 
 /// The mean of the sensor's readings while the steps lasted, because one reading is rounded to more than the air
 /// varies. Throws text::Error (bad_data) when there is no reading then, or when the fan got another set point

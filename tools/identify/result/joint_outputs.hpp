@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "identify/result/joint_findings.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::identify::result {
 
@@ -17,7 +18,7 @@ namespace fantail::identify::result {
 [[nodiscard]] std::vector<std::string> conclusions(const JointFindings& findings);
 
 /// For a terminal: a row a window, what it says by itself, and all of them together.
-[[nodiscard]] std::string as_text(const JointFindings& findings);
+[[nodiscard]] std::string as_text(const JointFindings& findings, std::size_t columns = text::any_width);
 /// report.html, with alpha and beta of each window beside those of all.
 [[nodiscard]] std::string as_html(const JointFindings& findings);
 /// One object: alpha and beta with sd, correlation and interval, the chi-square, and a list "windows".

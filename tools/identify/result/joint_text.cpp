@@ -12,6 +12,7 @@
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
+#include "text/table.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -124,7 +125,7 @@ std::vector<std::string> conclusions(const JointFindings& f) {
   return all;
 }
 
-std::string as_text(const JointFindings& f) {
+std::string as_text(const JointFindings& f, std::size_t columns) {
   std::string out = fmt::format("{} windows: one roll model\n  vehicle    {}\n  density    {}\n  speed      {}\n",
                                 f.windows.size(), f.vehicle, f.density, f.speed);
   for (const std::string& warning : f.warnings) {
@@ -134,18 +135,24 @@ std::string as_text(const JointFindings& f) {
   for (const JointWindow& window : f.windows) {
     width = std::max(width, name(window).size() + 2);
   }
-  out += fmt::format("\n  {:<{}}{:<20}{:<20}{:<10}{}\n", "", width, "alpha / m2", "beta / m", "share",
-                     "mean angle error / deg");
-  out += fmt::format("  {:<{}}{:<20}{:<20}{:<10}{:<12}{}\n", "by itself", width, "", "", "", "by itself", "in common");
+  text::Table table{{{""}, {"alpha"}, {"beta"}, {"share", 1}, {"mean angle error", 2}}};
+  const auto first = [width](const std::string& cell) { return fmt::format("  {:<{}}", cell, width); };
+  const auto wide = [](const std::string& cell) { return fmt::format("{:<20}", cell); };
+  const auto share = [](const std::string& cell) { return fmt::format("{:<10}", cell); };
+  const auto errors = [](const std::string& own, const std::string& common) {
+    return fmt::format("{:<12}{}", own, common);
+  };
+  table.row({first(""), wide("alpha / m2"), wide("beta / m"), share("share"), "mean angle error / deg"});
+  table.row({first("by itself"), wide(""), wide(""), share(""), errors("by itself", "in common")});
   for (const JointWindow& window : f.windows) {
-    out += fmt::format("  {:<{}}{:<20}{:<20}{:<10}{:<12}{}\n", name(window), width, with_deviation(window.own, 0),
-                       with_deviation(window.own, 1), fixed(100.0 * window.information_share, 0) + " %",
-                       error_deg(window.own), error_deg(shared(window)));
+    table.row({first(name(window)), wide(with_deviation(window.own, 0)), wide(with_deviation(window.own, 1)),
+               share(fixed(100.0 * window.information_share, 0) + " %"),
+               errors(error_deg(window.own), error_deg(shared(window)))});
   }
-  out +=
-      fmt::format("  {:<{}}{:<20}{}\n", "in common", width, together_text(f.together, 0), together_text(f.together, 1));
-  out += fmt::format("  {:<{}}{:<20}{}\n", "  95 %", width, interval_text(interval_of(f.together, 0)),
-                     interval_text(interval_of(f.together, 1)));
+  table.row({first("in common"), wide(together_text(f.together, 0)), together_text(f.together, 1)});
+  table.row(
+      {first("  95 %"), wide(interval_text(interval_of(f.together, 0))), interval_text(interval_of(f.together, 1))});
+  out += "\n" + table.text(columns);
   out += "  Each window has a disturbance, a first angle and a first rate of its own.\n\n";
   out += "  " + heading_of(f) + ".\n";
   for (const std::string& sentence : conclusions(f)) {

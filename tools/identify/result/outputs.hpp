@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "identify/result/findings.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::identify::result {
 
 /// For a terminal: one table a window, its methods side by side, and what the numbers are worth in words.
-[[nodiscard]] std::string as_text(const Study& study);
+[[nodiscard]] std::string as_text(const Study& study, std::size_t columns = text::any_width);
 
 /// report.html: what was found, how well each number is known in plain words, and the pictures behind it.
 [[nodiscard]] std::string as_html(const Study& study);

@@ -8,13 +8,14 @@
 #include "identify/result/outputs.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/table.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
 class Text {
  public:
-  explicit Text(const Study& study) : study_{study} {}
+  Text(const Study& study, std::size_t columns) : study_{study}, columns_{columns} {}
 
   std::string write() {
     heading();
@@ -36,11 +37,11 @@ class Text {
   }
 
   void row(const WindowFindings& window, const std::string& label, const Cell& cell) {
-    std::string text = fmt::format("  {:<26}", label);
+    std::vector<std::string> cells{fmt::format("  {:<26}", label)};
     for (const Identification& result : window.results) {
-      text += fmt::format("{:<28}", cell(result));
+      cells.push_back(fmt::format("{:<28}", cell(result)));
     }
-    line("{}", text);
+    table_.row_to_its_last_word(cells);
   }
 
   void heading() {
@@ -60,10 +61,11 @@ class Text {
       line("  canard angles used {} ms {}{}", text::brief(1000.0 * std::abs(window.lag_s), 1),
            window.lag_s < 0.0 ? "earlier" : "later", fitted_lag(window));
     }
+    table_ = text::Table{std::vector<text::Table::Column>(1 + window.results.size())};
     row(window, "", [](const Identification& r) { return fmt::format("{}, {} loop", name(r.method), name(r.loop)); });
     number(window, "damping alpha / m2", 0);
     number(window, "torque constant beta / m", 1);
-    line("  disturbance / deg");
+    table_.row({"  disturbance / deg"});
     // Methods may choose different numbers of nodes.
     std::size_t nodes = 0;
     for (const Identification& result : window.results) {
@@ -76,12 +78,13 @@ class Text {
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_angle_error_rad), 3); });
     row(window, "mean rate error / deg/s",
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_rate_error_rad_s), 2); });
-    line("  residual of the rate: its correlation with");
+    table_.row({"  residual of the rate: its correlation with"});
     row(window, "  itself, within 0.2 s",
         [](const Identification& r) { return residual_text(r, &ResidualTests::own_correlation); });
     row(window, "  the canards",
         [](const Identification& r) { return residual_text(r, &ResidualTests::canard_correlation); });
     row(window, "effective samples", effective_text);
+    out_ += table_.text(columns_);
     for (const Identification& result : window.results) {
       node_curve(result);
     }
@@ -123,11 +126,13 @@ class Text {
   }
 
   const Study& study_;
+  std::size_t columns_;
+  text::Table table_{std::vector<text::Table::Column>{}};
   std::string out_;
 };
 
 }  // namespace
 
-std::string as_text(const Study& study) { return Text{study}.write(); }
+std::string as_text(const Study& study, std::size_t columns) { return Text{study, columns}.write(); }
 
 }  // namespace fantail::identify::result

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/terminal.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fantail/verdict_color.hpp"
+
+namespace fantail::tool {
+namespace {
+
+TEST(Color, IsForATerminalThatHasIt) {
+  EXPECT_TRUE(may_have_color(ColorWish::automatic, true, nullptr, "xterm"));
+  EXPECT_FALSE(may_have_color(ColorWish::automatic, false, nullptr, "xterm")) << "a pipe";
+  EXPECT_FALSE(may_have_color(ColorWish::automatic, true, nullptr, "dumb"));
+  EXPECT_FALSE(may_have_color(ColorWish::automatic, true, nullptr, nullptr)) << "nobody said which terminal";
+}
+
+TEST(Color, IsNotForWhoSetsNoColorToAnythingButNothing) {
+  EXPECT_FALSE(may_have_color(ColorWish::automatic, true, "1", "xterm"));
+  EXPECT_FALSE(may_have_color(ColorWish::automatic, true, "0", "xterm"));
+  EXPECT_TRUE(may_have_color(ColorWish::automatic, true, "", "xterm"));
+}
+
+TEST(Color, IsAsTheCommandLineAsksWhateverTheSurroundings) {
+  EXPECT_TRUE(may_have_color(ColorWish::always, false, "1", "dumb"));
+  EXPECT_FALSE(may_have_color(ColorWish::never, true, nullptr, "xterm"));
+}
+
+TEST(Columns, AreThoseOfTheTerminalUpToWhatCanBeRead) {
+  EXPECT_EQ(readable_columns(80), 80U);
+  EXPECT_EQ(readable_columns(60), 60U);
+  EXPECT_EQ(readable_columns(300), 120U);
+  EXPECT_EQ(readable_columns(0), 80U) << "one that does not know its width";
+}
+
+class Painted : public testing::Test {
+ protected:
+  Painted() { set_color("always"); }
+  ~Painted() override { set_color("auto"); }
+};
+
+TEST_F(Painted, AVerdictIsSoUpToItsFirstClause) {
+  EXPECT_EQ(painted_verdict({.outcome = report::Outcome::held, .text = "Roll stayed within 6.1 deg; saturated 5 %."}),
+            "\033[32mRoll stayed within 6.1 deg\033[0m; saturated 5 %.");
+  EXPECT_EQ(painted_verdict({.outcome = report::Outcome::not_held, .text = "Canards at their limit: lost."}),
+            "\033[31mCanards at their limit\033[0m: lost.");
+  EXPECT_EQ(painted_verdict({.outcome = report::Outcome::oscillates, .text = "Canards swing."}),
+            "\033[31mCanards swing\033[0m.");
+  EXPECT_EQ(painted_verdict({.outcome = report::Outcome::not_judged, .text = "Roll not judged: no gains."}),
+            "\033[33mRoll not judged\033[0m: no gains.");
+}
+
+TEST_F(Painted, ADecisionIsSoWhereALineBeginsWithIt) {
+  EXPECT_EQ(painted_decision("Go: a name\nGo: all of it.\nPASS\n"),
+            "\033[32mGo\033[0m: a name\n\033[32mGo\033[0m: all of it.\n\033[32mPASS\033[0m\n");
+  EXPECT_EQ(painted_decision("a Go: b\nNo go: why.\n  FAIL\nFAIL\n"),
+            "a Go: b\n\033[31mNo go\033[0m: why.\n  FAIL\n\033[31mFAIL\033[0m\n");
+}
+
+TEST_F(Painted, APhaseIsSoAndOnlyThatWord) {
+  EXPECT_EQ(
+      painted_phase("motion  live\n  phase safe (power_on)\nphase armed\nphase controlling (x)\nphase finished\n"),
+      "motion  live\n  phase \033[32msafe\033[0m (power_on)\nphase \033[33marmed\033[0m\n"
+      "phase \033[36mcontrolling\033[0m (x)\nphase finished\n");
+}
+
+TEST_F(Painted, NothingIsWhenNobodyWantsColours) {
+  set_color("never");
+  EXPECT_EQ(painted_decision("Go: yes.\n"), "Go: yes.\n");
+  EXPECT_EQ(painted_phase("phase safe\n"), "phase safe\n");
+}
+
+}  // namespace
+}  // namespace fantail::tool

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What a person sees: standard output is a terminal.
+#include <algorithm>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "system/folder.hpp"
+#include "system/process.hpp"
+#include "system/screen.hpp"
+
+namespace fantail::test {
+namespace {
+
+using Words = std::vector<std::string>;
+using Variables = std::vector<std::pair<const char*, const char*>>;  // null: none of that name
+
+std::function<void()> surroundings(const Variables& variables) {
+  return [variables] {
+    for (const auto& [name, value] : variables) {
+      value == nullptr ? unsetenv(name) : setenv(name, value, 1);
+    }
+  };
+}
+
+const Variables plain{{"TERM", "xterm"}, {"NO_COLOR", nullptr}};
+
+Outcome on_terminal(const Words& words, const Folder& folder, unsigned short columns = 80,
+                    const Variables& variables = plain) {
+  return Screen{columns}.fantail(words, {.working_folder = folder.path(), .prepare = surroundings(variables)});
+}
+
+std::string in_a_pipe(const Words& words, const Folder& folder, const Variables& variables) {
+  return fantail(words, {.working_folder = folder.path(), .prepare = surroundings(variables)}).out;
+}
+
+bool has_escape(const std::string& text) { return text.find('\033') != std::string::npos; }
+
+// Columns of a line that has no colours.
+std::size_t width(const std::string& line) {
+  return static_cast<std::size_t>(std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// One word, which may be a command.
+bool is_unbreakable(const std::string& line) {
+  const std::string words = line.substr(line.find_first_not_of(' '));
+  return words.starts_with("fantail ") || words.find(' ') == std::string::npos;
+}
+
+// Lines that are too wide and could have been broken.
+std::string too_wide(const std::string& text, std::size_t columns) {
+  std::string found;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find("\r\n", begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    found += width(line) > columns && !is_unbreakable(line) ? line + "\n" : "";
+    begin = end + 2;
+  }
+  return found;
+}
+
+// Of a flight in the folder: what people run after it, and what needs none.
+std::vector<Words> usual_commands() {
+  return {
+      {"fly", "--out", "flight"},
+      {"fly", "tasha3_launch1"},
+      {"report", "flight/flight.ftl"},
+      {"report", "flight", "flight/flight.ftl"},
+      {"compare", "flight", "flight/flight.ftl", "--out", "compared"},
+      {"identify", "flight", "--method", "both", "--grid-alpha", "20:24:1", "--grid-beta", "8:10:0.5"},
+      {"identify", "flight", "--shared", "alpha,beta", "--window", "1:4", "--window", "4:8"},
+      {"log", "info", "flight"},
+      {"replay", "flight"},
+      {"replay", "flight", "--set", "controller.proportional_gain=0.3"},
+      {"listen", "flight/flight.csv"},
+      {"plan", "show", "tasha3_launch2"},
+      {"plan", "check", "tasha3_launch1"},
+      {"airframe", "tasha3_launch2"},
+      {"predict", "tasha3_launch1", "--runs", "20"},
+      {"campaign", "tasha3_launch2", "--runs", "12"},
+      {"campaign", "detection", "--plan", "tasha3_launch2", "--events", "20", "--launches", "20", "--out", "detection"},
+      {"campaign", "faults", "--list"}};
+}
+
+TEST(Terminal, NoLineIsWiderThanItButOneOfASingleWordOrCommand) {
+  const Folder folder;
+  for (const Words& words : usual_commands()) {
+    const Outcome outcome = on_terminal(words, folder, 80, {{"TERM", "xterm"}, {"NO_COLOR", "1"}});
+    ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << words.front() << ": " << outcome.err;
+    EXPECT_EQ(too_wide(outcome.out, 80), "") << words.front();
+    EXPECT_FALSE(has_escape(outcome.out)) << words.front();
+    EXPECT_FALSE(outcome.out.empty()) << words.front();
+  }
+}
+
+TEST(Terminal, NoHelpIsWiderThanIt) {
+  const Folder folder;
+  for (const Words& words : std::vector<Words>{{},
+                                               {"fly"},
+                                               {"identify"},
+                                               {"paper"},
+                                               {"predict"},
+                                               {"campaign"},
+                                               {"campaign", "detection"},
+                                               {"bench"},
+                                               {"bench", "limits"},
+                                               {"node"},
+                                               {"watch"},
+                                               {"gateway"},
+                                               {"tunnel", "steps"},
+                                               {"log", "export"},
+                                               {"compare"},
+                                               {"plan"},
+                                               {"tune"},
+                                               {"new"},
+                                               {"listen"}}) {
+    Words asked = words;
+    asked.emplace_back("--help");
+    for (const unsigned short columns : {60, 80, 100}) {
+      const Outcome outcome = on_terminal(asked, folder, columns);
+      EXPECT_EQ(outcome.exit_code, 0);
+      EXPECT_EQ(too_wide(outcome.out, columns), "") << columns;
+    }
+  }
+}
+
+TEST(Terminal, ATableThatIsTooWideSaysWhichColumnsItLeavesOut) {
+  const Folder folder;
+  const std::string narrow = on_terminal({"airframe", "tasha3_launch2"}, folder).out;
+  EXPECT_NE(narrow.find("Left out, for the width of this terminal: range"), std::string::npos) << narrow;
+  const std::string wide = on_terminal({"airframe", "tasha3_launch2"}, folder, 120).out;
+  EXPECT_EQ(wide.find("Left out"), std::string::npos) << wide;
+}
+
+TEST(Terminal, AVerdictIsColouredWhereNobodyObjects) {
+  const Folder folder;
+  const Words held{"fly"};
+  EXPECT_NE(on_terminal(held, folder).out.find("\r\n\033[32mRoll stayed within"), std::string::npos);
+  EXPECT_NE(on_terminal({"fly", "tasha3_launch1"}, folder).out.find("\r\n\033[31mCanards commanded"),
+            std::string::npos);
+  EXPECT_NE(on_terminal({"predict", "tasha3_launch1", "--runs", "8"}, folder).out.find("\033[31mNo go\033[0m: "),
+            std::string::npos);
+  EXPECT_FALSE(has_escape(on_terminal(held, folder, 80, {{"NO_COLOR", "1"}, {"TERM", "xterm"}}).out));
+  EXPECT_FALSE(has_escape(on_terminal(held, folder, 80, {{"NO_COLOR", nullptr}, {"TERM", "dumb"}}).out));
+  EXPECT_FALSE(has_escape(on_terminal({"fly", "--color", "never"}, folder).out));
+}
+
+TEST(Pipe, HasTheSameBytesWhateverTerminalTheSurroundingsSpeakOf) {
+  const Folder folder;
+  for (const Words& words : {Words{"fly"}, Words{"plan", "show", "tasha3_launch2"}, Words{"airframe", "tasha3_launch2"},
+                             Words{"fly", "--help"}, Words{"campaign", "tasha3_launch2", "--runs", "4"}}) {
+    const std::string without = in_a_pipe(words, folder, {{"TERM", nullptr}, {"COLUMNS", nullptr}});
+    EXPECT_EQ(in_a_pipe(words, folder, {{"TERM", "xterm-256color"}, {"COLUMNS", "40"}}), without) << words.front();
+    EXPECT_FALSE(has_escape(without)) << words.front();
+    EXPECT_NE(without, "") << words.front();
+  }
+}
+
+TEST(Pipe, HasColoursForWhoAsksForThemAndIsNotWrappedForThat) {
+  const Folder folder;
+  std::string coloured = in_a_pipe({"fly", "--color=always"}, folder, {{"NO_COLOR", "1"}});
+  for (const std::string escape : {"\033[32m", "\033[0m"}) {
+    const std::size_t place = coloured.find(escape);
+    ASSERT_NE(place, std::string::npos) << coloured;
+    coloured.erase(place, escape.size());
+  }
+  EXPECT_EQ(coloured, in_a_pipe({"fly"}, folder, {}));
+}
+
+TEST(Color, TakesThreeWords) {
+  const Outcome outcome = fantail({"plan", "show", "--color", "red"});
+  EXPECT_EQ(outcome.exit_code, 64);
+  EXPECT_NE(outcome.err.find("--color: red not in {auto,always,never}"), std::string::npos) << outcome.err;
+}
+
+TEST(Watch, DrawsOverTheLastPictureAndClearsNoScreen) {
+  const Folder folder;
+  const std::string url = "file://" + (folder / "flight.lcmlog");
+  ASSERT_EQ(fantail({"fly", "--lcm", url}, {.working_folder = folder.path()}).exit_code, 0);
+  const std::string drawn = on_terminal({"watch", "--lcm", url, "--for", "1.5"}, folder).out;
+  EXPECT_TRUE(drawn.starts_with("\033[?1049h\033[?2026h")) << drawn.substr(0, 200);
+  EXPECT_EQ(drawn.find("\033[2J"), std::string::npos);
+  std::size_t frames = 0;
+  for (std::size_t at = 0; (at = drawn.find("\033[H", at)) != std::string::npos; ++at) {
+    ++frames;
+  }
+  EXPECT_GE(frames, 4U);
+  const std::size_t left = drawn.find("\033[?1049l");
+  ASSERT_NE(left, std::string::npos) << "the alternate screen";
+  EXPECT_NE(drawn.find("link, last ", left), std::string::npos) << "the last picture stays";
+  EXPECT_NE(drawn.find("phase \033["), std::string::npos) << "the phase in colour";
+}
+
+TEST(Watch, IsLinesOnATerminalThatCannotDraw) {
+  const Folder folder;
+  const std::string url = "file://" + (folder / "flight.lcmlog");
+  ASSERT_EQ(fantail({"fly", "--lcm", url}, {.working_folder = folder.path()}).exit_code, 0);
+  const Outcome outcome = on_terminal({"watch", "--lcm", url, "--for", "1.1"}, folder, 80, {{"TERM", "dumb"}});
+  EXPECT_FALSE(has_escape(outcome.out)) << outcome.out;
+  EXPECT_NE(outcome.out.find("link: "), std::string::npos) << outcome.out;
+}
+
+}  // namespace
+}  // namespace fantail::test

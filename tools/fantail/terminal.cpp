@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/terminal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "fantail/standard_streams.hpp"
+#include "text/wrapped.hpp"
+
+namespace fantail::tool {
+namespace {
+
+constexpr std::size_t usual_columns = 80;
+constexpr std::size_t usual_rows = 24;
+// A longer line is hard to read, a shorter one holds no option with its meaning.
+constexpr std::size_t most_columns = 120;
+constexpr std::size_t least_columns = 40;
+
+ColorWish color_wish = ColorWish::automatic;
+
+winsize size_of(int stream) {
+  winsize size{};
+  ::ioctl(stream, TIOCGWINSZ, &size);  // where it fails, all stays zero: not known
+  return size;
+}
+
+bool is_dumb(const char* term) { return term == nullptr || *term == '\0' || std::string_view{term} == "dumb"; }
+
+}  // namespace
+
+bool may_have_color(ColorWish wish, bool is_terminal, const char* no_color, const char* term) {
+  if (wish != ColorWish::automatic) {
+    return wish == ColorWish::always;
+  }
+  return is_terminal && (no_color == nullptr || *no_color == '\0') && !is_dumb(term);
+}
+
+std::size_t readable_columns(std::size_t told) {
+  return told == 0 ? usual_columns : std::clamp(told, least_columns, most_columns);
+}
+
+std::size_t columns_of(int stream) {
+  return ::isatty(stream) == 1 ? readable_columns(size_of(stream).ws_col) : text::any_width;
+}
+
+bool output_is_screen() { return ::isatty(STDOUT_FILENO) == 1 && !is_dumb(std::getenv("TERM")); }
+
+std::size_t output_columns() { return columns_of(STDOUT_FILENO); }
+
+std::size_t output_rows() {
+  const std::size_t told = size_of(STDOUT_FILENO).ws_row;
+  return told == 0 ? usual_rows : told;
+}
+
+void set_color(std::string_view wish) {
+  color_wish = wish == "always" ? ColorWish::always : (wish == "never" ? ColorWish::never : ColorWish::automatic);
+}
+
+std::string painted(Color color, std::string_view text) {
+  static const bool is_terminal = ::isatty(STDOUT_FILENO) == 1;
+  if (text.empty() || !may_have_color(color_wish, is_terminal, std::getenv("NO_COLOR"), std::getenv("TERM"))) {
+    return std::string{text};
+  }
+  // In the order of the names.
+  constexpr std::array codes{32, 31, 33, 36};
+  return fmt::format("\033[{}m{}\033[0m", codes[static_cast<std::size_t>(color)], text);
+}
+
+void show_text(std::string_view text) {
+  const std::size_t columns = output_columns();
+  say_for_now("");  // it may stand on the same terminal
+  fmt::print("{}", columns == text::any_width ? std::string{text} : text::wrapped(text, columns));
+}
+
+}  // namespace fantail::tool

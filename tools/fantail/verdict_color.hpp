@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "report/verdict.hpp"
+
+// Colours repeat what words say; nothing is said by a colour alone.
+namespace fantail::tool {
+
+/// The first clause green where the roll was held, red where it was not or oscillates, else yellow.
+[[nodiscard]] std::string painted_verdict(const report::Verdict& verdict);
+
+/// "Go", "No go", "PASS" and "FAIL", where a line begins with them.
+[[nodiscard]] std::string painted_decision(std::string text);
+
+/// The word behind "phase" where a line begins with that: green while the rocket is safe, yellow while it is armed,
+/// cyan in flight.
+[[nodiscard]] std::string painted_phase(std::string text);
+
+}  // namespace fantail::tool
