@@ -89,13 +89,11 @@ TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
   });
   synthetic.end_control(4.4, core::PhaseReason::apogee);
   const Verdict v = verdict_of(synthetic.flight);
-  EXPECT_EQ(v.outcome, Outcome::not_held);
-  // Saturated 1.68 .. 4.399 s: 2720 of 3800 ticks.
+  EXPECT_EQ(v.outcome, Outcome::not_held);  // saturated 1.68 .. 4.399 s: 2720 of 3800 ticks
   EXPECT_EQ(v.text,
             "Canards commanded to their limit (+6 deg) from 1.68 s to the end of control: the fin offset of -7.3 deg "
-            "is beyond what "
-            "they can balance; roll not held. Canards at their limit 71.6 % of control time, 1.3 deg too few against "
-            "the fin offset.");
+            "is beyond what they can balance; roll not held. Canards at their limit 71.6 % of control time, 1.3 deg "
+            "too few against the fin offset.");
 }
 
 TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
@@ -106,8 +104,8 @@ TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
   });
   EXPECT_EQ(verdict_of(synthetic.flight).text,
             "Roll stayed within 0.0 deg of where this law settles; canards at their limit 25.7 % of control time, 4.0 "
-            "deg to spare against the fin offset. Canards "
-            "commanded to their limit (-9 deg) from 3.50 s to the end of control.");
+            "deg to spare against the fin offset. Canards commanded to their limit (-9 deg) from 3.50 s to the end of "
+            "control.");
 }
 
 TEST(Verdict, WhatHandsTurnInStillAirIsNotJudged) {
@@ -222,9 +220,8 @@ TEST(Verdict, WhatWasBridgedOrIsALowerBoundIsSaid) {
   EXPECT_EQ(v.outcome, Outcome::held);
   EXPECT_TRUE(v.text.ends_with(
       " The gyro gave no usable rate for 0.012 s in all, first at 2.00 s; no roll was commanded meanwhile. From "
-      "0.30 s on "
-      "the "
-      "avionics knew only lower bounds of height and speed, because every accelerometer was at the end of its range."))
+      "0.30 s on the avionics knew only lower bounds of height and speed, because every accelerometer was at the end "
+      "of its range."))
       << v.text;
 }
 

@@ -9,64 +9,10 @@
 #include "json/value.hpp"
 #include "logs/refused.hpp"
 #include "seed.hpp"
-#include "sim/roll_plant.hpp"
-#include "tunnel/made_logs.hpp"
-#include "tunnel/steps_overlay.hpp"
+#include "tunnel/made_steps.hpp"
 
 namespace fantail::tunnel {
 namespace {
-
-constexpr identify::model::Airframe tasha{.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5};
-
-struct Planted {
-  double alpha_m2;
-  double beta_m;
-  double offset_deg;
-};
-
-// A run at 100 Hz and 22 m/s whose reference goes between 0 and 45 deg every `half_wave_s`; in each step another rocket
-// rolls. Where the canards go until the next sample follows from this one, so that they run straight between samples,
-// as the model takes them to.
-logs::RollLog made_run(const std::vector<Planted>& rockets, double half_wave_s = 6.0) {
-  logs::RollLog log;
-  log.name = "run.csv";
-  constexpr double dt_s = 0.01;
-  sim::RollState state;
-  double canard = 0.0;
-  for (int i = -100; i < std::lround(half_wave_s / dt_s) * static_cast<long>(rockets.size()); ++i) {
-    const double t = dt_s * i;
-    const auto step = static_cast<std::size_t>(std::max(t / half_wave_s + 1e-9, 0.0));
-    const double reference = i < 0 ? 0.0 : step % 2 == 0 ? 45.0 * degree : 0.0;
-    log.time_s.push_back(t);
-    log.roll_angle_rad.push_back(state.angle_rad);
-    log.roll_rate_rad_s.push_back(state.rate_rad_s);
-    log.reference_rad.push_back(reference);
-    log.canard_rad.push_back(canard);
-    log.phase.push_back(i < 0 ? core::Phase::armed : core::Phase::controlling);
-    if (i >= 0) {
-      const sim::RollPlant plant{.inertia_kg_m2 = tasha.inertia_kg_m2,
-                                 .reference_area_m2 = tasha.reference_area_m2,
-                                 .damping_m2 = rockets[step].alpha_m2,
-                                 .torque_m = rockets[step].beta_m};
-      const double next = 0.5 * (reference - state.angle_rad) - 0.05 * state.rate_rad_s;
-      for (int k = 0; k < 10; ++k) {
-        const double between = canard + (next - canard) * (k + 0.5) / 10.0;
-        state = plant.step(state, 1.2, 22.0, between + rockets[step].offset_deg * degree, dt_s / 10.0);
-      }
-      canard = next;
-    }
-  }
-  return log;
-}
-
-StepOptions at_22_m_s() {
-  StepOptions options;
-  options.record.speed_m_s = 22.0;
-  options.record.density_kg_m3 = 1.2;
-  return options;
-}
-
-const std::vector<Planted> three_rockets{{13.0, 10.5, -6.0}, {22.0, 9.0, -5.0}, {25.0, 12.0, -7.0}};
 
 // What instruments add: white noise on angle and rate.
 logs::RollLog noisy(logs::RollLog log, Gaussian& gaussian, double angle_deg, double rate_deg_s) {
@@ -266,29 +212,6 @@ TEST(StepsCsv, HasTheColumnsThatAPredictionReads) {
   EXPECT_EQ(table.cell(2, table.column("vehicle")), "Dart, \"blue\"");
   EXPECT_EQ(table.number(2, table.column("reference_area_m2")), 5.0265e-5);
   EXPECT_EQ(table.number(2, table.column("inertia_kg_m2")), 0.00393);
-}
-
-TEST(Outliers, AreTheStepsThatLieApartFromTheMedianByFigureAndNumber) {
-  std::vector<Planted> rockets(7, {19.4, 9.6, -4.0});
-  for (std::size_t i = 0; i < rockets.size(); ++i) {
-    rockets[i].alpha_m2 += 0.1 * static_cast<double>(i % 3);
-  }
-  rockets[4].alpha_m2 = 26.0;
-  const StepTable table = identify_steps(made_run(rockets), tasha, at_22_m_s());
-  std::vector<Outlier> of_alpha = outliers(table);
-  std::erase_if(of_alpha, [](const Outlier& one) { return one.column->figure != &StepFigures::alpha_m2; });
-  ASSERT_EQ(of_alpha.size(), 1U);
-  EXPECT_EQ(of_alpha[0].step, 5U);
-  EXPECT_NEAR(of_alpha[0].value, 26.0, 0.1);
-  EXPECT_NEAR(of_alpha[0].median, 19.5, 0.1);
-  const std::string page = overlay_html(table);
-  EXPECT_NE(page.find(">step 5<"), std::string::npos);
-  EXPECT_NE(page.find("Step 5: "), std::string::npos);
-}
-
-TEST(Outliers, AreNoneWhereNobodyCouldSayWhichAreTheOddOnes) {
-  EXPECT_TRUE(outliers(identify_steps(made_run(three_rockets), tasha, at_22_m_s())).empty());
-  EXPECT_TRUE(outliers({}).empty());
 }
 
 TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {

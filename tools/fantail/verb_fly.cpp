@@ -13,6 +13,7 @@
 #include "fantail/card_output.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
+#include "fantail/fly_summary.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/page_output.hpp"
@@ -20,16 +21,12 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "fantail/wall_clock.hpp"
-#include "flight/phase_names.hpp"
 #include "fly/fly_scenario.hpp"
 #include "fly/without_control.hpp"
 #include "hil/wire.hpp"
 #include "report/card.hpp"
-#include "report/gain_margin_text.hpp"
 #include "report/results.hpp"
-#include "text/degrees.hpp"
 #include "text/shell_word.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -49,43 +46,6 @@ struct FlyOptions {
   bool card = false;
   bool json = false;
 };
-
-void print_figure(std::string_view label, const std::optional<double>& value, std::string_view format) {
-  if (value) {
-    show("  {:<22}{}\n", label, fmt::format(fmt::runtime(format), *value));
-  }
-}
-
-void print_summary(const flight::Flight& flight, const report::Results& results) {
-  show("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0),
-       painted_verdict(results.verdict));
-  if (!flight.changes.empty()) {
-    show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
-  }
-  std::vector<std::string> assumed = flight.notes;
-  if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
-    assumed.insert(assumed.begin(), imposed);
-  }
-  show("{}", assumed.empty() ? "" : "\nAssumptions and notes:\n");
-  for (const std::string& sentence : assumed) {
-    show("  {}\n", sentence);
-  }
-  show("\n");
-  const flight::Events& events = flight.events;
-  const auto percent = results.figures.saturated_fraction;
-  print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
-  print_figure("control starts", flight.tunnel ? std::nullopt : events.control_start_s, "{:.3f} s after lift-off");
-  print_figure("  at height", results.figures.control_start_height_m, "{:.2f} m");
-  print_figure("burn-out", events.burnout_s, "{:.2f} s");
-  print_figure("top speed", results.figures.max_speed_m_s, "{:.1f} m/s");
-  print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
-  print_figure("  at time", events.apogee_s, "{:.2f} s");
-  for (const flight::LoopMargin& margin : flight.loop_margins) {
-    show("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin", text::degrees(margin.phase_margin_rad),
-         margin.speed_m_s, report::gain_margin_text(margin));
-  }
-  print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
-}
 
 flight::Flight fly_and_show(const sim::Scenario& scenario, FlightComputerOption& computer, LcmOutput& lcm,
                             PageOutput& page, bool realtime) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "tunnel/steps_overlay.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tunnel/made_steps.hpp"
+
+namespace fantail::tunnel {
+namespace {
+
+TEST(Outliers, AreTheStepsThatLieApartFromTheMedianByFigureAndNumber) {
+  std::vector<Planted> rockets(7, {19.4, 9.6, -4.0});
+  for (std::size_t i = 0; i < rockets.size(); ++i) {
+    rockets[i].alpha_m2 += 0.1 * static_cast<double>(i % 3);
+  }
+  rockets[4].alpha_m2 = 26.0;
+  const StepTable table = identify_steps(made_run(rockets), tasha, at_22_m_s());
+  std::vector<Outlier> of_alpha = outliers(table);
+  std::erase_if(of_alpha, [](const Outlier& one) { return one.column->figure != &StepFigures::alpha_m2; });
+  ASSERT_EQ(of_alpha.size(), 1U);
+  EXPECT_EQ(of_alpha[0].step, 5U);
+  EXPECT_NEAR(of_alpha[0].value, 26.0, 0.1);
+  EXPECT_NEAR(of_alpha[0].median, 19.5, 0.1);
+  const std::string page = overlay_html(table);
+  EXPECT_NE(page.find(">step 5<"), std::string::npos);
+  EXPECT_NE(page.find("Step 5: "), std::string::npos);
+}
+
+TEST(Outliers, AreNoneWhereNobodyCouldSayWhichAreTheOddOnes) {
+  EXPECT_TRUE(outliers(identify_steps(made_run(three_rockets), tasha, at_22_m_s())).empty());
+  EXPECT_TRUE(outliers({}).empty());
+}
+
+}  // namespace
+}  // namespace fantail::tunnel

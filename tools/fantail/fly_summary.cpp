@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/fly_summary.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
+#include "flight/phase_names.hpp"
+#include "report/gain_margin_text.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::tool {
+namespace {
+
+void print_figure(std::string_view label, const std::optional<double>& value, std::string_view format) {
+  if (value) {
+    show("  {:<22}{}\n", label, fmt::format(fmt::runtime(format), *value));
+  }
+}
+
+}  // namespace
+
+void print_summary(const flight::Flight& flight, const report::Results& results) {
+  show("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0),
+       painted_verdict(results.verdict));
+  if (!flight.changes.empty()) {
+    show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
+  }
+  std::vector<std::string> assumed = flight.notes;
+  if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
+    assumed.insert(assumed.begin(), imposed);
+  }
+  show("{}", assumed.empty() ? "" : "\nAssumptions and notes:\n");
+  for (const std::string& sentence : assumed) {
+    show("  {}\n", sentence);
+  }
+  show("\n");
+  const flight::Events& events = flight.events;
+  const auto percent = results.figures.saturated_fraction;
+  print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
+  print_figure("control starts", flight.tunnel ? std::nullopt : events.control_start_s, "{:.3f} s after lift-off");
+  print_figure("  at height", results.figures.control_start_height_m, "{:.2f} m");
+  print_figure("burn-out", events.burnout_s, "{:.2f} s");
+  print_figure("top speed", results.figures.max_speed_m_s, "{:.1f} m/s");
+  print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
+  print_figure("  at time", events.apogee_s, "{:.2f} s");
+  for (const flight::LoopMargin& margin : flight.loop_margins) {
+    show("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin", text::degrees(margin.phase_margin_rad),
+         margin.speed_m_s, report::gain_margin_text(margin));
+  }
+  print_figure("saturated", percent ? std::optional{100.0 * *percent} : std::nullopt, "{:.1f} % of control time");
+}
+
+}  // namespace fantail::tool
