@@ -109,7 +109,7 @@ TEST(Page, NumbersOfATableStandRightAndTonesAreClasses) {
 
 TEST(Page, ATableIsReachedByKeysAndAColumnWithoutAHeadingHasNone) {
   const std::vector<Column> columns{{""}, {"value", true}};
-  const std::string text = table(columns, std::vector{std::vector{Cell{"a"}, Cell{"1"}}});
+  const std::string text = table(columns, std::vector<std::vector<Cell>>(1, {Cell{"a"}, Cell{"1"}}));
   EXPECT_TRUE(holds(
       text,
       "<div class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"Table of 2 columns\"><table class=\"plain\">"));
@@ -131,8 +131,8 @@ TEST(Page, ATableWithSentencesBesideOthersHasItsHeadingsAtItsCellsToo) {
   EXPECT_TRUE(holds(cards, "<td data-label=\"re&lt;mark&gt;\">The motor"));
   EXPECT_FALSE(holds(beside(2, {sentence}), "cards"));
   EXPECT_FALSE(holds(beside(3, {"not named"}), "cards"));
-  EXPECT_TRUE(
-      holds(table(std::vector{Column{""}}, std::vector{std::vector{Cell{"a name of words"}}}), "class=\"named\""));
+  EXPECT_TRUE(holds(table(std::vector<Column>(1), std::vector<std::vector<Cell>>(1, {Cell{"a name of words"}})),
+                    "class=\"named\""));
 }
 
 TEST(Page, AListLinksWhereThereIsAnAddress) {
