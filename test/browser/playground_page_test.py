@@ -85,7 +85,7 @@ class PlaygroundPage(unittest.TestCase):
             for link, words in (("tasha3_launch2&controller.proportional_gain=NaN", "out of range|not a number"),
                                 ("tasha3_launch2&controller.gain=1", "unknown key controller.gain"),
                                 ("<img src=x onerror=document.title='x'>", "unknown scenario"),
-                                ("tasha3_launch2&%FF", "is no text"), ("tunnel_flow&run.control_time_s=3600", "1500 s at most")):
+                                ("tasha3_launch2&%FF", "is no text"), ("tasha3_launch2&timing.time_after_end_s=3600", "300 s at most")):
                 page.run("location.hash = arguments[0]", "#" + link)
                 page.wait_until("return !document.getElementById('refusal').hidden && document.getElementById('state').textContent === 'refused'", 120)
                 self.assertRegex(text_of(page, "refusal-text"), words)

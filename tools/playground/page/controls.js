@@ -59,7 +59,7 @@ const fantailControls = (changed) => {
     rows = [];
     faults = of.faults;
     $("controls").replaceChildren(...of.controls.map(addRow));
-    $("fault").replaceChildren(element("option", {value: "", textContent: "none of ours"}),
+    $("fault").replaceChildren(element("option", {value: "", textContent: "none added"}),
       ...faults.map(({kind, meaning}) => element("option", {value: kind, textContent: kind.replaceAll("_", " "), title: meaning})));
     $("seed").placeholder = String(of.seed);
   }

@@ -6,7 +6,7 @@
 const fantailFlights = (take) => {
   const patience = 400;  // milliseconds that a newer wish waits for an older flight
   const source = new Blob([document.getElementById("worker-source").textContent], {type: "text/javascript"});
-  let compiled = null, worker = null, busySince = null, waiting = null, running = 0, timer = null;
+  let compiled = null, worker = null, busySince = null, waiting = null, asked = null, running = 0, timer = null;
 
   const bytes = () => Uint8Array.from(atob(document.getElementById("module-base64").textContent.trim()), (char) => char.charCodeAt(0));
 
@@ -19,7 +19,7 @@ const fantailFlights = (take) => {
       if (data.id !== running) return undefined;  // of a wish that is no longer one
       busySince = null;
       clearTimeout(timer);
-      take(data);
+      take({flown: data.flown, asked});
       return next();
     };
     worker.onerror = (event) => take({trouble: event.message || "the worker of this page did not start"});
@@ -28,11 +28,11 @@ const fantailFlights = (take) => {
 
   function next() {
     if (waiting === null) return;
-    const words = waiting;
+    asked = waiting;
     waiting = null;
     busySince = performance.now();
     running += 1;
-    worker.postMessage({id: running, words});
+    worker.postMessage({id: running, words: fantailSettings.toWords(asked)});
   }
 
   function giveUp() {
@@ -43,8 +43,9 @@ const fantailFlights = (take) => {
     next();
   }
 
-  function wish(words) {
-    waiting = words;
+  // {scenario, settings}, which whoever asks may change afterwards.
+  function wish({scenario, settings}) {
+    waiting = {scenario, settings: new Map(settings)};
     if (busySince === null) return next();
     clearTimeout(timer);
     timer = setTimeout(giveUp, Math.max(0, patience - (performance.now() - busySince)));

@@ -7,7 +7,7 @@ function fantailModule(compiled) {
   const imports = {};
   // The C library could write to a console and read a clock. Here it has neither, and is told so: ENOSYS of WASI.
   for (const {module, name} of WebAssembly.Module.imports(compiled)) (imports[module] ??= {})[name] = () => 52;
-  let it = null;
+  let it = null, names = null;
 
   function instance() {
     if (it === null) {
@@ -36,18 +36,21 @@ function fantailModule(compiled) {
   }
 
   function about() {
-    const [scenarios, columns] = call("about").answer.split("\n\n");
-    return {scenarios: scenarios.split("\n"), columns: columns.split(" ")};
+    if (names === null) {
+      const [scenarios, columns] = call("about").answer.split("\n\n");
+      names = {scenarios: scenarios.split("\n"), columns: columns.split(" ")};
+    }
+    return names;
   }
 
   // With `columns`, a Float32Array of its own, one column of `rows` behind the other, and how long it took.
   function fly(words) {
     const begun = performance.now();
+    const signals = about().columns.length;
     const done = call("fly", words);
     if (done.refusal !== undefined) return done;
-    const names = about().columns.length;
     const rows = it.rows();
-    const columns = new Float32Array(it.memory.buffer, it.columns(), names * rows).slice();
+    const columns = new Float32Array(it.memory.buffer, it.columns(), signals * rows).slice();
     const bytes = it.memory.buffer.byteLength;
     if (bytes > largest) it = null;
     return {summary: done.answer, columns, rows, milliseconds: performance.now() - begun, memory: bytes};

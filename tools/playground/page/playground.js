@@ -24,7 +24,7 @@
   function refuse(sentence) {
     $("refusal").hidden = false;
     $("refusal-text").textContent = sentence;
-    $("verdict-card").classList.add("is-old");
+    document.body.classList.add("is-old");
     pill("refused", "bad");
   }
 
@@ -38,12 +38,7 @@
       // Some browsers allow a hundred of them in half a minute; the next change writes the whole link anyway.
     }
     pill("flying", "");
-    flights.wish(fantailSettings.toWords(wanted));
-    const {command, fault} = fantailSettings.native(wanted);
-    $("command").textContent = command;
-    $("fault-text").hidden = fault === null;
-    $("fault-text").textContent = fault === null ? ""
-      : `# my_scenario.toml is a copy of sim/scenarios/${wanted.scenario}.toml with this at its end:\n${fault}`;
+    flights.wish(wanted);
   }
 
   function open(read) {
@@ -71,10 +66,10 @@
       controls.build(JSON.parse(message.controls.answer));
       return controls.show(wanted.settings);
     }
-    return show(message.flown);
+    return show(message.flown, message.asked);
   }
 
-  function show(result) {
+  function show(result, asked) {
     if (result.refusal !== undefined) {
       return refuse(result.broken ? `This is an error in Fantail, not in your settings: ${result.refusal}.` : result.refusal);
     }
@@ -84,10 +79,12 @@
     slowest = Math.max(slowest, result.milliseconds);
     flight = {summary, columns, rows: result.rows, span: spanOf(summary, columns), milliseconds: result.milliseconds, memory: result.memory};
     $("refusal").hidden = true;
+    document.body.classList.remove("is-old");
     $("verdict-card").className = `card verdict ${summary.outcome}`;
-    $("title").textContent = `${wanted.scenario}, ${summary.vehicle}`;
+    $("title").textContent = `${asked.scenario}, ${summary.vehicle}`;
     pill(`flown in ${result.milliseconds.toFixed(0)} ms`, "good");
     showWords(summary);
+    showRecord(summary, asked);
     plots.show(columns, ...flight.span);
     begun = performance.now();
     return undefined;
@@ -121,17 +118,21 @@
     }));
     $("notes-box").hidden = summary.notes.length === 0;
     $("notes").replaceChildren(...summary.notes.map((note) => Object.assign(document.createElement("li"), {textContent: note})));
-    showRecord(summary);
   }
 
-  function showRecord({log_sha256: digest}) {
+  function showRecord({log_sha256: digest}, asked) {
+    const {command, fault} = fantailSettings.native(asked);
+    $("command").textContent = command;
+    $("fault-text").hidden = fault === null;
+    $("fault-text").textContent = fault === null ? ""
+      : `# my_scenario.toml is a copy of sim/scenarios/${asked.scenario}.toml with this at its end:\n${fault}`;
     $("digest").textContent = digest ?? "nothing was recorded";
     $("record").textContent = digest ? "the SHA-256 of the record is" : "";
-    const known = wanted.settings.size === 0 ? native.digests?.[wanted.scenario] : undefined;
+    const known = asked.settings.size === 0 ? native.digests?.[asked.scenario] : undefined;
     const same = $("same");
     same.className = known === undefined ? "soft" : known === digest ? "same" : "differs";
     same.textContent = known === undefined
-      ? (wanted.settings.size === 0 ? "" : "The page knows the native program's digests of the scenarios as they are shipped; with your settings, compare for yourself.")
+      ? (asked.settings.size === 0 ? "" : "The page knows the native program's digests of the scenarios as they are shipped; with your settings, compare for yourself.")
       : known === digest ? "Equal to that of the native program, which was asked when this page was made."
         : `DIFFERENT from that of the native program, ${known}. This is an error in Fantail.`;
   }
