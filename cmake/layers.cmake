@@ -56,6 +56,7 @@ set(FANTAIL_LAYERS
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text json page input campaign|fmt/"
   "tools/faults|core sim text json page input campaign|fmt/"
+  "tools/playground|core sim text json input flight report fly|fmt/"
   "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/environment.hpp"
 
-#include <cmath>
-
 namespace fantail::sim {
 namespace {
 
@@ -215,8 +213,9 @@ BodyMotion Environment::motion(const RollState& roll, double roll_acceleration_r
     if (const double lateral_m_s2 = ascent_->lateral_specific_force_m_s2(); lateral_m_s2 != 0.0) {
       // The guide leans towards one side of the rocket; rolling turns that side away from where the sensor's axes
       // point.
-      motion.specific_force_m_s2.y = lateral_m_s2 * std::cos(roll.angle_rad);
-      motion.specific_force_m_s2.z = -lateral_m_s2 * std::sin(roll.angle_rad);
+      const SineCosine turned = sine_cosine(roll.angle_rad);
+      motion.specific_force_m_s2.y = lateral_m_s2 * turned.cosine;
+      motion.specific_force_m_s2.z = -lateral_m_s2 * turned.sine;
     }
   }
   return motion;

@@ -69,6 +69,7 @@ quick() {
   call 64 test --only NoSuchSuite.NoSuchTest
   grep -q 'no test is called NoSuchSuite.NoSuchTest' said || { echo "FAILED: a name that no test has: $(cat said)" && exit 1; }
   call 64 test --only 'Two words.x'
+  call 64 playground here
   call 64 format ''
   call 64 lint .
   call 64 sanitize .

@@ -3,15 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "scratch_file.hpp"
+#include "text/error.hpp"
 
 namespace fantail::input {
 namespace {
 
-TomlTree tree_of(std::string_view content) {
-  const ScratchFile file{content};
-  return TomlTree::read(file.path());
-}
+TomlTree tree_of(const std::string& content) { return TomlTree::parse(content, "a.toml"); }
 
 using Keys = std::vector<std::string>;
 

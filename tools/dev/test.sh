@@ -72,6 +72,7 @@ run_tests() {
     fetching=$!
     # Without --all the tests on the emulated processor are skipped.
     stage build_arm arm_build "the images for the emulated processor" all
+    stage build_playground build "the module of the page" build/playground 100 playground_commands
     wait "$fetching"
   fi
   host_options=FANTAIL_TESTS

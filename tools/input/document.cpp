@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "input/document.hpp"
 
-#include <filesystem>
+#include <optional>
 
+#include "input/file_text.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {
@@ -33,13 +34,13 @@ Override parse_override(std::string_view text) {
 }
 
 Document Document::load(const std::string& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) {
+  const std::optional<std::string> text = file_text(file);
+  if (!text) {
     throw text::Error{text::ErrorKind::no_such_input, file + ": no such file"};
   }
   Document document;
   document.file_ = file;
-  document.tree_ = TomlTree::read(file);
+  document.tree_ = TomlTree::parse(*text, file);
   return document;
 }
 

@@ -11,6 +11,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "input/file_kind.hpp"
 #include "input/section.hpp"
+#include "text/decimal.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {
@@ -24,9 +25,7 @@ using core::PlanField;
 double as_written(float value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  double written = 0.0;
-  std::from_chars(text.data(), end, written);
-  return written;
+  return text::decimal({text.data(), end}).value_or(0.0);
 }
 
 // Times go straight into microseconds: through a float, 300.001 s would be 7 us late and so a whole tick.

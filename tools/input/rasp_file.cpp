@@ -2,19 +2,18 @@
 #include "input/rasp_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "input/file_text.hpp"
 #include "input/messages.hpp"
+#include "text/decimal.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {
@@ -36,12 +35,7 @@ struct Block {
 
 class RaspReader {
  public:
-  explicit RaspReader(const std::filesystem::path& file) : name_{file.string()}, stream_{file, std::ios::binary} {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored) || !stream_) {
-      throw text::Error{text::ErrorKind::no_such_input, name_ + ": no such motor file"};
-    }
-  }
+  RaspReader(std::string file, const std::string& text) : name_{std::move(file)}, stream_{text} {}
 
   RaspMotor read(const std::optional<std::string>& wanted) {
     const std::vector<Block> blocks = split();
@@ -75,9 +69,6 @@ class RaspReader {
         blocks.back().points.push_back({line_, std::move(*words)});
       }
     }
-    if (stream_.bad()) {
-      refuse("cannot be read any further");
-    }
     if (blocks.empty()) {
       refuse("no motor in this file; allowed: a header line and thrust points");
     }
@@ -97,7 +88,7 @@ class RaspReader {
     if (!wanted) {
       line_ = blocks[1].header.number;
       refuse("a second motor begins here; choose one of " + list + ", as in file = \"" +
-             std::filesystem::path{name_}.filename().string() + "#" + names.front() + "\"");
+             name_.substr(name_.rfind('/') + 1) + "#" + names.front() + "\"");
     }
     const auto found = std::ranges::find(blocks, *wanted, &Block::name);
     if (found == blocks.end()) {
@@ -157,13 +148,11 @@ class RaspReader {
 
   // Not std::stod, which reads a decimal comma in some locales and stops silently at garbage.
   double number(const std::string& word, const std::string& what) const {
-    double value = 0.0;
-    const char* end = word.data() + word.size();
-    const auto [stopped, error] = std::from_chars(word.data(), end, value);
-    if (error != std::errc{} || stopped != end || !std::isfinite(value)) {
+    const std::optional<double> value = text::decimal(word);
+    if (!value || !std::isfinite(*value)) {
       refuse(what + " \"" + word + "\"; allowed: a finite number with a decimal point");
     }
-    return value;
+    return *value;
   }
 
   // Returns the propellant mass. Size and delays play no part in the flight; they must only be where they belong.
@@ -227,14 +216,18 @@ class RaspReader {
   }
 
   std::string name_;
-  std::ifstream stream_;
+  std::istringstream stream_;
   std::size_t line_ = 0;
 };
 
 }  // namespace
 
 RaspMotor load_rasp(const std::filesystem::path& file, const std::optional<std::string>& motor) {
-  return RaspReader{file}.read(motor);
+  const std::optional<std::string> text = file_text(file.string());
+  if (!text) {
+    throw text::Error{text::ErrorKind::no_such_input, file.string() + ": no such motor file"};
+  }
+  return RaspReader{file.string(), *text}.read(motor);
 }
 
 }  // namespace fantail::input

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
+
+// A result says what is wrong; the parser has no need to throw it.
+#define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
 #include "text/error.hpp"
@@ -162,17 +164,14 @@ void TomlTree::Destroy::operator()(Root* root) const { delete root; }
 
 TomlTree::TomlTree() : root_{new Root} {}
 
-TomlTree TomlTree::read(const std::string& file) {
-  TomlTree tree;
-  std::ifstream stream{file, std::ios::binary};
-  const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+TomlTree TomlTree::parse(const std::string& text, const std::string& file) {
   refuse_foreign_characters(text, file);
-  try {
-    // Of what cannot be opened, and of a folder, toml++ says what is wrong.
-    tree.root_->table = text.empty() ? toml::parse_file(file) : toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    throw text::Error{text::ErrorKind::bad_data, describe(error, file)};
+  toml::parse_result result = toml::parse(text, file);
+  if (!result) {
+    throw text::Error{text::ErrorKind::bad_data, describe(result.error(), file)};
   }
+  TomlTree tree;
+  tree.root_->table = std::move(result).table();
   return tree;
 }
 
@@ -180,12 +179,10 @@ TomlNode TomlTree::root() const { return TomlNode{static_cast<const toml::node*>
 
 void TomlTree::put(const std::string& table, const std::string& key, const std::string& value) {
   toml::table parsed;
-  try {
-    if (!foreign_character(value)) {
-      parsed = toml::parse("value = " + value);
+  if (!foreign_character(value)) {
+    if (toml::parse_result result = toml::parse("value = " + value)) {
+      parsed = std::move(result).table();
     }
-  } catch (const toml::parse_error&) {
-    parsed.clear();
   }
   if (parsed.size() != 1) {  // not TOML, or a whole document smuggled into one value
     parsed.insert_or_assign("value", value);

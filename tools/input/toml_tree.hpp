@@ -48,8 +48,8 @@ class TomlNode {
 class TomlTree {
  public:
   TomlTree();  ///< nothing
-  /// Throws text::Error (bad_data) with file:line:column.
-  [[nodiscard]] static TomlTree read(const std::string& file);
+  /// Of the text of a file, whose name is for messages. Throws text::Error (bad_data) with file:line:column.
+  [[nodiscard]] static TomlTree parse(const std::string& text, const std::string& file);
 
   [[nodiscard]] TomlNode root() const;
 

@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "text/decimal.hpp"
+
 namespace fantail::text {
 
 std::string_view trimmed(std::string_view text) {
@@ -21,18 +23,12 @@ std::string_view trimmed(std::string_view text) {
 
 std::optional<double> number(std::string_view text) {
   text = trimmed(text);
-  // from_chars knows no plus sign; "+-1" must stay no number.
+  // decimal() knows no plus sign; "+-1" must stay no number.
   if (text.starts_with('+') && !text.starts_with("+-")) {
     text.remove_prefix(1);
   }
-  double value = 0.0;
-  const char* const begin = text.data();
-  const char* const end = begin + text.size();
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error != std::errc{} || rest != end || !std::isfinite(value)) {
-    return {};
-  }
-  return value;
+  const std::optional<double> value = decimal(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<std::uint64_t> whole_number(std::string_view text) {

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""Usage: playground_page_test.py FANTAIL PROJECT PICTURES
+
+The page with a simulator in it, opened as a file in a real browser: a flight, its digest against the native program's, what a
+slider changes, what a link may say, and memory after many flights. Pictures go into the folder PICTURES. Exit code 77: there
+is no Chromium here (package chromium-driver), or ./dev playground has never built the module.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # not between the sources
+import browser
+
+FANTAIL, PROJECT, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+BUILD = PROJECT / "build/playground"
+IDLE = "const f = window.fantail?.figures(); return f && f.flown > 0 && !f.busy && document.getElementById('state').textContent !== 'flying'"
+
+
+def text_of(page, name):
+    return page.run("return document.getElementById(arguments[0]).textContent", name)
+
+
+def native_digest(*words):
+    with tempfile.TemporaryDirectory() as out:
+        answer = subprocess.run([FANTAIL, "fly", *words, "--json", "--out", out], stdout=subprocess.PIPE, check=True, text=True)
+        return json.loads(answer.stdout)["log_sha256"]
+
+
+class PlaygroundPage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        subprocess.run(["cmake", "--build", str(BUILD)], check=True, stdout=subprocess.DEVNULL)
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.digest = native_digest("tasha3_launch2")
+        native = pathlib.Path(cls.folder.name) / "native.json"
+        native.write_text(json.dumps({"digests": {"tasha3_launch2": cls.digest}}))
+        file = pathlib.Path(cls.folder.name) / "playground.html"
+        module = BUILD / "tools/playground/playground.wasm"
+        subprocess.run(["cmake", "-D", f"MODULE={module}", "-D", f"NATIVE={native}", "-D", "VERSION=0.1.0", "-D", "HASH=these",
+                        "-D", f"OUT={file}", "-P", str(PROJECT / "tools/playground/make_page.cmake")], check=True)
+        cls.url = file.as_uri()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_it_flies_by_itself_and_again_after_every_change(self):
+        with browser.Browser() as page:
+            page.open(self.url)
+            page.wait_until(IDLE)
+            self.assertEqual(text_of(page, "outcome"), "Held")
+            self.assertEqual(text_of(page, "digest"), self.digest)
+            self.assertIn("Equal to that of the native program", text_of(page, "same"))
+            page.wait_until("return document.getElementById('controller-canard_limit_deg')")
+            page.picture(PICTURES / "playground.png")
+
+            turn = """const slider = document.getElementById('controller-canard_limit_deg').previousSibling;
+                      slider.value = 4; slider.dispatchEvent(new Event('input'))"""
+            page.run(turn)
+            page.wait_until(IDLE)
+            self.assertEqual(text_of(page, "outcome"), "Not held")
+            self.assertEqual(text_of(page, "command"), "./dev fly tasha3_launch2 --set controller.canard_limit_deg=4")
+            self.assertEqual(text_of(page, "digest"), native_digest("tasha3_launch2", "--set", "controller.canard_limit_deg=4"))
+            self.assertEqual(page.run("return location.hash"), "#tasha3_launch2&controller.canard_limit_deg=4")
+
+            page.run("const s = document.getElementById('fault'); s.value = 'canard_stuck'; s.dispatchEvent(new Event('change'))")
+            page.wait_until(IDLE)
+            self.assertIn('kind = "canard_stuck"', text_of(page, "fault-text"))
+            page.run("document.getElementById('reset').click()")
+            page.wait_until("return document.getElementById('same').className === 'same'")
+            self.assertEqual(page.complaints(), [])
+
+    def test_a_link_carries_the_settings_and_a_bad_one_is_refused_in_words(self):
+        with browser.Browser() as page:
+            page.open(self.url + "#tasha3_launch1&reference.kind=hold&controller.canard_limit_deg=9")
+            page.wait_until(IDLE)
+            self.assertEqual(text_of(page, "digest"), native_digest(
+                "tasha3_launch1", "--set", "reference.kind=hold", "--set", "controller.canard_limit_deg=9"))
+            self.assertIn("reference.kind=hold", text_of(page, "others"))
+            for link, words in (("tasha3_launch2&controller.proportional_gain=NaN", "out of range|not a number"),
+                                ("tasha3_launch2&controller.gain=1", "unknown key controller.gain"),
+                                ("<img src=x onerror=document.title='x'>", "unknown scenario"),
+                                ("tasha3_launch2&%FF", "is no text"), ("tasha3_launch2&timing.time_after_end_s=3600", "300 s at most")):
+                page.run("location.hash = arguments[0]", "#" + link)
+                page.wait_until("return !document.getElementById('refusal').hidden && document.getElementById('state').textContent === 'refused'", 120)
+                self.assertRegex(text_of(page, "refusal-text"), words)
+                self.assertNotEqual(page.run("return document.title"), "x")
+                page.run("location.hash = '#tasha3_launch2'")
+                page.wait_until("return document.getElementById('refusal').hidden")
+            page.run("location.hash = '#tasha3_launch2&controller.gain=1'")
+            page.wait_until("return !document.getElementById('refusal').hidden")
+            page.picture(PICTURES / "playground_refused.png")
+
+    def test_a_change_during_a_long_run_is_not_kept_waiting(self):
+        with browser.Browser() as page:
+            page.open(self.url + "#tunnel_swirl_without")
+            page.wait_until("return window.fantail?.figures().busy")
+            page.run("location.hash = '#tasha3_launch2'")
+            page.wait_until(IDLE)
+            self.assertEqual(text_of(page, "digest"), self.digest)
+
+    def test_memory_does_not_grow_while_somebody_plays(self):
+        with browser.Browser() as page:
+            page.open(self.url)
+            page.wait_until(IDLE)
+            play = """const [from, to] = arguments; const slider = document.getElementById('controller-proportional_gain').previousSibling;
+                      window.played = from;
+                      const turn = () => {
+                        if (window.fantail.figures().busy) return setTimeout(turn, 5);
+                        slider.value = 0.2 + 0.005 * (window.played % 100); slider.dispatchEvent(new Event('input'));
+                        if (++window.played < to) setTimeout(turn, 5);
+                      };
+                      turn();"""
+            sizes = []
+            for begin in (0, 100, 200):
+                page.wait_until("return document.getElementById('controller-proportional_gain')")
+                page.run(play, begin, begin + 100)
+                page.wait_until(f"return window.played === {begin + 100}", 300)
+                page.wait_until(IDLE)
+                sizes.append(page.run("return window.fantail.figures().memory"))
+            self.assertEqual(sizes[1], sizes[2])
+            figures = page.run("return window.fantail.figures()")
+            print(f"{figures['flown']} flights, {sizes[-1] >> 20} MB, the last in {figures['milliseconds']:.0f} ms, the slowest in {figures['slowest']:.0f} ms")
+
+    def test_on_a_phone_nothing_is_cut_off_at_the_side(self):
+        with browser.Browser(width=500) as page:
+            page.open(self.url)
+            page.wait_until(IDLE)
+            page.wait_until("return document.getElementById('controller-canard_limit_deg')")
+            page.picture(PICTURES / "playground_phone.png")
+            self.assertLessEqual(page.run("return document.documentElement.scrollWidth - innerWidth"), 0)
+
+
+if __name__ == "__main__":
+    if not browser.is_there() or not (BUILD / "build.ninja").exists():
+        print("SKIPPED: the package chromium-driver is not installed, or ./dev playground has built no module")
+        sys.exit(77)
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "text/decimal.hpp"
+
+#include <charconv>
+#include <system_error>
+
+namespace fantail::text {
+
+std::optional<double> decimal(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && rest == end ? std::optional{value} : std::nullopt;
+}
+
+}  // namespace fantail::text
