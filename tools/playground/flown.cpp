@@ -11,6 +11,7 @@
 
 #include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
+#include "fly/without_control.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "playground/shipped_texts.hpp"
@@ -154,7 +155,9 @@ std::string_view column_names() {
 Flown fly(std::string_view words) {
   const Wish wish = wish_of(words);
   const sim::Scenario scenario = scenario_of(wish);
-  flight::Flight flight = fly::fly_scenario(scenario, ends_what_takes_too_long(scenario), {}, fly::Log::kept);
+  const fly::Look look = ends_what_takes_too_long(scenario);
+  flight::Flight flight = fly::fly_scenario(scenario, look, {}, fly::Log::kept);
+  flight.without_control = fly::roll_without_control(scenario, flight, look);
   flight.changes = wish.settings;
   if (wish.seed) {
     flight.changes.push_back("seed=" + std::to_string(*wish.seed));
