@@ -117,10 +117,10 @@ class PlaygroundPage(unittest.TestCase):
                       };
                       turn();"""
             sizes = []
-            for begin in (0, 100, 200):
+            for begin in (0, 50, 100):
                 page.wait_until("return document.getElementById('controller-proportional_gain')")
-                page.run(play, begin, begin + 100)
-                page.wait_until(f"return window.played === {begin + 100}", 300)
+                page.run(play, begin, begin + 50)
+                page.wait_until(f"return window.played === {begin + 50}", 300)
                 page.wait_until(IDLE)
                 sizes.append(page.run("return window.fantail.figures().memory"))
             self.assertEqual(sizes[1], sizes[2])

@@ -29,11 +29,9 @@
   }
 
   // --- what is asked for ---
-  let link = "";
   function fly() {
-    link = fantailSettings.toLink(wanted);
     try {
-      history.replaceState(null, "", link);
+      history.replaceState(null, "", fantailSettings.toLink(wanted));
     } catch {
       // Some browsers allow a hundred of them in half a minute; the next change writes the whole link anyway.
     }
@@ -179,7 +177,7 @@
     }
     setTimeout(() => { $("copy").textContent = "Copy link"; }, 2000);
   });
-  addEventListener("hashchange", () => { if (location.hash !== link) open(fantailSettings.ofLink(location.hash)); });
+  addEventListener("hashchange", () => open(fantailSettings.ofLink(location.hash)));  // not of what the page itself writes there
 
   requestAnimationFrame(step);
   flights.start().catch((error) => refuse(`The simulator does not run in this browser: ${error.message}`));
