@@ -11,7 +11,8 @@
   let columnNames = [], built = "", flight = null, flown = 0, slowest = 0;
   let at = null, playing = !matchMedia("(prefers-reduced-motion: reduce)").matches, begun = 0;
 
-  const rocket = fantailRocket($("rocket"));
+  const turn = Math.PI / 180;
+  const draw = fantailRocket($("rocket"));
   const plots = fantailPlots($("plots"), (time) => { at = time; });
   const controls = fantailControls(() => { controls.showOthers(); fly(); });
   const flights = fantailFlights(take);
@@ -155,7 +156,8 @@
       const row = rowAt(time);
       const {true_roll_deg: truth, roll_deg: estimate, canard_deg: canard, speed_m_s: speed} = flight.columns;
       const roll = Number.isNaN(truth[row]) ? estimate[row] : truth[row];
-      rocket.draw(roll, canard[row]);
+      draw((roll || 0) * turn, Array(4).fill(Number.isNaN(canard[row]) ? null : canard[row] * turn), false);
+      $("rocket").setAttribute("aria-label", `The rocket from behind and the right, rolled by ${fixed(roll, 0, "degrees")}, its canards at ${fixed(Number.isNaN(canard[row]) ? null : canard[row], 1, "degrees")}`);
       $("now").textContent = `${fixed(time, 2, "s")}: roll ${fixed(roll, 0, "deg")}, canards ${fixed(Number.isNaN(canard[row]) ? null : canard[row], 1, "deg")}, ${fixed(speed[row], 0, "m/s")}`;
     }
     requestAnimationFrame(step);
