@@ -116,7 +116,7 @@ TEST(Terminal, NoHelpIsWiderThanIt) {
                                                {"listen"}}) {
     Words asked = words;
     asked.emplace_back("--help");
-    for (const unsigned short columns : {60, 80, 100}) {
+    for (const unsigned short columns : std::initializer_list<unsigned short>{60, 80, 100}) {
       const Outcome outcome = on_terminal(asked, folder, columns);
       EXPECT_EQ(outcome.exit_code, 0);
       EXPECT_EQ(too_wide(outcome.out, columns), "") << columns;
