@@ -61,7 +61,7 @@ test("every shipped scenario gives the native program's summary and digest", () 
 test("so do changed settings of plan, vehicle, world and seed", () => {
   for (const changes of [["controller.proportional_gain=0.3", "controller.derivative_gain_s=0.02"], ["controller.canard_limit_deg=4"],
                          ["disturbance.times_s=[0]", "disturbance.angles_deg=[7.5]"], ["motor.thrust_factor=0.8", "servo.lag_s=0.03"],
-                         ["excitation.amplitude_deg=0"], ["reference.kind=hold"], ["seed=12345"],
+                         ["excitation.amplitude_deg=0"], ["reference.kind=hold"], ["launch_guide.tilt_deg=5"], ["seed=12345"],
                          ["flight.motion=six_dof", "wind.speed_m_s=6", "wind.from_deg=250", "wind.turbulence=0.15"]]) {
     assertSame(["tasha3_launch2", ...changes]);
   }
