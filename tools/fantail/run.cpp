@@ -2,8 +2,10 @@
 #include "fantail/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
@@ -56,13 +58,16 @@ ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const
   return output_was_taken() ? ExitCode::done : complain_about_output();
 }
 
-/// What was typed, without where the results go and how they are told: a page says the same wherever it lies.
+/// What was typed, without what changes nothing that stands in a page: where results go, how they are told, how many
+/// processors make them.
 std::string command_of(const char* name, const std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 3> with_value{"--out", "--color", "--threads"};
   std::string command = fmt::format("fantail {}", name);
   for (auto word = words.begin(); word != words.end(); ++word) {
-    if (*word == "--out" || *word == "--color") {
-      word += word + 1 != words.end() ? 1 : 0;
-    } else if (*word != "--json" && !word->starts_with("--out=") && !word->starts_with("--color=")) {
+    const std::string option = word->substr(0, word->find('='));
+    if (std::ranges::find(with_value, option) != with_value.end()) {
+      word += option == *word && word + 1 != words.end() ? 1 : 0;
+    } else if (*word != "--json") {
       command.append(1, ' ').append(text::shell_word(*word));
     }
   }
