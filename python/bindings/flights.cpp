@@ -10,7 +10,9 @@
 #include <nanobind/stl/vector.h>
 
 #include "campaign/parallel_for.hpp"
+#include "flight/fly_command.hpp"
 #include "fly/fly_scenario.hpp"
+#include "fly/without_control.hpp"
 #include "python/bindings/bind.hpp"
 #include "python/bindings/flown.hpp"
 #include "python/bindings/scenario.hpp"
@@ -23,6 +25,10 @@ namespace {
 Flown fly_one(const Scenario& asked, const fly::Look& look, fly::Log log) {
   flight::Flight flight = fly::fly_scenario(asked.scenario, look, {}, log);
   flight.changes = asked.all_changes();
+  flight.command = flight::fly_command(asked.source, flight.changes);
+  if (log == fly::Log::kept) {  // else only some columns are
+    flight.without_control = fly::roll_without_control(asked.scenario, flight, look);
+  }
   return Flown{std::move(flight)};
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "flight/flight.hpp"
-#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 
@@ -20,16 +19,6 @@ std::optional<double> settles_off_rad(const sim::Scenario& scenario) {
       plan.gain_schedule.speeds_count == 0 && gain > 0.0 &&
       std::ranges::all_of(offset, [&](const auto& node) { return node.angle_rad == offset.front().angle_rad; });
   return is_constant ? std::optional{offset.empty() ? 0.0 : offset.front().angle_rad / gain} : std::nullopt;
-}
-
-std::string command_of(const std::string& scenario, const std::vector<std::string>& changes) {
-  std::string command = "fantail fly " + text::shell_word(scenario);
-  for (const std::string& change : changes) {
-    const bool is_option = change.starts_with("seed=") || change.starts_with("trajectory=");
-    command += is_option ? " --" : " --set ";
-    command += text::shell_word(change);
-  }
-  return command;
 }
 
 }  // namespace fantail::tool

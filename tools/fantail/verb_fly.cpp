@@ -22,6 +22,7 @@
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/wall_clock.hpp"
+#include "flight/fly_command.hpp"
 #include "fly/fly_scenario.hpp"
 #include "fly/without_control.hpp"
 #include "hil/wire.hpp"
@@ -165,7 +166,7 @@ void fly_and_report(const FlyOptions& options) {
   LcmOutput lcm{options.lcm};
   const std::string command =
       options.run ? fmt::format("fantail fly --campaign {} --run {}", text::shell_word(options.campaign), *options.run)
-                  : command_of(options.scenario.scenario, changes);
+                  : flight::fly_command(options.scenario.scenario, changes);
   PageOutput page{options.page,
                   {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario)},
                   command + " --realtime --page"};

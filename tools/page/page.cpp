@@ -76,10 +76,10 @@ Origin& origin_of_pages() {
 }
 
 std::string made_by(const Page& page) {
-  const Origin& origin = origin_of_pages();
-  const std::string& command = page.command.empty() ? origin.command : page.command;
-  const std::string version = origin.version.empty() ? "" : fmt::format(", Fantail {}", escape_html(origin.version));
-  return command.empty() ? "" : fmt::format("<p>Made by <code>{}</code>{}.</p>\n", escape_html(command), version);
+  const auto& [typed, version] = origin_of_pages();
+  const std::string& command = page.command.empty() ? typed : page.command;
+  const std::string by = page.command.empty() && !version.empty() ? ", Fantail " + escape_html(version) : "";
+  return command.empty() ? "" : fmt::format("<p>Made by <code>{}</code>{}.</p>\n", escape_html(command), by);
 }
 
 std::string footer(const Page& page) {

@@ -35,8 +35,9 @@ struct Page {
   bool stamped = false;             ///< the verdict's heading is large: PASS
   std::string body_html{};
   std::string footer{};
-  std::string command{};  ///< that makes this page again, as it is typed; empty: that of set_made_by()
-  LiveCharts live{};      ///< of a live_figure() in the body
+  std::string
+      command{};      ///< that makes this page again, as it is typed; empty: that of set_made_by(), with its version
+  LiveCharts live{};  ///< of a live_figure() in the body
 };
 
 [[nodiscard]] std::string html(const Page& page);
