@@ -116,8 +116,7 @@ function fantailScene(data, number, show) {
     playing = !playing;
     press();
     if (!playing) return stop();
-    if (fresh || time >= end) time = data.from;
-    fresh = false;
+    if (fresh || time >= end) go(data.from);
     last = performance.now();
     requestAnimationFrame(tick);
   });
