@@ -85,7 +85,6 @@ set(FANTAIL_COMPILED_ALONE
   tools/log_export/ulog.cpp
   tools/page/live.cpp
   tools/report/verdict.cpp
-  tools/text/wrapped.cpp
   tools/tunnel/steps_report.cpp tools/tunnel/swing_log.cpp tools/tunnel/tunnel_log.cpp
 )
 

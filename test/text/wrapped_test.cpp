@@ -34,6 +34,10 @@ TEST(Wrapped, AWordIsNeverSplitEvenWhenItIsWiderThanTheLine) {
   EXPECT_EQ(wrapped("page /a/very/long/path/page.html there\n", 12), "page\n  /a/very/long/path/page.html\n  there\n");
 }
 
+TEST(Wrapped, ALineOfNothingButBlanksIsAnEmptyOne) {
+  EXPECT_EQ(wrapped("a\n" + std::string(50, ' ') + "\nb\n", 40), "a\n\nb\n");
+}
+
 TEST(Wrapped, ACommandStaysWhole) {
   EXPECT_EQ(wrapped("again: fantail fly --run 3\n", 20), "again:\n  fantail fly --run 3\n");
   EXPECT_EQ(wrapped("  fantail fly my_rocket --seed 3\n", 20), "  fantail fly my_rocket --seed 3\n");

@@ -7,27 +7,11 @@
 #include <utility>
 
 #include "input/messages.hpp"
+#include "input/shipped_place.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {
 namespace {
-
-struct Place {
-  std::string_view noun;
-  std::string_view folder;
-  std::string_view extension;
-};
-
-Place place_of(Shipped kind) {
-  switch (kind) {
-    case Shipped::scenario: return {"scenario", "sim/scenarios", ".toml"};
-    case Shipped::vehicle: return {"vehicle", "sim/vehicles", ".toml"};
-    case Shipped::motor: return {"motor", "sim/motors", ".eng"};
-    case Shipped::tunnel_result: return {"tunnel result", "sim/tunnel_results", ".csv"};
-    case Shipped::plan: break;
-  }
-  return {"flight plan", "firmware/plans", ".toml"};
-}
 
 bool looks_like_path(const std::string& text) {
   return text.find('/') != std::string::npos || std::filesystem::path{text}.has_extension();
@@ -53,7 +37,7 @@ std::optional<std::string> near_file(const std::filesystem::path& missing, std::
 }
 
 [[noreturn]] void refuse_folder(Shipped kind, const std::filesystem::path& folder) {
-  const Place place = place_of(kind);
+  const ShippedPlace place = place_of(kind);
   std::string message =
       folder.string() + ": a folder; allowed: a " + std::string{place.noun} + " file or a shipped name";
   if (const std::vector<std::string> names = files_in(folder, place.extension); !names.empty()) {
@@ -97,7 +81,7 @@ std::filesystem::path data_folder() {
 }
 
 std::vector<std::string> shipped_names(Shipped kind) {
-  const Place place = place_of(kind);
+  const ShippedPlace place = place_of(kind);
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator{data_folder() / place.folder, ignored}) {
@@ -116,7 +100,7 @@ std::string name_of_file(const std::filesystem::path& file) {
 }
 
 std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) {
-  const Place place = place_of(kind);
+  const ShippedPlace place = place_of(kind);
   std::filesystem::path shipped = data_folder() / place.folder / (name_or_path + std::string{place.extension});
   std::error_code ignored;
   if (!looks_like_path(name_or_path) && std::filesystem::is_regular_file(shipped, ignored)) {

@@ -116,8 +116,10 @@ std::string controls(const std::string& scenario) {
   const sim::Scenario read = files.read();
   json::Value all = json::Value::array();
   for (const Control& control : offered) {
-    if (control.only && *control.only != read.surroundings) {
-      continue;
+    const bool is_of_a_chirp = control.section == "excitation";
+    if ((control.only && *control.only != read.surroundings) ||
+        (is_of_a_chirp && read.plan.excitation.form == core::ExcitationForm::none)) {
+      continue;  // it would change nothing
     }
     const Described about = described(control);
     const bool is_there = static_cast<bool>(files.with_section(control.section)->root()[control.section][control.key]);

@@ -13,6 +13,7 @@
 #include "input/file_text.hpp"
 #include "input/messages.hpp"
 #include "input/shipped.hpp"
+#include "input/shipped_place.hpp"
 #include "text/error.hpp"
 
 namespace fantail::playground {
@@ -32,28 +33,14 @@ void append_to_scenarios(std::string text) { behind_scenarios() = std::move(text
 namespace fantail::input {
 namespace {
 
-struct Place {
-  std::string_view noun;
-  std::string_view folder;
-  std::string_view extension;
-};
-
-Place place_of(Shipped kind) {
-  switch (kind) {
-    case Shipped::scenario: return {"scenario", "sim/scenarios/", ".toml"};
-    case Shipped::vehicle: return {"vehicle", "sim/vehicles/", ".toml"};
-    case Shipped::motor: return {"motor", "sim/motors/", ".eng"};
-    case Shipped::tunnel_result: return {"tunnel result", "sim/tunnel_results/", ".csv"};
-    case Shipped::plan: break;
-  }
-  return {"flight plan", "firmware/plans/", ".toml"};
-}
+/// "sim/scenarios/"
+std::string folder_of(Shipped kind) { return std::string{place_of(kind).folder} + '/'; }
 
 std::filesystem::path find(Shipped kind, const std::string& name, const std::string& where) {
-  const Place place = place_of(kind);
+  const ShippedPlace place = place_of(kind);
   const std::vector<std::string> names = shipped_names(kind);
   if (std::ranges::find(names, name) != names.end()) {
-    return std::string{place.folder} + name + std::string{place.extension};
+    return folder_of(kind) + name + std::string{place.extension};
   }
   const auto meant = suggestion(name, names);
   std::string message = where + "unknown " + std::string{place.noun} + " \"" + name + '"' +
@@ -72,17 +59,17 @@ std::optional<std::string> file_text(const std::string& file) {
   if (found == texts.end()) {
     return std::nullopt;
   }
-  const bool is_scenario = file.starts_with(place_of(Shipped::scenario).folder);
+  const bool is_scenario = file.starts_with(folder_of(Shipped::scenario));
   return std::string{found->text} + (is_scenario ? playground::behind_scenarios() : std::string{});
 }
 
 std::vector<std::string> shipped_names(Shipped kind) {
-  const Place place = place_of(kind);
+  const std::string folder = folder_of(kind);
   std::vector<std::string> names;
   for (const playground::ShippedText& one : playground::shipped_texts()) {
-    if (one.file.starts_with(place.folder)) {
-      const std::string_view name = one.file.substr(place.folder.size());
-      names.emplace_back(name.substr(0, name.size() - place.extension.size()));
+    if (one.file.starts_with(folder)) {
+      const std::string_view name = one.file.substr(folder.size());
+      names.emplace_back(name.substr(0, name.size() - place_of(kind).extension.size()));
     }
   }
   return names;

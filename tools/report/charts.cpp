@@ -102,13 +102,6 @@ bool rests_at_reference(const flight::Flight& flight) {
   return flight.known.plan && flight::rejects_offset(flight.plan);
 }
 
-std::string settles_at(const flight::Flight& flight) {
-  if (rests_at_reference(flight)) {
-    return "settles at R";
-  }
-  return flight.plan.gain_schedule.speeds_count > 0 ? "settles at R + u_d/(f kp)" : "settles at R + u_d/kp";
-}
-
 Chart disturbance(const flight::Flight& flight, const ChartDrawer& drawer) {
   const page::Series truth = drawer.line("u_d", Role::target, column("true_disturbance_deg"));
   if (!rests_at_reference(flight)) {
@@ -126,7 +119,8 @@ Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
   Chart chart =
       drawer.chart("Roll angle", "deg", page::full_page, tall_chart,
                    {drawer.line("reference R", Role::reference, drawer.in_control(column("reference_deg")), Mark::step),
-                    drawer.line(settles_at(flight), Role::second_model, drawer.in_control(settle), Mark::step),
+                    drawer.line("settles at " + settle_point_name(flight), Role::second_model,
+                                drawer.in_control(settle), Mark::step),
                     drawer.line("true", Role::target, column("true_roll_angle_deg")),
                     drawer.line("estimate", Role::measured, column("roll_angle_deg"))});
   if (flight.known.phase) {

@@ -23,14 +23,6 @@ namespace {
 using text::fixed;
 using Rows = std::vector<std::vector<page::Cell>>;
 
-/// Of the law of this plan, as in the legend of the roll angle.
-std::string settle_point(const flight::Flight& flight) {
-  if (flight::rejects_offset(flight.plan)) {
-    return "the reference R";
-  }
-  return flight.plan.gain_schedule.speeds_count > 0 ? "R\u00a0+\u00a0u_d/(f\u00a0kp)" : "R\u00a0+\u00a0u_d/kp";
-}
-
 std::string where_it_settles(const flight::Flight& flight) {
   return fmt::format(
       "{} The hold error is measured from there, without the {} after control start and after each reference step.",
@@ -181,6 +173,13 @@ page::Tone tone(const Verdict& verdict) {
 
 }  // namespace
 
+std::string settle_point_name(const flight::Flight& flight) {
+  if (flight.known.plan && flight::rejects_offset(flight.plan)) {
+    return "R";
+  }
+  return flight.plan.gain_schedule.speeds_count > 0 ? "R + u_d/(f kp)" : "R + u_d/kp";
+}
+
 std::string html(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
   page::Page page{.kind = "Fantail flight report",
                   .title = flight.scenario,
@@ -198,7 +197,7 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                   .command = flight.command,
                   .live = charts(flight)};
   if (figures.largest_hold_error_rad) {
-    page.findings.push_back({"", fmt::format("It settles at {}.", settle_point(flight)), "settles"});
+    page.findings.push_back({"", fmt::format("It settles at {}.", settle_point_name(flight)), "settles"});
   }
   if (figures.roll_turns && figures.roll_turns_without_control) {
     page.findings.push_back(

@@ -24,6 +24,9 @@ namespace fantail::report {
 /// seconds what was known on board and what was true. The first is the roll angle. Empty without a row.
 [[nodiscard]] page::LiveCharts charts(const flight::Flight& flight);
 
+/// Where the law of the plan comes to rest: "R + u_d/kp".
+[[nodiscard]] std::string settle_point_name(const flight::Flight& flight);
+
 /// The rocket as it rolled from `begin_s` on, and as it would have rolled without control where that is known. Truth
 /// where there is any, else the estimate. Empty where no roll angle is known.
 [[nodiscard]] std::optional<page::RollScene> roll_scene(const flight::Flight& flight, double begin_s);

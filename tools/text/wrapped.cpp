@@ -12,8 +12,8 @@ constexpr std::size_t deep = 20;
 
 // Where the last cell begins, as a byte; the line's own first word when it has no other.
 std::size_t last_cell(std::string_view line) {
-  const std::size_t gap = line.substr(0, line.find_last_not_of(' ') + 1).rfind("  ");
-  return gap == std::string_view::npos ? 0 : gap + 2;
+  const std::size_t blanks = line.substr(0, line.find_last_not_of(' ') + 1).rfind("  ");
+  return blanks == std::string_view::npos ? 0 : blanks + 2;
 }
 
 // Words, of which a command is one.
@@ -30,6 +30,9 @@ std::vector<std::string_view> words_of(std::string_view text) {
 
 void append_wrapped(std::string_view line, std::size_t columns, std::string& whole) {
   const std::size_t own = line.find_first_not_of(' ');
+  if (own == std::string_view::npos) {
+    return;  // nothing but blanks
+  }
   const std::size_t begin = std::max(last_cell(line), own);
   const std::size_t cell = display_width(line.substr(0, begin));
   // In a few columns words would make a tower: such a cell goes below as a whole.

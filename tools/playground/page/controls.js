@@ -45,7 +45,7 @@ const fantailControls = (changed) => {
     const show = () => {
       const own = settings.get(control.key);
       field.value = own === undefined ? usual : bare(own);
-      field.placeholder = usual === "" ? "varies" : usual;
+      field.placeholder = usual === "" ? "as in the scenario" : usual;
       slider.value = field.value === "" || !Number.isFinite(Number(field.value)) ? 0 : field.value;
       mark();
     };
