@@ -19,7 +19,7 @@ std::string panel(const PanelWords& words) {
        {"{css}", std::string{page::chart_css} + std::string{page::uplot_css} + std::string{panel_css}},
        {"{uplot_licence}", std::string{page::uplot_licence}},
        {"{uplot}", std::string{page::uplot_js}},
-       {"{js}", std::string{panel_js}}}};
+       {"{js}", std::string{page::plot_frame_js} + std::string{panel_js}}}};
   // One pass: what is put in is not looked at again.
   std::string page;
   std::string_view rest = panel_html;

@@ -9,7 +9,6 @@
   const minus = (text) => text.replace("-", "\u2212");
   const fixed = (value, digits) => value == null ? "\u2013" : minus(value.toFixed(digits));
   const signed = (value, digits) => value == null ? "\u2013" : (value < 0 ? "\u2212" : "+") + Math.abs(value).toFixed(digits);
-  const color = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
   const text = (id, words) => { const at = $(id); if (at.textContent !== words) at.textContent = words; };
 
   let now = null;        // the newest frame
@@ -215,31 +214,22 @@
     }
   }
 
-  // --- plots: name, column, colour, dashed ---
+  // --- plots: name, column, colour, dashes ---
   const plots = [
-    {title: "Roll angle", unit: "deg", lines: [["roll", 1, "measured", false], ["reference", 2, "model", true]]},
-    {title: "Canards", unit: "deg", lines: [["mean of the encoders", 5, "measured", false], ["command", 4, "model", true]]},
-    {title: "Roll rate", unit: "deg/s", lines: [["roll rate", 3, "measured", false]]},
-    {title: "Height and speed", unit: "m, m/s", lines: [["height", 6, "measured", false], ["speed", 7, "model", true]]},
+    {title: "Roll angle", unit: "deg", lines: [["roll", 1, "measured", []], ["reference", 2, "model", [7, 4]]]},
+    {title: "Canards", unit: "deg", lines: [["mean of the encoders", 5, "measured", []], ["command", 4, "model", [7, 4]]]},
+    {title: "Roll rate", unit: "deg/s", lines: [["roll rate", 3, "measured", []]]},
+    {title: "Height and speed", unit: "m, m/s", lines: [["height", 6, "measured", []], ["speed", 7, "model", [7, 4]]]},
   ];
   const height = 150;
 
   function build() {
     $("plots").replaceChildren();
     for (const plot of plots) {
-      const [holder, title] = [Object.assign(document.createElement("div"), {className: "plot"}), document.createElement("h3")];
-      title.append(`${plot.title}, ${plot.unit}`);
-      for (const [name, , role, dashed] of plot.lines) {
-        const key = document.createElement("span");
-        const swatch = Object.assign(document.createElement("i"), {className: dashed ? "dashed" : ""});
-        swatch.style.setProperty("--role", `var(--${role})`);
-        key.append(swatch, name);
-        title.append(key);
-      }
-      plot.place = Object.assign(document.createElement("div"), {role: "img", ariaLabel: plot.title});
-      holder.append(title, plot.place);
+      const {holder, place} = fantailPlotFrame(plot);
+      plot.place = place;
       $("plots").append(holder);
-      plot.chart = new uPlot(options(plot, plot.place.clientWidth), data(plot), plot.place);
+      plot.chart = new uPlot(options(plot, place.clientWidth), data(plot), place);
     }
     describe();
   }
@@ -247,22 +237,9 @@
   const data = (plot) => [columns[0], ...plot.lines.map(([, column]) => columns[column])];
 
   function options(plot, width) {
-    const axis = {stroke: color("soft"), font: "11px system-ui, sans-serif", grid: {stroke: color("line"), width: 1}, ticks: {show: false}};
-    const numbers = (chart, ticks) => ticks.map((tick) => minus(String(tick)));
-    return {
-      width, height, legend: {show: false}, cursor: {show: false},
-      scales: {
-        x: {time: false, range: () => { const end = Math.max(now?.time_s ?? span_s, span_s); return [end - span_s, end]; }},
-        y: {range: (chart, low, high) => {
-          if (low == null) return [-1, 1];
-          const margin = Math.max((high - low) * .08, .5);
-          return [low - margin, high + margin];
-        }},
-      },
-      axes: [{...axis, size: 24, space: 60, values: numbers}, {...axis, size: 46, gap: 4, space: 24, values: numbers}],
-      series: [{}, ...plot.lines.map(([, , role, dashed]) =>
-        ({stroke: color(role), width: dashed ? 1.5 : 2, dash: dashed ? [7, 4] : undefined, points: {show: false}}))],
-    };
+    const {axes, y, series} = fantailPlotOptions(plot.lines);
+    const range = () => { const end = Math.max(now?.time_s ?? span_s, span_s); return [end - span_s, end]; };
+    return {width, height, legend: {show: false}, cursor: {show: false}, scales: {x: {time: false, range}, y}, axes, series};
   }
 
   function step() {

@@ -11,8 +11,6 @@ const fantailPlots = (place, onTime) => {
     {title: "Height and speed", unit: "m, m/s", lines: [["height", "height_m", "measured", []], ["speed", "speed_m_s", "model", [7, 4]]]},
   ];
   const height = 170;
-  const color = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
-  const minus = (text) => text.replace("-", "\u2212");
   let flight = null, span = [0, 1];
 
   // uPlot wants null where there is nothing.
@@ -20,43 +18,22 @@ const fantailPlots = (place, onTime) => {
   const data = (plot) => [list(flight.time_s), ...plot.lines.map(([, column]) => list(flight[column]))];
 
   function options(plot, width) {
-    const axis = {stroke: color("soft"), font: "11px system-ui, sans-serif", grid: {stroke: color("line"), width: 1}, ticks: {show: false}};
-    const numbers = (chart, ticks) => ticks.map((tick) => minus(String(tick)));
+    const {axes, y, series} = fantailPlotOptions(plot.lines);
     return {
       width, height, legend: {show: false},
       cursor: {sync: {key: "fantail"}, y: false, drag: {x: false, y: false}, points: {show: false}},
       hooks: {setCursor: [(chart) => { if (chart.cursor.event) onTime(chart.cursor.left >= 0 ? chart.posToVal(chart.cursor.left, "x") : null); }]},
-      scales: {
-        x: {time: false, range: () => span},
-        y: {range: (chart, low, high) => {
-          if (low == null) return [-1, 1];
-          const margin = Math.max((high - low) * .06, .5);
-          return [low - margin, high + margin];
-        }},
-      },
-      axes: [{...axis, size: 24, space: 60, values: numbers}, {...axis, size: 46, gap: 4, space: 26, values: numbers}],
-      series: [{}, ...plot.lines.map(([, , role, dash]) => ({stroke: color(role), width: dash.length ? 1.5 : 2, dash, points: {show: false}}))],
+      scales: {x: {time: false, range: () => span}, y}, axes, series,
     };
   }
 
   function build() {
     place.replaceChildren();
     for (const plot of shown) {
-      const title = document.createElement("h3");
-      title.append(`${plot.title}, ${plot.unit}`);
-      for (const [name, , role, dash] of plot.lines) {
-        const key = document.createElement("span");
-        const swatch = Object.assign(document.createElement("i"), {className: dash.length ? "dashed" : ""});
-        swatch.style.setProperty("--role", `var(--${role})`);
-        key.append(swatch, name);
-        title.append(key);
-      }
-      const holder = Object.assign(document.createElement("div"), {className: "plot"});
-      plot.at = document.createElement("div");
-      plot.at.setAttribute("role", "img");
+      const frame = fantailPlotFrame(plot);
+      plot.at = frame.place;
       plot.at.setAttribute("aria-label", `${plot.title} over time since lift-off`);
-      holder.append(title, plot.at);
-      place.append(holder);
+      place.append(frame.holder);
       plot.chart = new uPlot(options(plot, plot.at.clientWidth), flight ? data(plot) : [[], ...plot.lines.map(() => [])], plot.at);
     }
   }
