@@ -7,14 +7,26 @@ import pathlib
 import shutil
 import socket
 import subprocess
+import sys
 import tempfile
 import time
+import unittest
 import urllib.error
 import urllib.request
 
 
 def is_there():
     return shutil.which("chromedriver") is not None and shutil.which("chromium") is not None
+
+
+def run_tests(pictures, missing=()):
+    """Those of the calling file. Exit code 77, which says why: a program that `missing` names, or Chromium, is not there."""
+    missing = [*([] if is_there() else ["Chromium (package chromium-driver)"]), *missing]
+    if missing:
+        print("SKIPPED: not there: " + ", ".join(missing))
+        sys.exit(77)
+    pictures.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1])
 
 
 def free_port():

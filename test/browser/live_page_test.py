@@ -100,8 +100,4 @@ class LivePage(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not browser.is_there():
-        print("SKIPPED: the package chromium-driver is not installed")
-        sys.exit(77)
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    unittest.main(argv=sys.argv[:1])
+    browser.run_tests(PICTURES)

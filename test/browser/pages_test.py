@@ -186,11 +186,5 @@ class Pages(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not browser.is_there() or not shutil.which("pdftotext"):
-        print("SKIPPED: the package chromium-driver or poppler-utils is not installed")
-        sys.exit(77)
-    if not AXE.is_file():
-        print("SKIPPED: no axe-core in build/axe; ./dev test --all fetches it")
-        sys.exit(77)
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    unittest.main(argv=sys.argv[:1])
+    browser.run_tests(PICTURES, [*([] if shutil.which("pdftotext") else ["pdftotext (package poppler-utils)"]),
+                                 *([] if AXE.is_file() else ["axe-core in build/axe, which ./dev test --all fetches"])])

@@ -137,8 +137,4 @@ class PlaygroundPage(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not browser.is_there() or not (BUILD / "build.ninja").exists():
-        print("SKIPPED: the package chromium-driver is not installed, or ./dev playground has built no module")
-        sys.exit(77)
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    unittest.main(argv=sys.argv[:1])
+    browser.run_tests(PICTURES, [] if (BUILD / "build.ninja").exists() else ["the module, which ./dev playground builds"])
