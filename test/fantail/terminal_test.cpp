@@ -46,6 +46,8 @@ TEST_F(Painted, AVerdictIsSoUpToItsFirstClause) {
             "\033[31mCanards at their limit\033[0m: lost.");
   EXPECT_EQ(painted_verdict({.outcome = report::Outcome::oscillates, .text = "Canards swing."}),
             "\033[31mCanards swing\033[0m.");
+  EXPECT_EQ(painted_verdict({.outcome = report::Outcome::no_control, .text = "No control: no launch was detected."}),
+            "\033[31mNo control\033[0m: no launch was detected.");  // as on the page
   EXPECT_EQ(painted_verdict({.outcome = report::Outcome::not_judged, .text = "Roll not judged: no gains."}),
             "\033[33mRoll not judged\033[0m: no gains.");
 }

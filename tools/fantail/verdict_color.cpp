@@ -8,20 +8,17 @@
 
 #include "core/tick_record.hpp"
 #include "fantail/terminal.hpp"
+#include "report/html.hpp"
 
 namespace fantail::tool {
 namespace {
 
-Color color_of(report::Outcome outcome) {
-  switch (outcome) {
-    case report::Outcome::held: return Color::green;
-    case report::Outcome::not_held:
-    case report::Outcome::oscillates: return Color::red;
-    case report::Outcome::cut_short:
-    case report::Outcome::not_judged:
-    case report::Outcome::no_control: break;
+Color color_of(page::Tone tone) {
+  switch (tone) {
+    case page::Tone::good: return Color::green;
+    case page::Tone::bad: return Color::red;
+    default: return Color::yellow;
   }
-  return Color::yellow;
 }
 
 // Where the line behind the one of `from` begins; the end of the text when there is none.
@@ -35,7 +32,7 @@ std::size_t next_line(std::string_view text, std::size_t from) {
 std::string painted_verdict(const report::Verdict& verdict) {
   const std::string& text = verdict.text;
   const std::size_t end = std::min({text.find(": "), text.find("; "), text.find(". "), text.find_last_not_of('.') + 1});
-  return painted(color_of(verdict.outcome), text.substr(0, end)) + text.substr(end);
+  return painted(color_of(report::tone(verdict)), text.substr(0, end)) + text.substr(end);
 }
 
 std::string painted_decision(std::string text) {

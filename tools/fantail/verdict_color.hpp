@@ -8,7 +8,7 @@
 // Colours repeat what words say; nothing is said by a colour alone.
 namespace fantail::tool {
 
-/// The first clause green where the roll was held, red where it was not or oscillates, else yellow.
+/// The first clause, as report::tone() has it: green for good news, red for bad, else yellow.
 [[nodiscard]] std::string painted_verdict(const report::Verdict& verdict);
 
 /// "Go", "No go", "PASS" and "FAIL", where a line begins with them.

@@ -12,6 +12,7 @@
 #include "page/page.hpp"
 #include "page/thinning.hpp"
 #include "report/chart_drawer.hpp"
+#include "report/html.hpp"
 #include "report/roll_truth.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -34,12 +35,11 @@ std::string text_at(double x, double y, double size, std::string_view style, std
                      page::printed(words));
 }
 
-std::string_view colour_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::held: return "#0b8457";
-    case Outcome::not_judged:
-    case Outcome::cut_short: return "#a16207";
-    default: return "#c22f2f";
+std::string_view colour_of(page::Tone tone) {
+  switch (tone) {
+    case page::Tone::good: return "#0b8457";
+    case page::Tone::bad: return "#c22f2f";
+    default: return "#a16207";
   }
 }
 
@@ -160,7 +160,7 @@ std::string figure_row(const flight::Flight& flight, const Figures& f) {
 }  // namespace
 
 std::string card_svg(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
-  const std::string_view colour = colour_of(verdict.outcome);
+  const std::string_view colour = colour_of(tone(verdict));
   std::string out =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1200\" height=\"630\" viewBox=\"0 0 1200 630\" "
       "font-family=\"DejaVu Sans, sans-serif\">\n<rect width=\"1200\" height=\"630\" fill=\"#ffffff\"/>\n";

@@ -159,6 +159,8 @@ std::string about_section(const flight::Flight& flight) {
                            : page::list(all));
 }
 
+}  // namespace
+
 page::Tone tone(const Verdict& verdict) {
   switch (verdict.outcome) {
     case Outcome::held: return page::Tone::good;
@@ -170,8 +172,6 @@ page::Tone tone(const Verdict& verdict) {
   }
   return page::Tone::unsure;
 }
-
-}  // namespace
 
 std::string settle_point_name(const flight::Flight& flight) {
   if (flight.known.plan && flight::rejects_offset(flight.plan)) {

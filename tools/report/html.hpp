@@ -6,6 +6,7 @@
 
 #include "flight/flight.hpp"
 #include "page/live.hpp"
+#include "page/page.hpp"
 #include "report/figures.hpp"
 #include "report/verdict.hpp"
 
@@ -23,6 +24,9 @@ namespace fantail::report {
 /// What the report shows of a flight over time: phases as stripes, events as upright levels, and in degrees, metres and
 /// seconds what was known on board and what was true. The first is the roll angle. Empty without a row.
 [[nodiscard]] page::LiveCharts charts(const flight::Flight& flight);
+
+/// Whether a verdict is good news; the colour of the page, the card and the terminal.
+[[nodiscard]] page::Tone tone(const Verdict& verdict);
 
 /// Where the law of the plan comes to rest: "R + u_d/kp".
 [[nodiscard]] std::string settle_point_name(const flight::Flight& flight);
