@@ -45,7 +45,7 @@ set(FANTAIL_LAYERS
   "tools/fly|core sim input flight replies stability airframe/model|fmt/"
   "tools/hil|core protocol world_link sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
   "tools/telemetry|core hal avionics text json replies|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/socket\\.h unistd\\.h"
-  "tools/live|core hal json page telemetry|fmt/ arpa/inet\\.h"
+  "tools/live|core hal text json page telemetry|fmt/ arpa/inet\\.h"
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text table_file json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Usage: live_page_test.py FANTAIL PICTURES
+"""Usage: live_page_test.py FANTAIL PICTURES BENCH_SHEETS
 
 The live page of a flight in a real browser: what it shows against what the program says, and what stays when the program
-ends. Pictures of lift-off, step and apogee, and the figures of the run, go into the folder
+ends; and the sheet of a bench that fills. Pictures of lift-off, step and apogee, and the figures of the run, go into the folder
 PICTURES. Exit code 77: there is no Chromium here (package chromium-driver).
 """
 
@@ -19,14 +19,14 @@ import urllib.request
 sys.dont_write_bytecode = True  # not between the sources
 import browser
 
-FANTAIL, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2])
+FANTAIL, PICTURES, BENCH_SHEETS = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 
 
 class Program:
     """A verb with a page, and what it says of itself."""
 
-    def __init__(self, *words):
-        self.process = subprocess.Popen([FANTAIL, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def __init__(self, *words, program=FANTAIL):
+        self.process = subprocess.Popen([program, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.said = []
         for line in self.process.stderr:
             self.said.append(line)
@@ -97,6 +97,35 @@ class LivePage(unittest.TestCase):
             self.assertLessEqual(page.run("return document.documentElement.scrollWidth - innerWidth"), 0)
             with urllib.request.urlopen(program.url) as answer:
                 self.assertIn("nothing on it can move or arm anything", answer.read().decode())
+
+    def test_the_sheet_of_a_bench_fills_while_the_canards_move(self):
+        with browser.Browser() as page, Program("--live", program=BENCH_SHEETS) as program:
+            page.open(program.url)
+            sheet = "return document.getElementById('sheet').textContent"
+            state = "return document.getElementById('state').textContent"
+            page.wait_until(f"{state} === 'Moving' && 1")
+            self.assertNotIn("Canard 1", page.run(sheet), "nothing is known of a canard that is still moving")
+            page.wait_until(f"{sheet}.includes('Not finished: 3 more turns to come') && 1")
+            self.assertRegex(page.run("return document.getElementById('doing').textContent"), "^canard 3 alone: ")
+            headings = "return [...document.querySelectorAll('#sheet h2')].map((one) => one.textContent)"
+            self.assertEqual(page.run(headings), ["Not finished: 3 more turns to come", "Figures", "Canard 1 is healthy", "Canard 2 is healthy"])
+            page.picture(PICTURES / "bench_live.png")
+            page.wait_until(f"{state} === 'Ended' && 1")
+            # The whole sheet is the one of the file, word for word.
+            subprocess.run([BENCH_SHEETS, str(PICTURES / "bench")], check=True)
+            shown = page.run(sheet)
+            self.assertIn("FAIL", shown)
+            code, out, said = program.end()
+            self.assertEqual(code, 0, said)
+            self.assertRegex(out, "^1 viewer at the same time at most")
+            time.sleep(1.5)  # the program is gone, and what it said stays
+            self.assertEqual(page.run(state), "Ended")
+            page.long_picture(PICTURES / "bench_live_ended.png")
+            unwanted = [one for one in page.complaints() if "ERR_CONNECTION_REFUSED" not in one and "ERR_INCOMPLETE" not in one]
+            page.open((PICTURES / "bench" / "reversed.html").resolve().as_uri())
+            kept = page.run("document.querySelector('footer').remove(); return document.querySelector('main').textContent")
+            self.assertEqual(shown.split(), kept.split())
+            self.assertEqual(unwanted, [])
 
 
 if __name__ == "__main__":

@@ -134,6 +134,16 @@ class Pages(unittest.TestCase):
                 program.kill()
                 program.stderr.read()
 
+    def test_the_live_sheet_of_a_bench_is_whole_too(self):
+        with subprocess.Popen([BENCH_SHEETS, "--live"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as program:
+            try:
+                self.page.open(next(match[1] for line in program.stderr if (match := re.match(r"page: (http://\S+/)", line))))
+                self.page.wait_until("return document.querySelectorAll('#sheet h2').length > 0")
+                self.judge("bench_live")
+            finally:
+                program.kill()
+                program.stderr.read()
+
     def look_at(self, name, file):
         self.page.screen(390, 844, phone=True)
         self.page.open(file.as_uri())

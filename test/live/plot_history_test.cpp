@@ -19,7 +19,7 @@ std::array<double, 4> first(const Value& row) {
 }
 
 TEST(PlotHistory, AStretchKeepsItsExtremesInTheOrderOfTheirTime) {
-  PlotHistory plots;
+  PlotHistory plots{signals};
   for (const auto& [ms, degrees] : std::vector<std::pair<int, double>>{{0, 1.0}, {1, -7.5}, {2, 9.0}, {3, 2.0}}) {
     plots.add(Microseconds{1000 * ms}, roll(degrees));
   }
@@ -33,7 +33,7 @@ TEST(PlotHistory, AStretchKeepsItsExtremesInTheOrderOfTheirTime) {
 }
 
 TEST(PlotHistory, AKilohertzBecomesFortyStretchesASecondAndNoneOfThemTwice) {
-  PlotHistory plots;
+  PlotHistory plots{signals};
   for (int ms = 0; ms < 1000; ++ms) {
     plots.add(Microseconds{1000 * ms}, roll(ms));
   }
@@ -46,7 +46,7 @@ TEST(PlotHistory, AKilohertzBecomesFortyStretchesASecondAndNoneOfThemTwice) {
 }
 
 TEST(PlotHistory, WhoComesLateIsToldWhatOthersWereAndNotWhatTheyWillBe) {
-  PlotHistory plots;
+  PlotHistory plots{signals};
   plots.add(Microseconds{0}, roll(1.0));
   (void)plots.take_news();
   plots.add(Microseconds{30'000}, roll(2.0));
@@ -58,7 +58,7 @@ TEST(PlotHistory, WhoComesLateIsToldWhatOthersWereAndNotWhatTheyWillBe) {
 }
 
 TEST(PlotHistory, HalfAMinuteIsKept) {
-  PlotHistory plots;
+  PlotHistory plots{signals};
   for (int ms = 0; ms <= 60'000; ms += 10) {
     plots.add(Microseconds{1000 * ms}, roll(ms));
     if (ms % 1000 == 0) {
@@ -76,8 +76,8 @@ TEST(PlotHistory, HalfAMinuteIsKept) {
 }
 
 TEST(PlotHistory, WhatIsUnknownIsNullAndWhatIsOldIsLeftOut) {
-  PlotHistory plots;
-  plots.add(Microseconds{5'000}, {std::nullopt, 3.0, std::nan(""), 1e300});
+  PlotHistory plots{signals};
+  plots.add(Microseconds{5'000}, Sample{std::nullopt, 3.0, std::nan(""), 1e300});
   plots.add(Microseconds{5'000}, roll(7.0));
   plots.add(Microseconds{4'000}, roll(7.0));
   const Value news = plots.take_news();

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <fmt/core.h>
+
 #include "text/degrees.hpp"
 
 namespace fantail::bench {
@@ -21,6 +23,25 @@ constexpr double hold_s = 0.3;
 constexpr double across_s = 0.4;  // twice the way of the other steps
 constexpr double verb_hold_s = 0.5;
 constexpr double longest_wave_s = 60.0;
+
+std::string_view part_text(Part part) {
+  switch (part) {
+    case Part::settle: return "at the centre";
+    case Part::ramp_positive: return "slowly beyond the + limit";
+    case Part::hold_positive: return "held beyond the + limit";
+    case Part::return_from_positive: return "slowly back from the + limit";
+    case Part::centre_from_above: return "at the centre, from above";
+    case Part::ramp_negative: return "slowly beyond the \u2212 limit";
+    case Part::hold_negative: return "held beyond the \u2212 limit";
+    case Part::return_from_negative: return "slowly back from the \u2212 limit";
+    case Part::centre_from_below: return "at the centre, from below";
+    case Part::step_out: return "at once to one side";
+    case Part::step_across: return "at once to the other side";
+    case Part::step_home: return "at once to the centre";
+    case Part::sine: break;
+  }
+  return "through a sine";
+}
 
 void require(bool allowed, const char* what) {
   if (!allowed) {
@@ -112,6 +133,26 @@ protocol::PerCanard Exercise::asked(double time_s) const {
 std::size_t Exercise::stretch_at(double time_s) const {
   const auto after = std::ranges::upper_bound(stretches_, time_s, {}, &Stretch::begin_s);
   return after == stretches_.begin() ? 0 : static_cast<std::size_t>(after - stretches_.begin()) - 1;
+}
+
+std::size_t Exercise::turns_over_at(double time_s) const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(turns_, [&](const Turn& turn) { return stretches_[turn.last].end_s <= time_s; }));
+}
+
+Exercise Exercise::beginning(std::size_t turn_count) const {
+  require(turn_count >= 1 && turn_count <= turns_.size(), "an exercise has one turn at least");
+  Exercise first = *this;
+  first.turns_.resize(turn_count);
+  first.stretches_.resize(first.turns_.back().last + 1);
+  return first;
+}
+
+std::string Exercise::doing(double time_s) const {
+  const std::size_t at = stretch_at(time_s);
+  const auto turn = std::ranges::find_if(turns_, [&](const Turn& one) { return at <= one.last; });
+  const std::string who = turn->canard ? fmt::format("canard {} alone", *turn->canard + 1) : "all four together";
+  return fmt::format("{}: {}", who, part_text(stretches_[at].part));
 }
 
 void Exercise::begin_turn(std::optional<std::size_t> canard) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -96,6 +97,13 @@ class Exercise {
 
   /// The stretch that a time belongs to: what Tick::stretch of the ticks received then should be.
   [[nodiscard]] std::size_t stretch_at(double time_s) const;
+
+  /// How many of its turns are over then.
+  [[nodiscard]] std::size_t turns_over_at(double time_s) const;
+  /// Its first turns, one at least, as an exercise of their own.
+  [[nodiscard]] Exercise beginning(std::size_t turn_count) const;
+  /// What is done then, for people: "canard 2 alone: slowly beyond the + limit".
+  [[nodiscard]] std::string doing(double time_s) const;
 
  private:
   Exercise(ExerciseKind kind, const Bounds& bounds) : kind_{kind}, bounds_{bounds} {}

@@ -17,7 +17,8 @@ constexpr double longest_stride_s = 0.02;
 }  // namespace
 
 link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
-                        const std::function<void(double)>& progress) {
+                        const std::function<void(double)>& progress,
+                        const std::function<void(const link::Tick&)>& seen) {
   link::Recording recording;
   link.forget_ticks();
   Punctuality punctuality{link};
@@ -34,7 +35,9 @@ link::Recording perform(const Exercise& exercise, link::Session& session, link::
       last = tick->number;
       tick->stretch = stretch;
       punctuality.note(*tick);
-      (void)recording.add(*tick);
+      if (recording.add(*tick) && seen) {
+        seen(*tick);
+      }
     }
     punctuality.end_look();
     session.request(exercise.asked(done_s));

@@ -98,5 +98,12 @@ struct Sheet {
 
 /// A printable page, complete in itself: no script, nothing loaded.
 [[nodiscard]] std::string sheet_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise);
+/// The inside of that page.
+[[nodiscard]] std::string sheet_inner_html(const Sheet& sheet, const link::Recording& recording,
+                                           const Exercise& exercise);
+/// The same of a sheet of the first turns (Exercise::beginning) while `turns_to_come` others are still to be done: what
+/// has failed so far, and no verdict.
+[[nodiscard]] std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recording,
+                                            const Exercise& exercise, std::size_t turns_to_come);
 
 }  // namespace fantail::bench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -25,24 +26,26 @@ Tone tone(Judgement judgement) {
   return Tone::unsure;
 }
 
-page::Page opening(const Sheet& sheet) {
+page::Page heading(const Sheet& sheet) {
   const Heading& h = sheet.heading;
-  page::Page page{.kind = fmt::format("Fantail bench \u00b7 Canard {}", name(sheet.kind)),
-                  .title = h.vehicle.empty() ? "Unnamed rocket" : h.vehicle,
-                  .facts = {{"Plan", h.plan}, {"Plan CRC-32C", h.plan_crc}, {"Date", h.date}, {"Avionics", h.avionics}},
-                  .tone = tone(sheet.judgement()),
-                  .verdict_heading = std::string{display_name(sheet.judgement())},
-                  .stamped = true,
-                  .footer = "Fantail " + h.version};
-  for (const std::string& text : conclusions(sheet)) {
-    const std::size_t colon = text.find(": ");
-    if (text.starts_with("Canard ") && colon != std::string::npos) {  // what was found, then its numbers
-      page.findings.push_back({text.substr(0, colon + 1), text.substr(colon + 2)});
-    } else {
-      page.findings.push_back({"", text});
-    }
-  }
-  return page;
+  return {.kind = fmt::format("Fantail bench \u00b7 Canard {}", name(sheet.kind)),
+          .title = h.vehicle.empty() ? "Unnamed rocket" : h.vehicle,
+          .facts = {{"Plan", h.plan}, {"Plan CRC-32C", h.plan_crc}, {"Date", h.date}, {"Avionics", h.avionics}},
+          .footer = "Fantail " + h.version};
+}
+
+page::Page::Finding finding(const std::string& sentence) {
+  const std::size_t colon = sentence.find(": ");
+  return sentence.starts_with("Canard ") && colon != std::string::npos  // what was found, then its numbers
+             ? page::Page::Finding{.what = sentence.substr(0, colon + 1), .about = sentence.substr(colon + 2)}
+             : page::Page::Finding{.about = sentence};
+}
+
+void judge(page::Page& page, const Sheet& sheet) {
+  page.tone = tone(sheet.judgement());
+  page.verdict_heading = display_name(sheet.judgement());
+  page.stamped = true;
+  std::ranges::transform(conclusions(sheet), std::back_inserter(page.findings), finding);
 }
 
 std::string shown(const std::string& text, bool passed) {
@@ -92,22 +95,51 @@ std::string figures(const Sheet& sheet) {
                            page::list(checks));
 }
 
-}  // namespace
-
-std::string sheet_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
-  page::Page page = opening(sheet);
-  page.body_html = figures(sheet);
+std::string charts(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
+  std::string html;
   for (const CanardResult& result : sheet.canards) {
     const std::string_view found =
         sheet.judgement() == Judgement::none ? "is not judged" : cause_text(result.diagnosis.cause);
-    page.body_html += page::section(fmt::format("Canard {} {}", result.canard + 1, found),
-                                    canard_charts(result, sheet, recording, exercise));
+    html += page::section(fmt::format("Canard {} {}", result.canard + 1, found),
+                          canard_charts(result, sheet, recording, exercise));
   }
+  return html;
+}
+
+page::Page whole(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
+  page::Page page = heading(sheet);
+  judge(page, sheet);
+  page.body_html = figures(sheet) + charts(sheet, recording, exercise);
   if (!sheet.heading.notes.empty()) {
     page.body_html += page::section("Notes", page::list(sheet.heading.notes));
   }
   page.body_html += "<section class=\"sign\">\n<p>Name</p><p>Date</p><p>Signature</p>\n</section>\n";
-  return page::html(page);
+  return page;
+}
+
+}  // namespace
+
+std::string sheet_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
+  return page::html(whole(sheet, recording, exercise));
+}
+
+std::string sheet_inner_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
+  return page::inner_html(whole(sheet, recording, exercise));
+}
+
+std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise,
+                              std::size_t turns_to_come) {
+  page::Page page = heading(sheet);
+  page.verdict_heading =
+      fmt::format("Not finished: {} more turn{} to come", turns_to_come, turns_to_come == 1 ? "" : "s");
+  for (const CanardResult& result : sheet.canards) {
+    if (sheet.judgement() != Judgement::none && !result.passed()) {
+      page.findings.push_back(finding(sentence(result.canard, result.diagnosis)));
+    }
+  }
+  page.tone = page.findings.empty() ? Tone::plain : Tone::bad;
+  page.body_html = figures(sheet) + charts(sheet, recording, exercise);
+  return page::inner_html(page);
 }
 
 }  // namespace fantail::bench

@@ -14,6 +14,7 @@
 #include "bench/sheet.hpp"
 #include "fantail/bench_desk.hpp"
 #include "fantail/bench_options.hpp"
+#include "fantail/bench_page.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/progress.hpp"
@@ -31,6 +32,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 struct ExerciseOptions {
   BenchOptions bench;
+  PageOptions page;
   std::string vehicle;
   std::string plan;
   std::string out;
@@ -62,10 +64,12 @@ bench::Exercise sine(const bench::Bounds& bounds, const ExerciseOptions& options
 
 // After the exercise the canards are centred before anything else happens, and after an interrupt too.
 link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, link::Session& session,
-                        link::AvionicsLink& link) {
+                        link::AvionicsLink& link, BenchPage& page) {
   Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = exercise.duration_s()}};
   try {
-    link::Recording recording = bench::perform(exercise, session, link, [&](double done_s) { progress.show(done_s); });
+    link::Recording recording = bench::perform(
+        exercise, session, link, [&](double done_s) { progress.show(done_s); },
+        [&](const link::Tick& tick) { page.take(tick); });
     if (!session.close()) {
       say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
     }
@@ -83,13 +87,17 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);
   expect_plan_in_force(on_desk, options.bench, link);
+  BenchPage page{options.page, on_desk.heading.vehicle + " on " + options.bench.interface};
+  page.wait_for_viewer();
   const auto session = open_session(place, link);
   const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims());
   const bench::Exercise what = make(bounds, options);
-  const link::Recording recording = perform(what, options, *session, link);
+  page.begin(what, on_desk.tolerances, on_desk.heading);
+  const link::Recording recording = perform(what, options, *session, link, page);
   complete(on_desk.heading, options.bench, link);
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
   const std::string json = bench::sheet_json(sheet);
+  const std::string viewers = page.finish(sheet, recording, what);
 
   const std::array<text::NamedFile, 3> files{{{"sheet.html", bench::sheet_html(sheet, recording, what)},
                                               {"sheet.json", json},
@@ -98,8 +106,8 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   if (options.bench.json) {
     fmt::print("{}", json);
   } else {
-    show("{}\n  sheet  {}\n", painted_decision(bench::sheet_text(sheet, output_columns())),
-         (folder / "sheet.html").string());
+    show("{}\n  sheet  {}\n{}", painted_decision(bench::sheet_text(sheet, output_columns())),
+         (folder / "sheet.html").string(), viewers.empty() ? "" : "  page   " + viewers + "\n");
   }
   if (sheet.judgement() == bench::Judgement::none) {
     throw link::LinkError{"no verdict: " + sheet.doubts.front()};
@@ -117,6 +125,7 @@ Verb add(const Verb& bench, const char* name, const char* meaning, const std::sh
               "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
       .value_name("FILE");
   verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path").value_name("PLAN");
+  add_page_options(verb, options->page, "the canards and the sheet, which fills while they move,");
   verb.option("--out", options->out, "Folder for sheet.html, sheet.json and sheet.csv [out/bench]");
   verb.action([options, make] { exercise(*options, make); });
   return verb;
@@ -141,6 +150,7 @@ void add_bench_limits(const Verb& bench) {
       "fails\n"
       "  fantail bench limits --can can0 --canard 3                 one canard alone, in a few seconds\n"
       "  fantail bench limits --can can0 --plan tasha3_launch2      refused when the rocket holds another plan\n"
+      "  fantail bench limits --can can0 --page                     watch the sheet fill in a browser\n"
       "  fantail bench limits --can vcan0 --json --out out/rehearsal  for a script");
 }
 

@@ -12,39 +12,55 @@
 
 namespace fantail::tool {
 
-void add_page_options(const Verb& verb, PageOptions& options) {
-  verb.flag(
-      "--page", options.page,
-      "Show the flight live on a page for browsers at http://127.0.0.1:8080/, which only this computer reaches. The "
-      "page only shows: nothing on it can move or arm anything");
+void add_page_options(const Verb& verb, PageOptions& options, const std::string& what) {
+  verb.flag("--page", options.page,
+            "Show " + what +
+                " on a page for browsers at http://127.0.0.1:8080/, which only this computer reaches. The page only "
+                "shows: nothing on it can move or arm anything");
   verb.option("--page-at", options.at,
               "The same at another address; 0.0.0.0 is for everybody on the network, port 0 is any free one")
       .check(live::objection_to_address)
       .value_name("HOST:PORT");
 }
 
+live::Address address_of(const PageOptions& options) {
+  return options.at.empty() ? live::Address{} : live::address_of(options.at);
+}
+
+void say_where(const live::Broadcast& page) {
+  say(fmt::format(
+      "page: {}{}\n", page.address().url(),
+      page.address().is_of_this_computer_alone() ? "" : ", for everybody who reaches this computer; it only shows"));
+}
+
+void wait_for_viewer(const live::Broadcast& page) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds longest{10};
+  say(fmt::format("page: it begins when a browser has opened the page, or in {} s\n", longest.count()));
+  for (const auto end = Clock::now() + longest; page.figures().viewers == 0 && Clock::now() < end;) {
+    give_up_if_interrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+  }
+}
+
+std::string viewers_text(const live::ServerFigures& figures) {
+  return fmt::format("{} viewer{} at the same time at most, {} frames, {} dropped because a viewer was slow",
+                     figures.most_viewers, figures.most_viewers == 1 ? "" : "s", figures.frames_sent,
+                     figures.frames_dropped);
+}
+
 PageOutput::PageOutput(const PageOptions& options, live::Source source, const std::string& command) {
   if (!options.wanted()) {
     return;
   }
-  const live::Address address = options.at.empty() ? live::Address{} : live::address_of(options.at);
   const live::PanelWords words{.source = source.name, .command = command, .version = FANTAIL_VERSION};
-  page_ = std::make_unique<live::LivePage>(address, std::move(source), words);
-  say(fmt::format(
-      "page: {}{}\n", page_->address().url(),
-      address.is_of_this_computer_alone() ? "" : ", for everybody who reaches this computer; it only shows"));
+  page_ = std::make_unique<live::LivePage>(address_of(options), std::move(source), words);
+  say_where(page_->broadcast());
 }
 
 void PageOutput::wait_for_viewer() const {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::seconds longest{10};
-  if (!page_) {
-    return;
-  }
-  say(fmt::format("page: it begins when a browser has opened the page, or in {} s\n", longest.count()));
-  for (const auto end = Clock::now() + longest; page_->figures().viewers == 0 && Clock::now() < end;) {
-    give_up_if_interrupted();
-    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+  if (page_) {
+    tool::wait_for_viewer(page_->broadcast());
   }
 }
 
@@ -84,10 +100,8 @@ std::string PageOutput::finish() {
   } else {
     page_->finish();
   }
-  const live::ServerFigures figures = page_->figures();
-  return fmt::format("{} viewer{} at the same time at most, {} frames, {} dropped because a viewer was slow{}",
-                     figures.most_viewers, figures.most_viewers == 1 ? "" : "s", figures.frames_sent,
-                     figures.frames_dropped, lost > 0 ? fmt::format("; {} messages never reached the page", lost) : "");
+  return viewers_text(page_->broadcast().figures()) +
+         (lost > 0 ? fmt::format("; {} messages never reached the page", lost) : "");
 }
 
 }  // namespace fantail::tool

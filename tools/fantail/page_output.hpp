@@ -20,8 +20,16 @@ struct PageOptions {
   [[nodiscard]] bool wanted() const { return page || !at.empty(); }
 };
 
-/// --page and --page-at.
-void add_page_options(const Verb& verb, PageOptions& options);
+/// --page and --page-at. `what` is shown: "the flight live".
+void add_page_options(const Verb& verb, PageOptions& options, const std::string& what = "the flight live");
+[[nodiscard]] live::Address address_of(const PageOptions& options);
+/// On standard error.
+void say_where(const live::Broadcast& page);
+/// For what begins with the program: says so, and waits until a browser has opened the page, or 10 s. Throws
+/// Interrupted.
+void wait_for_viewer(const live::Broadcast& page);
+/// One sentence.
+[[nodiscard]] std::string viewers_text(const live::ServerFigures& figures);
 
 /// A verb's page for browsers. Without the option it does nothing.
 class PageOutput {
@@ -31,8 +39,6 @@ class PageOutput {
   PageOutput(const PageOptions& options, live::Source source, const std::string& command);
 
   [[nodiscard]] bool is_on() const { return page_ != nullptr; }
-  /// For what begins with the program: says so, and waits until a browser has opened the page, or 10 s. Throws
-  /// Interrupted.
   void wait_for_viewer() const;
   /// Every tick goes to the page, through a thread of its own.
   void report(const core::TickRecord& record, const telemetry::Surroundings& surroundings);

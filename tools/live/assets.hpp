@@ -9,5 +9,9 @@ namespace fantail::live {
 extern const std::string_view panel_html;  ///< with {names} in place of what panel.cpp puts there
 extern const std::string_view panel_css;
 extern const std::string_view panel_js;
+extern const std::string_view sheet_html;
+extern const std::string_view sheet_css;
+extern const std::string_view sheet_js;
+extern const std::string_view live_js;  ///< of both pages
 
 }  // namespace fantail::live

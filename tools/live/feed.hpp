@@ -56,7 +56,7 @@ class Feed {
   Source source_;
   mutable std::mutex mutex_;
   telemetry::Receiver receiver_;
-  PlotHistory plots_;
+  PlotHistory plots_{signals};
   std::optional<std::int64_t> run_;            ///< whose plots and events these are
   std::optional<hal::Microseconds> launched_;  ///< the detection of the launch that is flown, by the rocket's clock
   std::optional<core::Phase> phase_;

@@ -1,48 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
-#include <thread>
 
+#include "live/broadcast.hpp"
 #include "live/feed.hpp"
 #include "live/panel.hpp"
-#include "live/server.hpp"
 #include "telemetry/publisher.hpp"
 
 namespace fantail::live {
 
-/// A page of what is heard of a rocket, for browsers: served, and brought up to date 40 times a second, by threads of
-/// its own.
+/// A page of what is heard of a rocket, for browsers.
 class LivePage {
  public:
   /// Throws std::runtime_error when the address cannot be listened at.
   LivePage(const Address& address, Source source, const PanelWords& words);
-  ~LivePage();
-  LivePage(const LivePage&) = delete;
-  LivePage& operator=(const LivePage&) = delete;
 
   /// Whatever came on a channel of LCM; for one thread.
   void take(std::string_view channel, std::span<const std::byte> bytes);
   /// What has been taken so far is shown, also when the program ends behind it.
-  void finish();
+  void finish() { broadcast_.finish(); }
 
-  [[nodiscard]] const Address& address() const { return server_.address(); }
-  [[nodiscard]] ServerFigures figures() const { return server_.figures(); }
+  [[nodiscard]] const Broadcast& broadcast() const { return broadcast_; }
 
  private:
-  void work();
   [[nodiscard]] hal::Microseconds now() const;
 
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Feed feed_;
-  Server server_;
-  std::atomic<bool> end_ = false;
-  std::thread thread_;
+  Broadcast broadcast_;
 };
 
 /// The page as the place where a publisher's packets go.

@@ -5,24 +5,36 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "live/assets.hpp"
 #include "page/assets.hpp"
 #include "page/page.hpp"
 
 namespace fantail::live {
 
-std::string panel(const PanelWords& words) {
+namespace {
+
+// One page: its HTML with {names} in it, and the style and script that it has beside those of every live page.
+struct Frame {
+  std::string_view html;
+  std::string_view css;
+  std::string_view more_css;
+  std::string_view js;
+};
+
+std::string filled(const Frame& frame, const PanelWords& words) {
   const std::array<std::pair<std::string_view, std::string>, 7> parts{
       {{"{source}", page::escape_html(words.source)},
        {"{command}", page::escape_html(words.command)},
        {"{version}", page::escape_html(words.version)},
-       {"{css}", std::string{page::chart_css} + std::string{page::uplot_css} + std::string{panel_css}},
+       {"{css}", fmt::format("{}{}{}{}", page::chart_css, page::uplot_css, frame.css, frame.more_css)},
        {"{uplot_licence}", std::string{page::uplot_licence}},
        {"{uplot}", std::string{page::uplot_js}},
-       {"{js}", std::string{page::plot_frame_js} + std::string{panel_js}}}};
+       {"{js}", std::string{page::plot_frame_js}.append(live_js).append(frame.js)}}};
   // One pass: what is put in is not looked at again.
   std::string page;
-  std::string_view rest = panel_html;
+  std::string_view rest = frame.html;
   while (!rest.empty()) {
     std::size_t at = std::string_view::npos;
     const std::pair<std::string_view, std::string>* next = nullptr;
@@ -40,6 +52,16 @@ std::string panel(const PanelWords& words) {
     rest.remove_prefix(at + next->first.size());
   }
   return page;
+}
+
+}  // namespace
+
+std::string panel(const PanelWords& words) {
+  return filled({.html = panel_html, .css = panel_css, .more_css = {}, .js = panel_js}, words);
+}
+
+std::string sheet_panel(const PanelWords& words) {
+  return filled({.html = sheet_html, .css = page::page_css, .more_css = sheet_css, .js = sheet_js}, words);
 }
 
 }  // namespace fantail::live

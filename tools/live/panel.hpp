@@ -11,7 +11,9 @@ struct PanelWords {
   std::string version{};
 };
 
-/// The whole page; it loads nothing but the frames at /events. The words are escaped.
+/// The whole page of a rocket that is heard; it loads nothing but the frames at /events (Feed). The words are escaped.
 [[nodiscard]] std::string panel(const PanelWords& words);
+/// The same of the sheet of a bench, which fills while canards move (SheetFeed).
+[[nodiscard]] std::string sheet_panel(const PanelWords& words);
 
 }  // namespace fantail::live

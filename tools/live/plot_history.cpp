@@ -34,22 +34,22 @@ Sample sample_of(const telemetry::State& state, const std::optional<double>& can
           state.speed_m_s};
 }
 
-void PlotHistory::add(hal::Microseconds time, const Sample& sample) {
+void PlotHistory::add(hal::Microseconds time, std::span<const std::optional<double>> sample) {
   if (!stretches_.empty() && time <= stretches_.back().end) {
     return;
   }
   if (untold_ == 0 || time - stretches_.back().begin >= stretch) {
-    stretches_.push_back({.begin = time, .end = time});
+    stretches_.push_back({.begin = time, .end = time, .extremes = std::vector<std::optional<Extremes>>(signal_count_)});
     untold_ += 1;
   }
   Stretch& now = stretches_.back();
   now.end = time;
-  for (std::size_t i = 0; i < signals; ++i) {
+  for (std::size_t i = 0; i < signal_count_; ++i) {
     if (sample[i] && std::isfinite(*sample[i])) {
       widen(now.extremes[i], *sample[i]);
     }
   }
-  while (time - stretches_.front().end > kept) {
+  while (time - stretches_.front().end > kept_) {
     stretches_.pop_front();
   }
   untold_ = std::min(untold_, stretches_.size());

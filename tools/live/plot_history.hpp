@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "hal/clock.hpp"
 #include "json/value.hpp"
@@ -20,15 +22,18 @@ using Sample = std::array<std::optional<double>, signals>;
 [[nodiscard]] std::optional<double> reference_in_force(const telemetry::State& state);
 [[nodiscard]] Sample sample_of(const telemetry::State& state, const std::optional<double>& canard_rad);
 
-/// The last half minute, thinned without losing a peak: each stretch of 25 ms becomes two points, the lowest and the
+/// What is to be plotted, thinned without losing a peak: each stretch of 25 ms becomes two points, the lowest and the
 /// highest value of every signal in the order of their time.
 class PlotHistory {
  public:
   static constexpr hal::Microseconds stretch{25'000};
-  static constexpr hal::Microseconds kept{30'000'000};
+  static constexpr hal::Microseconds half_a_minute{30'000'000};
 
-  /// By the rocket's clock. One that is not behind the newest is left out.
-  void add(hal::Microseconds time, const Sample& sample);
+  explicit PlotHistory(std::size_t signal_count, hal::Microseconds kept = half_a_minute)
+      : signal_count_{signal_count}, kept_{kept} {}
+
+  /// By the rocket's clock. One that is not behind the newest is left out. A value of each signal.
+  void add(hal::Microseconds time, std::span<const std::optional<double>> sample);
   void clear();
 
   /// Of each stretch since the last call [begin in ms, end in ms, value, value, value, ...]: of each signal two, in
@@ -46,11 +51,13 @@ class PlotHistory {
   struct Stretch {
     hal::Microseconds begin{};
     hal::Microseconds end{};
-    std::array<std::optional<Extremes>, signals> extremes{};
+    std::vector<std::optional<Extremes>> extremes{};
   };
   static void widen(std::optional<Extremes>& extremes, double value);
   static json::Value json_of(const Stretch& stretch);
 
+  std::size_t signal_count_;
+  hal::Microseconds kept_;
   std::deque<Stretch> stretches_;
   std::size_t untold_ = 0;  ///< so many of them, the newest
 };

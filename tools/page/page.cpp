@@ -116,6 +116,8 @@ std::string with_class(std::string_view svg, std::string_view name) {
 
 }  // namespace
 
+std::string inner_html(const Page& page) { return header(page) + verdict(page) + page.body_html; }
+
 std::string html(const Page& page) {
   const std::string title = escape_html(page.title);
   const std::string kind = escape_html(page.kind);
@@ -123,14 +125,16 @@ std::string html(const Page& page) {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}{}{}</title>\n<style>{}{}{}</style>\n</head>\n"
-      "<body>\n<main>\n{}{}{}{}</main>\n{}</body>\n</html>\n",
+      "<body>\n<main>\n{}{}</main>\n{}</body>\n</html>\n",
       title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
-      chart_css, page_css, header(page), verdict(page), page.body_html, footer(page), live_scripts(page.live));
+      chart_css, page_css, inner_html(page), footer(page), live_scripts(page.live));
 }
 
 void set_made_by(std::string command, std::string version) {
   origin_of_pages() = {std::move(command), std::move(version)};
 }
+
+const std::string& made_by_command() { return origin_of_pages().command; }
 
 std::string escape_html(std::string_view text) {
   std::string out;

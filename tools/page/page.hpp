@@ -41,10 +41,14 @@ struct Page {
 };
 
 [[nodiscard]] std::string html(const Page& page);
+/// Its header, verdict and body, for a page that is there already.
+[[nodiscard]] std::string inner_html(const Page& page);
 
 /// What the last line of the pages of this program says: the command that makes them, and its version. To be called
 /// before the first page is made, by who knows what was typed; without it there is no such line.
 void set_made_by(std::string command, std::string version);
+/// That command; empty when nobody has said it.
+[[nodiscard]] const std::string& made_by_command();
 
 /// Text for HTML or SVG, between tags or inside a quoted attribute.
 [[nodiscard]] std::string escape_html(std::string_view text);

@@ -4,7 +4,6 @@
   "use strict";
   const span_s = 30;
   const signals = 7;  // roll, reference, rate, command, mean of the canards, height, speed: plot_history.hpp
-  const longest_line_s = 0.25;
   const $ = (id) => document.getElementById(id);
   const minus = (text) => text.replace("-", "\u2212");
   const fixed = (value, digits) => value == null ? "\u2013" : minus(value.toFixed(digits));
@@ -28,7 +27,7 @@
       events = [];
     }
     now = frame;
-    for (const row of frame.plot) addStretch(row);
+    for (const row of frame.plot) fantailAddStretch(columns, row);
     events.push(...frame.events);
     while (events.length > 100) events.shift();
     const first = columns[0].findIndex((time) => time > (frame.time_s ?? 0) - span_s - 1);
@@ -37,33 +36,14 @@
     changed = true;
   }
 
-  function addStretch(row) {
-    const [begin, end, times] = [row[0] / 1000, row[1] / 1000, columns[0]];
-    if (times.length > 0 && begin - times[times.length - 1] > longest_line_s) {
-      times.push((begin + times[times.length - 1]) / 2);
-      for (let i = 1; i <= signals; i++) columns[i].push(null);
-    }
-    for (const which of end > begin ? [0, 1] : [1]) {
-      times.push(which === 0 ? begin : end);
-      for (let i = 0; i < signals; i++) {
-        const value = row[2 + 2 * i + which];
-        columns[i + 1].push(value === null ? null : value / 100);
-      }
-    }
-  }
-
   function listen() {
-    const source = new EventSource("events");
-    source.onmessage = (message) => {
+    fantailListen((frame) => {
       [connected, lostSince] = [true, null];
-      take(JSON.parse(message.data));
-    };
-    source.onerror = () => {  // a browser tries again by itself, but not after every kind of failure
-      source.close();
+      take(frame);
+    }, () => {
       if (connected || lostSince === null) lostSince = performance.now();
       [connected, changed] = [false, true];
-      setTimeout(listen, 1000);
-    };
+    });
   }
 
   // --- words and numbers ---

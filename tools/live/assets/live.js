@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What both live pages have: a connection that tries again, and columns for uPlot. Nothing goes the other way.
+"use strict";
+
+// Frames of /events: take(frame) for each, lost() when the connection has gone.
+function fantailListen(take, lost) {
+  const source = new EventSource("events");
+  source.onmessage = (message) => take(JSON.parse(message.data));
+  source.onerror = () => {  // a browser tries again by itself, but not after every kind of failure
+    source.close();
+    lost();
+    setTimeout(fantailListen, 1000, take, lost);
+  };
+}
+
+// Puts a stretch of plot_history.hpp behind `columns` (times first). No line is drawn over a longer gap.
+function fantailAddStretch(columns, row) {
+  const longest_line_s = 0.25;
+  const [begin, end, times] = [row[0] / 1000, row[1] / 1000, columns[0]];
+  if (times.length > 0 && begin - times[times.length - 1] > longest_line_s) {
+    times.push((begin + times[times.length - 1]) / 2);
+    for (const column of columns.slice(1)) column.push(null);
+  }
+  for (const which of end > begin ? [0, 1] : [1]) {
+    times.push(which === 0 ? begin : end);
+    for (let i = 1; i < columns.length; i++) {
+      const value = row[2 * i + which];
+      columns[i].push(value === null ? null : value / 100);
+    }
+  }
+}
