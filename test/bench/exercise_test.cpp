@@ -82,6 +82,26 @@ TEST(Exercise, AStretchBelongsToEveryTime) {
   }
 }
 
+TEST(Exercise, ItsFirstTurnsAreAnExerciseThatEndsWithThem) {
+  const Exercise whole = Exercise::limits(six_degrees());
+  const Exercise two = whole.beginning(2);
+  EXPECT_NEAR(two.duration_s(), 8.8, 1e-9);
+  EXPECT_EQ(two.turns().size(), 2U);
+  EXPECT_NEAR(asked_deg(two, 1, 4.4 + 1.0), 9.0, 1e-5);
+  EXPECT_THROW((void)whole.beginning(0), std::invalid_argument);
+  EXPECT_THROW((void)whole.beginning(6), std::invalid_argument);
+  EXPECT_EQ(whole.turns_over_at(8.7), 1U);
+  EXPECT_EQ(whole.turns_over_at(8.9), 2U);
+}
+
+TEST(Exercise, SaysWhatItDoes) {
+  const Exercise exercise = Exercise::limits(six_degrees());
+  EXPECT_EQ(exercise.doing(0.1), "canard 1 alone: at the centre");
+  EXPECT_EQ(exercise.doing(4.4 + 1.0), "canard 2 alone: held beyond the + limit");
+  EXPECT_EQ(exercise.doing(4.0 * 4.4 + 2.5), "all four together: held beyond the \u2212 limit");
+  EXPECT_EQ(exercise.doing(1e6), "all four together: at once to the centre");
+}
+
 TEST(Exercise, ASineSwingsAboutTheCentreOfOneCanard) {
   const Exercise exercise =
       Exercise::sine(six_degrees(6.0, 1.0), 1, {.amplitude_rad = 4.0 * degree, .frequency_hz = 2.0, .cycles = 3});

@@ -254,6 +254,29 @@ TEST_F(Page, SaysWhatIsWrongWhereItIsSeenFirst) {
   EXPECT_EQ(plots, 16U);  // of each canard: alone, together, two steps
 }
 
+TEST_F(Page, WhileOthersAreStillToMoveItSaysWhatHasFailedAndGivesNoVerdict) {
+  const Exercise whole = Exercise::limits(six_degrees());
+  Bench bench;
+  bench.canards[1].gain = -1.0;
+  const link::Recording recording = bench.record(whole);  // the rest is on its way already
+  const auto so_far = [&](std::size_t turns) {
+    const Exercise first = whole.beginning(turns);
+    return sheet_so_far_html(examine(recording, first, usual, {}), recording, first, 5 - turns);
+  };
+  const std::string one = so_far(1);
+  EXPECT_NE(one.find("<h2>Not finished: 4 more turns to come</h2>"), std::string::npos);
+  EXPECT_NE(one.find("<h2>Canard 1 is healthy</h2>"), std::string::npos);
+  EXPECT_EQ(one.find("Canard 2"), std::string::npos);
+  const std::string four = so_far(4);
+  EXPECT_NE(four.find("Not finished: 1 more turn to come"), std::string::npos);
+  EXPECT_NE(four.find("<b>Canard 2 is reversed:</b>"), std::string::npos);
+  for (const std::string& html : {one, four}) {
+    for (const char* verdict : {"PASS", "FAIL", "NO VERDICT", "Signature", "<html"}) {
+      EXPECT_EQ(html.find(verdict), std::string::npos) << verdict;
+    }
+  }
+}
+
 TEST_F(Page, EscapesWhatOthersNamed) {
   const Heading heading{.vehicle = "<script>a", .plan = "b&c", .date = "\"d\"", .notes = {"<e>"}};
   const std::string html = page({}, Exercise::step(six_degrees(), 0, 3.0 * degree), heading);

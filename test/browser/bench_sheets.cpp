@@ -12,6 +12,7 @@
 #include "bench/sheet.hpp"
 #include "bench/synthetic.hpp"
 #include "fantail/bench_page.hpp"
+#include "page/page.hpp"
 #include "text/output_folder.hpp"
 
 namespace {
@@ -41,6 +42,7 @@ void show_live(const bench::Exercise& exercise) {
   constexpr std::chrono::microseconds between_ticks{250};
   bench::Bench rocket = reversed_rocket();
   const link::Recording recording = rocket.record(exercise);
+  page::set_made_by("bench_sheets --live", "test");
   tool::BenchPage page{{.at = "127.0.0.1:0"}, heading.vehicle + " on no bus"};
   page.wait_for_viewer();
   page.begin(exercise, {}, heading);

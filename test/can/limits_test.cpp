@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <future>
+#include <thread>
 
+#include <arpa/inet.h>
+#include <fmt/core.h>
+#include <netinet/in.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "can/rig.hpp"
 #include "json/value.hpp"
@@ -43,6 +52,45 @@ TEST_F(CanSystem, AnExercisePassesTheHealthyRocketAndNamesTheReversedCanardOfThe
   EXPECT_EQ(bad_sheet["passed"], false);
   EXPECT_EQ(bad_sheet["canards"][0]["cause"], "reversed") << bad_sheet["canards"][0];
   EXPECT_PRED2(contains, content(folder / "reversed/sheet/sheet.html"), "Canard 3 is reversed");
+}
+
+// What a browser is sent until the exercise has ended or the test has: it asks again and again.
+std::string seen_by_a_browser(std::uint16_t port, const std::atomic<bool>& stop) {
+  std::string seen;
+  while (!stop && !contains(seen, R"("ended":true)")) {
+    const int connection = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const sockaddr_in address{
+        .sin_family = AF_INET, .sin_port = htons(port), .sin_addr = {htonl(INADDR_LOOPBACK)}, .sin_zero = {}};
+    const std::string question = fmt::format("GET /events HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n", port);
+    if (::connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+        ::send(connection, question.data(), question.size(), MSG_NOSIGNAL) > 0) {
+      std::array<char, 4096> part{};
+      for (ssize_t n = 0; (n = ::recv(connection, part.data(), part.size(), 0)) > 0;) {
+        seen.append(part.data(), static_cast<std::size_t>(n));
+      }
+    }
+    ::close(connection);
+    std::this_thread::sleep_for(std::chrono::milliseconds{50});
+  }
+  return seen;
+}
+
+TEST_F(AtARocket, ABrowserSeesTheCanardsMoveAndTheSheetFill) {
+  constexpr std::uint16_t port = 18080;
+  const Folder folder;
+  std::atomic<bool> stop = false;
+  auto browser = std::async(std::launch::async, [&] { return seen_by_a_browser(port, stop); });
+  const Outcome outcome = fantail_bench({"step", "--can", "vcan0", "--canard", "2", "--vehicle", "tasha3_bench",
+                                         "--page-at", fmt::format("127.0.0.1:{}", port), "--out", folder / "sheet"});
+  stop = true;
+  const std::string seen = browser.get();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_PRED2(contains, outcome.err, fmt::format("page: http://127.0.0.1:{}/\n", port));
+  EXPECT_PRED2(contains, outcome.out, "\n  page   1 viewer at the same time at most, ");
+  EXPECT_PRED2(contains, seen, R"("now":"canard 2 alone: at once to one side")");
+  EXPECT_PRED2(contains, seen, R"("sheet":")");
+  EXPECT_PRED2(contains, seen, R"("ended":true)");
+  EXPECT_PRED2(contains, seen, "PASS");
 }
 
 TEST_F(AtARocket, WithAnotherPlanNothingMoves) {
