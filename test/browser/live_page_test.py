@@ -6,6 +6,7 @@ ends; and the sheet of a bench that fills. Pictures of lift-off, step and apogee
 PICTURES. Exit code 77: there is no Chromium here (package chromium-driver).
 """
 
+import csv
 import json
 import pathlib
 import re
@@ -51,7 +52,38 @@ class Program:
         self.process.wait()
 
 
+SHOWN = ["phase", "clock", "time", "roll", "rate", "height", "speed"]
+
+
+def words_shown(page):
+    """Of one frame."""
+    words = page.run("return arguments[0].map((id) => document.getElementById(id).textContent)", SHOWN)
+    return dict(zip(SHOWN, (word.replace("\u2212", "-") for word in words)))
+
+
+def recorded_around(rows, time_s):
+    """Of flight.csv the ticks that the page's time, which has hundredths of a second, can be."""
+    begin = float(rows[0]["time_s"])
+    return [row for row in rows if abs(float(row["time_s"]) - begin - time_s) < 0.0065]
+
+
 class LivePage(unittest.TestCase):
+    def compare_with_the_record(self, moments):
+        """What the page has said against what the program wrote down: {moment: words}."""
+        with (PICTURES / "flight" / "flight.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        compared = {}
+        for moment, words in moments.items():
+            around = recorded_around(rows, float(words["time"]))
+            compared[moment] = {"page": words, "record": {}}
+            for id, column in (("roll", "roll_angle_deg"), ("rate", "roll_rate_deg_s"), ("height", "height_m"), ("speed", "speed_m_s")):
+                values = [float(row[column]) for row in around]
+                self.assertLess(min(values) - 0.051, float(words[id]), (moment, id))
+                self.assertGreater(max(values) + 0.051, float(words[id]), (moment, id))
+                compared[moment]["record"][id] = values[len(values) // 2]
+            self.assertIn(words["phase"].lower(), {row["phase"] for row in around}, moment)
+        (PICTURES / "live_page_compared.json").write_text(json.dumps(compared, indent=2) + "\n")
+
     def test_shows_the_flight_while_it_is_flown_and_keeps_it_when_it_is_over(self):
         # The browser first: on a busy machine it takes longer to start than a flight waits for it.
         with browser.Browser() as page, \
@@ -59,18 +91,22 @@ class LivePage(unittest.TestCase):
             page.open(program.url)
             phase = "return window.fantail.figures().phase"
             page.wait_until("return ['launched', 'controlling'].includes(window.fantail.figures().phase)")
+            moments = {"lift-off": words_shown(page)}
             page.picture(PICTURES / "live_lift_off.png")
             page.wait_until(f"{phase} === 'controlling' && window.fantail.figures().phase")
             begin, before = time.monotonic(), page.run("return window.fantail.figures()")
             page.wait_until("return document.getElementById('clock').textContent >= 'T+5'", 60)
             seconds, after = time.monotonic() - begin, page.run("return window.fantail.figures()")
+            moments["step"] = words_shown(page)
             page.picture(PICTURES / "live_step.png")
             self.assertEqual(page.run("return document.getElementById('phase').textContent"), "CONTROLLING")
             self.assertGreater(after["drawn"], before["drawn"])
             page.wait_until(f"{phase} === 'finished' && 1", 120)
+            moments["apogee"] = words_shown(page)
             page.picture(PICTURES / "live_apogee.png")
             code, out, said = program.end()
             self.assertEqual(code, 0, said)
+            self.compare_with_the_record(moments)
             self.assertRegex(out, r"page +1 viewer at the same time at most, [1-9][0-9]+ frames, [0-9]+ dropped because a viewer was slow")
 
             # The program is gone and the page has what it last knew, marked.
