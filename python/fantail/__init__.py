@@ -13,10 +13,8 @@ import pathlib as _pathlib
 
 from . import _core
 
-# A wheel carries its data within; in a build tree it is the sources' own. FANTAIL_DATA goes before both.
-_data = _pathlib.Path(__file__).parent / "data"
-if _data.is_dir():
-    _core.set_data_folder(str(_data))
+# A wheel carries its data within; in a build tree these are links to the sources. FANTAIL_DATA goes before both.
+_core.set_data_folder(str(_pathlib.Path(__file__).parent / "data"))
 
 from ._analysis import identify, predict  # noqa: E402
 from ._campaign import Campaign, campaign, merge_campaign  # noqa: E402

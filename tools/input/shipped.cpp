@@ -73,11 +73,16 @@ std::filesystem::path data_folder() {
   if (!folder_of_library().empty()) {
     return folder_of_library();
   }
-  // An installed program finds them beside itself, under any prefix: PREFIX/libexec/fantail/fantail-fly.
+  // Under any prefix, and in a build folder, which has links to the sources there: no program has a path in it.
   std::error_code ignored;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const auto installed = program.parent_path().parent_path().parent_path() / "share" / "fantail";
-  return std::filesystem::is_directory(installed, ignored) ? installed : std::filesystem::path{FANTAIL_SOURCE_FOLDER};
+  for (auto folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+    const auto part = std::filesystem::canonical(folder / "share/fantail/sim", ignored);
+    if (!ignored) {
+      return part.parent_path();
+    }
+  }
+  return "share/fantail";  // there is nothing; whoever looks for a file there says so
 }
 
 std::vector<std::string> shipped_names(Shipped kind) {

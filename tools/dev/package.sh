@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=dash
+# What others install: a Debian package, and the sources as one file. Part of ./dev, which has set $root.
+
+package() {
+  local check="" epoch version
+  case "$#,${1:-}" in
+    0,) ;;
+    1,--check) check=yes ;;
+    *) usage ;;
+  esac
+  take_turn
+  # shellcheck disable=SC2086
+  need $package_packages
+  [ -z "$(git status --porcelain 2>&1)" ] ||
+    refuse "the sources differ from their commit, and a package is of one: commit, or put aside what git status lists"
+  version=$(project_version)
+  epoch=$(git log -1 --format=%ct)
+  arm_build "the flight image" fantail-stm32f405
+  host_build "every verb" verbs
+  debian_documents "$version" "$epoch"
+  rm -rf build/packages
+  # CPack says a line for each step; they are of interest when one fails.
+  SOURCE_DATE_EPOCH=$epoch TZ=UTC0 cpack --config build/host/CPackConfig.cmake -G DEB -B build/packages >build/host/package.log 2>&1 || {
+    cat build/host/package.log >&2
+    echo "dev: the package could not be made; see the reasons above" >&2
+    exit 70
+  }
+  rm -rf build/packages/_CPack_Packages
+  git archive --format=tar --prefix="fantail-$version/" HEAD | gzip -9n >"build/packages/fantail-$version.tar.gz"
+  (cd build/packages && sha256sum -- *.deb *.tar.gz >SHA256SUMS)
+  leave_turn
+  [ -z "$check" ] || lintian --fail-on error,warning build/packages/*.deb
+  (cd build/packages && du -k -- *.deb *.tar.gz | awk '{ printf "build/packages/%s  %d kB\n", $2, $1 }')
+}
+
+project_version() {
+  sed -n 's/^project(fantail VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt
+}
+
+# debian_documents VERSION SECONDS: what a package has in /usr/share/doc.
+debian_documents() {
+  local folder=build/host/debian library
+  mkdir -p "$folder"
+  {
+    cat cmake/package/copyright LICENSE
+    printf '\nuPlot\n-----\n'
+    cat third_party/uplot/LICENSE
+    for library in libfmt9 libcpp-httplib0.11 libzip4; do
+      printf '\n%s\n-----\n' "$library"
+      cat "/usr/share/doc/$library/copyright"
+    done
+  } >"$folder/copyright"
+  printf 'fantail (%s) stable; urgency=medium\n\n  * What has changed is in /usr/share/doc/fantail/CHANGELOG.md.gz.\n\n -- The Fantail authors <fantail@localhost>  %s\n' \
+    "$1" "$(LC_ALL=C date -u -R -d "@$2")" | gzip -9n >"$folder/changelog.gz"
+  gzip -9n <CHANGELOG.md >"$folder/CHANGELOG.md.gz"
+}
