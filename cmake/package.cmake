@@ -4,7 +4,7 @@
 # Three libraries have other names in Debian 13 and go into the package, beside its own programs; every other one is named
 # among what it depends on, by dpkg-shlibdeps.
 set(carried fmt cpp-httplib zip)
-set(private lib/fantail)
+set(private libexec/fantail/lib)
 foreach(name IN LISTS carried)
   find_library(library_${name} ${name} REQUIRED NO_CACHE)
   file(REAL_PATH ${library_${name}} file)
@@ -19,7 +19,7 @@ install(FILES ${debian}/copyright ${debian}/changelog.gz ${debian}/CHANGELOG.md.
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/package/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME fantail
   COMPONENT package EXCLUDE_FROM_ALL)
 # What is written into the board, as ./dev firmware has built it.
-foreach(kind IN ITEMS elf hex bin)
+foreach(kind IN ITEMS hex bin)
   install(FILES ${PROJECT_SOURCE_DIR}/build/arm/fantail-stm32f405.${kind} DESTINATION ${CMAKE_INSTALL_DATADIR}/fantail/firmware/image
     COMPONENT package EXCLUDE_FROM_ALL)
 endforeach()
@@ -29,13 +29,13 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "roll control for sounding rockets, from the wind tunnel to flight")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Fantail is avionics that stops a sounding rocket from rolling, with four
- canards behind its nose cone, and the tools round it: the simulator in which
- the same flight code flies on a desktop, checks of real canards over CAN,
- analysis of wind-tunnel sessions, identification of the roll model from logs,
- and prediction of the next launch.
- .
- This package has every program, the shipped rockets, scenarios and flight
- plans, the CAN database, the LCM types, and the image for the board.")
+canards behind its nose cone, and the tools round it: the simulator in which
+the same flight code flies on a desktop, checks of real canards over CAN,
+analysis of wind-tunnel sessions, identification of the roll model from logs,
+and prediction of the next launch.
+
+This package has every program, the shipped rockets, scenarios and flight
+plans, the CAN database, the LCM types, and the image for the board.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_FILE_NAME fantail_${PROJECT_VERSION}_amd64)
 set(CPACK_GENERATOR DEB)
