@@ -13,6 +13,7 @@
 #include "input/section.hpp"
 #include "text/decimal.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::input {
 namespace {
@@ -64,7 +65,7 @@ std::string value_text(const PlanField& field, const core::FlightPlan& plan, std
   core::FlightPlan copy = plan;
   for (int digits = 6; field.kind == FieldKind::number && digits <= 9; ++digits) {
     text = number_text(value, digits);
-    set_value(field, copy, slot, std::stod(text));
+    set_value(field, copy, slot, *text::number(text));
     if (field.get_bits(copy, slot) == field.get_bits(plan, slot)) {
       break;
     }

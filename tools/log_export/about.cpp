@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "text/number.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -30,7 +31,7 @@ Json plan(const flight_log::Flight& flight) {
         case core::FieldKind::integer: return static_cast<std::int64_t>(number);
         case core::FieldKind::number: break;
       }
-      return std::stod(fmt::format("{}", number));  // the float's own shortest decimals
+      return *text::number(fmt::format("{}", number));  // the float's own shortest decimals
     };
     if (field.slots == 1 && !field.is_list()) {
       all[field.section][field.key] = value(0);

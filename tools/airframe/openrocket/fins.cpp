@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "text/number.hpp"
+
 namespace fantail::airframe::openrocket {
 namespace {
 
@@ -38,12 +40,12 @@ void read_points(const Component& component, Geometry::FinSet& set) {
   constexpr double largest_m = 5.0;
   std::vector<std::pair<double, double>> points;
   for (const pugi::xml_node point : component.xml().child("finpoints").children("point")) {
-    const double x_m = point.attribute("x").as_double(std::nan(""));
-    const double y_m = point.attribute("y").as_double(std::nan(""));
-    if (!(std::abs(x_m) <= largest_m) || !(std::abs(y_m) <= largest_m)) {
+    const auto x_m = ::fantail::text::number(point.attribute("x").value());
+    const auto y_m = ::fantail::text::number(point.attribute("y").value());
+    if (!x_m || !y_m || std::abs(*x_m) > largest_m || std::abs(*y_m) > largest_m) {
       component.refuse("a point of its fins is missing a number, or farther than 5 m away");
     }
-    points.emplace_back(x_m, y_m);
+    points.emplace_back(*x_m, *y_m);
   }
   if (points.size() < 3) {
     component.refuse("its fins have fewer than three points");

@@ -9,6 +9,7 @@
 #include "airframe/openrocket/fins.hpp"
 #include "airframe/openrocket/reader.hpp"
 #include "airframe/openrocket/solids.hpp"
+#include "text/number.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {
@@ -59,7 +60,8 @@ double packed_kg(const Component& c) {
     return c.density() * c.number("striplength", 0.0, 1000.0) * c.number("stripwidth", 0.0, 100.0);
   }
   const double diameter_m = c.number("diameter", 0.0, 100.0);
-  const double line_kg_m = c.xml().child("linematerial").attribute("density").as_double(0.0);
+  const double line_kg_m =
+      ::fantail::text::number(c.xml().child("linematerial").attribute("density").value()).value_or(0.0);
   return c.density() * 0.25 * std::numbers::pi * diameter_m * diameter_m +
          line_kg_m * c.number_or("linecount", 0.0, 1000.0, 0.0) * c.number_or("linelength", 0.0, 1000.0, 0.0);
 }
