@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "live/server.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <optional>
 #include <thread>
@@ -41,8 +42,9 @@ class Browser {
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
 
-  void ask(const std::string& text) const {
-    EXPECT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+  /// False: the other side has closed the connection.
+  bool ask(const std::string& text) const {  // NOLINT(modernize-use-nodiscard)
+    return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
   }
   void get(const std::string& path, const std::string& host) const {
     ask("GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
@@ -201,6 +203,59 @@ TEST(LiveServer, AHundredViewersThatTakeNothingCostNothingAndAreLetGo) {
   EXPECT_EQ(served.server.figures().viewers, 0U);
   Browser next = served.open("/events");
   EXPECT_NE(next.read_to("data: hello\n\n").find("hello"), std::string::npos);
+}
+
+TEST(LiveServer, WhoSendsAByteNowAndThenDoesNotKeepItFromEnding) {
+  auto served = std::make_optional<Served>();
+  const Browser slow{served->port};
+  slow.ask("GET / HTTP/1.1\r\nX: ");
+  std::atomic<bool> has_ended = false;
+  bool was_let_go = false;
+  std::jthread trickle{[&] {
+    for (int i = 0; i < 3000 && !was_let_go; ++i) {  // half a minute, and longer than any patience with a single read
+      std::this_thread::sleep_for(10ms);
+      was_let_go = !slow.ask("x");
+    }
+    EXPECT_TRUE(has_ended) << "it waited for the client";
+  }};
+  std::this_thread::sleep_for(50ms);
+  served.reset();
+  has_ended = true;
+  trickle.join();
+  EXPECT_TRUE(was_let_go);
+}
+
+TEST(LiveServer, ConnectionsThatAskForNothingTakeNoMoreThanTheirPlacesAndForFiveSeconds) {
+  const Served served;
+  std::vector<Browser> idle;
+  for (std::size_t i = 0; i < Server::most_viewers + 28; ++i) {
+    idle.emplace_back(served.port);
+    idle.back().ask("GET / HTTP/1.1\r\n");
+  }
+  for (int i = 0; i < 1000 && served.server.figures().refused == 0; ++i) {
+    std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_GT(served.server.figures().refused, 0U);
+  // While they are there nobody else can be, and afterwards anybody.
+  std::string status;
+  for (int i = 0; i < 1000 && status != "HTTP/1.1 200 OK\r\n"; ++i) {
+    std::this_thread::sleep_for(20ms);
+    status = served.status_of("GET", "/", served.host);
+  }
+  EXPECT_EQ(status, "HTTP/1.1 200 OK\r\n");
+}
+
+TEST(LiveServer, APartOfThePageThatIsAskedForAThousandTimesIsThePageOnce) {
+  const Served served;
+  Browser browser{served.port};
+  std::string ranges = "bytes=0-";
+  for (int i = 0; i < 1000; ++i) {
+    ranges += ",0-";
+  }
+  browser.ask("GET / HTTP/1.1\r\nHost: " + served.host + "\r\nRange: " + ranges + "\r\n\r\n");
+  const std::string head = browser.read_to("\r\n\r\n");
+  EXPECT_TRUE(head.starts_with("HTTP/1.1 200 OK\r\n")) << head;
+  EXPECT_EQ(browser.read_to("never"), "<p>the page</p>");
 }
 
 TEST(LiveServer, AnAddressThatIsTakenIsSaidAndNotShared) {

@@ -12,18 +12,17 @@
 #include <utility>
 
 #include <fmt/core.h>
-#include <httplib.h>
 
+#include "live/http_server.hpp"
 #include "live/viewer.hpp"
 
 namespace fantail::live {
 namespace {
 
-// Besides the viewers some threads are left for whoever asks for the page, or for what there is not.
-constexpr std::size_t threads = Server::most_viewers + 8;
+// Besides the viewers some are left for whoever asks for the page, or for what there is not.
+constexpr std::size_t most_connections = Server::most_viewers + 8;
 // The kernel keeps megabytes for a viewer that takes nothing, which would show it a flight that is long over.
 constexpr int send_buffer_bytes = 64 * 1024;
-constexpr std::chrono::seconds write_timeout{3};
 
 // Scripts and styles are in the page; nothing is loaded, and no other site may show it in a frame.
 constexpr const char* content_security_policy =
@@ -45,7 +44,7 @@ void set_options(int socket) {
 }  // namespace
 
 struct Server::Http {
-  httplib::Server server;
+  HttpServer server{most_connections};
   Address address;
   std::string page;
   std::function<std::string()> greeting;
@@ -145,10 +144,7 @@ Server::Server(const Address& address, std::string page_html, std::function<std:
   http.page = std::move(page_html);
   http.greeting = std::move(greeting);
   http.server.set_socket_options(set_options);
-  http.server.new_task_queue = [] { return new httplib::ThreadPool{threads}; };  // NOLINT: the library deletes it
-  http.server.set_write_timeout(write_timeout);
   http.server.set_payload_max_length(0);
-  http.server.set_keep_alive_max_count(1);  // a connection that waits for another question keeps a thread for 5 s
   http.server.set_tcp_nodelay(true);
   http.answer_all();
   errno = 0;
@@ -164,6 +160,7 @@ Server::Server(const Address& address, std::string page_html, std::function<std:
                             : "")};
   }
   http.address.port = port;
+  http.server.let_many_wait();
   http.thread = std::thread{[&http] { http.server.listen_after_bind(); }};
   // To stop a server that does not run yet does nothing, and it would run for ever.
   while (!http.server.is_running()) {
@@ -178,7 +175,7 @@ Server::~Server() {
       viewer->end();
     }
   }
-  http_->server.stop();
+  http_->server.end();
   http_->thread.join();
 }
 
@@ -194,7 +191,9 @@ void Server::show(std::string frame) {
 
 ServerFigures Server::figures() const {
   const std::scoped_lock lock{http_->mutex};
-  return http_->figures;
+  ServerFigures figures = http_->figures;
+  figures.refused += http_->server.refused();
+  return figures;
 }
 
 }  // namespace fantail::live

@@ -18,7 +18,7 @@ struct ServerFigures {
   std::uint64_t frames_sent = 0;     ///< to one viewer each
   std::uint64_t frames_dropped = 0;  ///< because a viewer did not take them in time
   std::uint64_t bytes_sent = 0;
-  std::uint64_t refused = 0;  ///< viewers that were too many
+  std::uint64_t refused = 0;  ///< viewers and other connections that were too many
 };
 
 /// Serves one page, and to each browser that shows it the same frames as server-sent events. Read-only: GET / and GET

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "live/http_server.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <utility>
+
+#include <poll.h>
+
+namespace fantail::live {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr std::chrono::seconds request_timeout{5};
+constexpr std::chrono::seconds write_timeout{3};
+
+bool is_ready(socket_t socket, short events, milliseconds at_most) {
+  pollfd one{.fd = socket, .events = events, .revents = 0};
+  return ::poll(&one, 1, static_cast<int>(std::max(at_most, milliseconds{0}).count())) > 0;
+}
+
+class Connection final : public httplib::Stream {
+ public:
+  explicit Connection(socket_t socket) : socket_{socket} {}
+
+  [[nodiscard]] bool is_readable() const override { return is_ready(socket_, POLLIN, left()); }
+  [[nodiscard]] bool is_writable() const override { return is_ready(socket_, POLLOUT, write_timeout); }
+  ssize_t read(char* to, std::size_t size) override {
+    return is_readable() ? ::recv(socket_, to, size, MSG_DONTWAIT) : -1;
+  }
+  ssize_t write(const char* from, std::size_t size) override {
+    return is_writable() ? ::send(socket_, from, size, MSG_DONTWAIT | MSG_NOSIGNAL) : -1;
+  }
+  // Nobody asks here who the other side is.
+  void get_remote_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
+  void get_local_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
+  [[nodiscard]] socket_t socket() const override { return socket_; }
+
+ private:
+  [[nodiscard]] milliseconds left() const {
+    return std::chrono::duration_cast<milliseconds>(begin_ + request_timeout - Clock::now());
+  }
+
+  socket_t socket_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+// Of the thread that accepts connections.
+thread_local bool is_one_too_many = false;
+
+/// A thread for each connection, so none waits for one.
+class Threads final : public httplib::TaskQueue {
+ public:
+  explicit Threads(std::size_t count) : count_{count}, pool_{count} {}
+
+  void enqueue(std::function<void()> task) override {
+    if (busy_ >= count_) {
+      is_one_too_many = true;
+      task();
+      is_one_too_many = false;
+      return;
+    }
+    busy_ += 1;
+    pool_.enqueue([this, task = std::move(task)] {
+      task();
+      busy_ -= 1;
+    });
+  }
+  void shutdown() override { pool_.shutdown(); }
+
+ private:
+  std::size_t count_;
+  std::atomic<std::size_t> busy_ = 0;
+  httplib::ThreadPool pool_;
+};
+
+}  // namespace
+
+HttpServer::HttpServer(std::size_t most_connections) {
+  new_task_queue = [most_connections] { return new Threads{most_connections}; };  // NOLINT: the library deletes it
+}
+
+bool HttpServer::process_and_close_socket(socket_t socket) {
+  bool is_answered = false;
+  if (is_one_too_many) {
+    refused_ += 1;
+  } else if (enter(socket)) {
+    Connection connection{socket};
+    bool is_closed = false;
+    is_answered =
+        process_request(connection, true, is_closed, [](httplib::Request& request) { request.ranges.clear(); });
+    leave(socket);
+  }
+  ::shutdown(socket, SHUT_RDWR);
+  ::close(socket);
+  return is_answered;
+}
+
+bool HttpServer::enter(socket_t socket) {
+  const std::scoped_lock lock{mutex_};
+  return !ending_ && connections_.insert(socket).second;
+}
+
+void HttpServer::leave(socket_t socket) {
+  const std::scoped_lock lock{mutex_};
+  connections_.erase(socket);
+}
+
+void HttpServer::end() {
+  {
+    const std::scoped_lock lock{mutex_};
+    ending_ = true;
+    for (const socket_t socket : connections_) {
+      ::shutdown(socket, SHUT_RDWR);
+    }
+  }
+  stop();
+}
+
+}  // namespace fantail::live
