@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -28,18 +29,23 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// The fantail program with this terminal as standard output; what is drawn on it is in `out`.
-  [[nodiscard]] Outcome fantail(const std::vector<std::string>& words, Surroundings surroundings) {
+  /// The fantail program with this terminal as standard output; what is drawn on it is in `out`. `seen` is told after
+  /// each piece what has been drawn, and which process draws.
+  [[nodiscard]] Outcome fantail(const std::vector<std::string>& words, Surroundings surroundings,
+                                const std::function<void(int, const std::string&)>& seen = {}) {
     std::string drawn;
     surroundings.prepare = [before = surroundings.prepare, show = redirect(STDOUT_FILENO, name_)] {
       before();
       show();
     };
     // Once the program has left, reading is an error.
-    surroundings.meanwhile = [this, &drawn](int) {
+    surroundings.meanwhile = [this, &drawn, &seen](int process) {
       std::array<char, 65536> buffer{};
       for (ssize_t count = 0; (count = read(reader_, buffer.data(), buffer.size())) > 0;) {
         drawn.append(buffer.data(), static_cast<std::size_t>(count));
+        if (seen) {
+          seen(process, drawn);
+        }
       }
     };
     Outcome outcome = test::fantail(words, surroundings);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a person sees: standard output is a terminal.
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -189,6 +192,33 @@ TEST(Watch, DrawsOverTheLastPictureAndClearsNoScreen) {
   ASSERT_NE(left, std::string::npos) << "the alternate screen";
   EXPECT_NE(drawn.find("link, last ", left), std::string::npos) << "the last picture stays";
   EXPECT_NE(drawn.find("phase \033["), std::string::npos) << "the phase in colour";
+}
+
+TEST(Watch, GivesTheShellItsScreenWhileItIsStopped) {
+  const Folder folder;
+  const std::string url = "file://" + (folder / "flight.lcmlog");
+  ASSERT_EQ(fantail({"fly", "--lcm", url}, {.working_folder = folder.path()}).exit_code, 0);
+  Screen screen{80};
+  std::jthread person;
+  const auto stop_and_go_on = [&person](int process, const std::string& drawn) {
+    if (!person.joinable() && drawn.find("link, last ") != std::string::npos) {
+      kill(process, SIGTSTP);
+      person = std::jthread{[process](const std::stop_token& ended) {
+        while (!ended.stop_requested()) {
+          std::this_thread::sleep_for(std::chrono::milliseconds{50});
+          kill(process, SIGCONT);
+        }
+      }};
+    }
+  };
+  const Outcome outcome =
+      screen.fantail({"watch", "--lcm", url, "--for", "1.5"},
+                     {.working_folder = folder.path(), .prepare = surroundings(plain)}, stop_and_go_on);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::size_t left = outcome.out.find("\033[?1049l");
+  const std::size_t back = outcome.out.find("\033[?1049h", left);
+  ASSERT_NE(back, std::string::npos) << "left at " << left;
+  EXPECT_NE(outcome.out.find("\033[?1049l", back), std::string::npos) << "and at the end";
 }
 
 TEST(Watch, IsLinesOnATerminalThatCannotDraw) {

@@ -2,9 +2,13 @@
 #include "fantail/live_screen.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
@@ -34,10 +38,49 @@ std::string live_frame(const std::string& text, std::size_t columns, std::size_t
   return frame + "\033[J\033[?7h\033[?25h\033[?2026l";
 }
 
-LiveScreen::LiveScreen() { fmt::print("\033[?1049h"); }
+namespace {
+
+constexpr std::string_view enter = "\033[?1049h";
+constexpr std::string_view leave = "\033[?1049l";
+
+void write_at_once(std::string_view text) {
+  if (::write(STDOUT_FILENO, text.data(), text.size()) < 0) {
+    return;  // in a signal's handler there is nobody to tell
+  }
+}
+
+void handle(int signal, void (*handler)(int));
+
+// Ctrl-Z or Ctrl-\: the shell gets its own screen back, and the program the alternate one when it goes on.
+void leave_meanwhile(int signal) {
+  const int error = errno;
+  write_at_once(leave);
+  handle(signal, SIG_DFL);
+  std::raise(signal);
+  handle(signal, leave_meanwhile);
+  write_at_once(enter);
+  errno = error;
+}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action{};
+  action.sa_handler = handler;
+  action.sa_flags = SA_NODEFER | SA_RESTART;  // it raises the signal that it handles
+  ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+LiveScreen::LiveScreen() {
+  fmt::print("{}", enter);
+  handle(SIGTSTP, leave_meanwhile);
+  handle(SIGQUIT, leave_meanwhile);
+}
 
 LiveScreen::~LiveScreen() {
-  if (!show_live("\033[?1049l" + text::wrapped(last_, output_columns()))) {
+  handle(SIGTSTP, SIG_DFL);
+  handle(SIGQUIT, SIG_DFL);
+  if (!show_live(std::string{leave} + text::wrapped(last_, output_columns()))) {
     return;  // the end of the program says what standard output did not take
   }
 }
