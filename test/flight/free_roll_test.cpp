@@ -21,6 +21,14 @@ TEST(FreeRoll, IsWrittenInDegreesAndReadAsItWasWritten) {
   EXPECT_EQ(free_roll_csv(read_free_roll(Table::parse(text, "without_control.csv"))), text);
 }
 
+// Points are ten milliseconds apart, and a flight may end between two of them.
+TEST(FreeRoll, StaysAtItsLastPointUntilAnotherOneWouldHaveCome) {
+  const std::vector<FreeRollPoint> points{{.time_s = 1.0, .true_roll_angle_rad = 2.0},
+                                          {.time_s = 1.01, .true_roll_angle_rad = 2.5}};
+  EXPECT_DOUBLE_EQ(free_roll_angle_rad(points, 1.019).value(), 2.5);
+  EXPECT_FALSE(free_roll_angle_rad(points, 1.021));
+}
+
 TEST(FreeRoll, IsOnTheLineBetweenTwoPointsAndUnknownOutsideOfThem) {
   const std::vector<FreeRollPoint> points{{.time_s = 1.0, .true_roll_angle_rad = 2.0},
                                           {.time_s = 2.0, .true_roll_angle_rad = 6.0},
@@ -30,7 +38,7 @@ TEST(FreeRoll, IsOnTheLineBetweenTwoPointsAndUnknownOutsideOfThem) {
   EXPECT_DOUBLE_EQ(free_roll_angle_rad(points, 3.5).value(), 1.5);
   EXPECT_DOUBLE_EQ(free_roll_angle_rad(points, 4.0).value(), 0.0);
   EXPECT_FALSE(free_roll_angle_rad(points, 0.999));
-  EXPECT_FALSE(free_roll_angle_rad(points, 4.001));
+  EXPECT_FALSE(free_roll_angle_rad(points, 6.001));
   EXPECT_FALSE(free_roll_angle_rad({}, 0.0));
 }
 

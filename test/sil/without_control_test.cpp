@@ -71,6 +71,12 @@ TEST(WithoutControl, IsTheFlightOfAPlanWhoseGainsAreZero) {
 TEST(WithoutControl, IsNotFlownWhereItSaysNothing) {
   EXPECT_TRUE(Pair{"gimbal"}.free.empty());
   EXPECT_TRUE(Pair{"tunnel_stability"}.free.empty());
+  EXPECT_TRUE((Pair{"tasha3_launch1",
+                    {{"controller", "proportional_gain", "0"},
+                     {"controller", "derivative_gain_s", "0"},
+                     {"excitation", "form", "none"}}}
+                   .free.empty()))
+      << "a law that never moves a canard by itself is without control already";
   EXPECT_TRUE((Pair{"tasha3_launch2", {{"launch_detection", "threshold_g", "10"}}}.free.empty()));  // never launched
 }
 

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "fly/without_control.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "sim/world.hpp"
 
 namespace fantail::fly {
 namespace {
+
+// Does this law move the canards by itself?
+bool moves_canards(const core::FlightPlan& plan) {
+  return plan.controller.proportional_gain != 0.0F || plan.controller.derivative_gain_s != 0.0F ||
+         plan.offset.rejection != core::OffsetRejection::none || plan.excitation.form != core::ExcitationForm::none;
+}
 
 sim::Scenario uncontrolled(const sim::Scenario& scenario) {
   sim::Scenario free = scenario;
@@ -22,9 +30,10 @@ sim::Scenario uncontrolled(const sim::Scenario& scenario) {
 std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& scenario, const flight::Flight& flight,
                                                         const Look& look) {
   constexpr std::int64_t ticks_between_looks = 1024;
-  constexpr std::int64_t ticks_between_points = 10;
+  const std::int64_t ticks_between_points = std::max<std::int64_t>(10, std::llround(scenario.log_period_s * 1e3));
   std::vector<flight::FreeRollPoint> points;
-  if (!flight.events.control_start_s || scenario.surroundings == sim::Surroundings::gimbal || scenario.pin) {
+  if (!flight.events.control_start_s || scenario.surroundings == sim::Surroundings::gimbal || scenario.pin ||
+      !moves_canards(scenario.plan)) {
     return points;
   }
   const sim::Scenario free = uncontrolled(scenario);
