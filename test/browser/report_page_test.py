@@ -72,7 +72,7 @@ class ReportPage(unittest.TestCase):
             self.assertAlmostEqual(free, column_at("without_control.csv", "true_roll_angle_deg", time_s), delta=1.0)
             self.assertAlmostEqual(degrees(self.page.run(LEGEND)), flown, delta=1.0)
         label = self.page.run("return document.querySelector('.scene canvas').getAttribute('aria-label')")
-        self.assertRegex(label, r"^As flown, 8\.00 s: rolled by .*° ?, .* turns$")
+        self.assertRegex(label, r"^As flown, 8\.00 s: rolled by .*° ?, .* turns from zero$")
 
     def test_the_painted_quarter_is_seen_when_it_is_turned_to_the_viewer_and_hidden_when_it_is_turned_away(self):
         # The viewer stands at 180 - atan(0.34 / 0.72) = 154.7 degrees from y to z, and the paint of a rocket that has not rolled
@@ -82,6 +82,15 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(hidden, 0)
         for aside in (-90, 90):
             self.assertTrue(0 < self.page.run(PAINTED, 154.7 - 90 + aside) < facing / 2)
+
+    def test_what_is_below_the_rockets_stays_where_it_is_while_their_numbers_grow(self):
+        tops = []
+        for width_px in (390, 780, 1280):
+            self.page.screen(width_px, 900, phone=width_px == 390)
+            for time_s in (-0.2, 5.0, 10.3):
+                self.page.run(SCRUB, time_s)
+                tops.append((width_px, self.page.run("return document.querySelector('.player').getBoundingClientRect().top + scrollY")))
+        self.assertEqual(len(set(tops)), 3, tops)
 
     def test_played_it_goes_on_by_itself_at_the_speed_that_is_chosen_and_can_be_stopped(self):
         play = "document.querySelector('.play').click();"
