@@ -173,7 +173,10 @@ std::array<std::string, 2> figure_rows(const flight::Flight& flight, const Figur
     }
   };
   add(rows[0], f.apogee_m, 0, "apogee {} m");
-  add(rows[0], f.max_speed_m_s, 0, flight.tunnel ? "wind {} m/s" : "top speed {} m/s");
+  add(rows[0], f.max_speed_m_s, 0,
+      flight.tunnel         ? "wind {} m/s"
+      : flight.path.empty() ? "top speed {} m/s"
+                            : "top speed {} m/s over ground");
   add(rows[0], f.control_time_s, 1, "{} s under control");
   add(rows[1], f.roll_turns, 2, "turned by {} turns under control");
   add(rows[1], f.roll_turns_without_control, 2, "without control by {} turns");
