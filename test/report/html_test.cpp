@@ -148,6 +148,20 @@ TEST(Html, ListsEventsInTheOrderInWhichTheyHappened) {
   }
 }
 
+TEST(Html, APhaseThatTheFirstRowShowsBeganBeforeIt) {
+  SyntheticFlight synthetic;
+  const auto armed_row = [&synthetic] {
+    const std::string text = without_scripts(page_of(synthetic.flight));
+    const std::size_t begin = text.find("<td>Armed</td>");
+    return text.substr(begin, text.find("</tr>", begin) - begin);
+  };
+  EXPECT_NE(armed_row().find("already when the log begins (armed by switch and command)"), std::string::npos)
+      << armed_row();
+  synthetic.flight.phase_changes.front().time_s = -0.25;
+  EXPECT_EQ(armed_row().find("log begins"), std::string::npos) << armed_row();
+  EXPECT_NE(armed_row().find("armed by switch and command"), std::string::npos);
+}
+
 TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {
   SyntheticFlight synthetic;
   EXPECT_NE(without_scripts(page_of(synthetic.flight)).find("no imposed roll, no faults and no further assumptions"),

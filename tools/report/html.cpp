@@ -118,8 +118,12 @@ std::string phase_table(const flight::Flight& flight) {
   }
   Rows rows;
   for (const flight::PhaseChange& change : flight.phase_changes) {
-    rows.push_back(row(change.time_s, flight::display_name(change.phase),
-                       change.reason ? flight::display_name(*change.reason) : ""));
+    std::string reason{change.reason ? flight::display_name(*change.reason) : ""};
+    if (!flight.rows.empty() && change.time_s <= flight.rows.front().time_s) {
+      // A recording begins shortly before detection, when the rocket has long been armed.
+      reason = "already when the log begins" + (reason.empty() ? "" : fmt::format(" ({})", reason));
+    }
+    rows.push_back(row(change.time_s, flight::display_name(change.phase), reason));
   }
   return table("Phase", "Reason", rows);
 }
