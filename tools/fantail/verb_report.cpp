@@ -139,7 +139,8 @@ void fill(const Verb& verb) {
       "  fantail report flown.ftl                             what the board has recorded, as fly shows its flights\n"
       "  fantail report flown.ftl out/tasha3_launch2 --align angle --from 0 --to 12\n"
       "                                                       flown and simulated, one over the other\n"
-      "  fantail report old_logger.csv --out /tmp/page --json a table from elsewhere, for a script\n"
+      "  fantail report old_logger.csv --out /tmp/page --json\n"
+      "                                                       a table from elsewhere, for a script\n"
       "\n"
       "Figures of how far two flights are apart, with limits for a script: fantail compare.");
   verb.action([options] {
