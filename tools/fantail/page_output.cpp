@@ -9,6 +9,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/standard_streams.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 
@@ -22,6 +23,8 @@ void add_page_options(const Verb& verb, PageOptions& options) {
       .check(live::objection_to_address)
       .value_name("HOST:PORT");
 }
+
+std::string PageOptions::words() const { return at.empty() ? "--page" : "--page-at " + text::shell_word(at); }
 
 PageOutput::PageOutput(const PageOptions& options, live::Source source, const std::string& command) {
   if (!options.wanted()) {

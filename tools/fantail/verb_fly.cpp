@@ -167,9 +167,10 @@ void fly_and_report(const FlyOptions& options) {
   const std::string command =
       options.run ? fmt::format("fantail fly --campaign {} --run {}", text::shell_word(options.campaign), *options.run)
                   : flight::fly_command(options.scenario.scenario, changes);
-  PageOutput page{options.page,
-                  {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario)},
-                  command + " --realtime --page"};
+  PageOutput page{
+      options.page,
+      {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario), .what_ends = "The flight"},
+      command + " --realtime " + options.page.words()};
   FlightComputerOption computer{options.computer};
   page.wait_for_viewer();
   flight::Flight flight = fly_and_show(scenario, computer, lcm, page, options.realtime);

@@ -27,6 +27,7 @@ LivePage::~LivePage() {
 void LivePage::take(std::string_view channel, std::span<const std::byte> bytes) { feed_.take(channel, bytes, now()); }
 
 void LivePage::finish() {
+  feed_.end();
   server_.show(feed_.frame(now()));
   // Viewers take a frame within milliseconds; the connection goes with the program.
   std::this_thread::sleep_for(std::chrono::milliseconds{100});

@@ -79,14 +79,16 @@
     const link = now ? now.link : {is: "silent"};
     const old = !connected || link.is === "old";
     document.body.classList.toggle("is-old", old && now !== null && now.phase !== undefined);
-    if (!connected) {
+    if (now?.ended) {  // told by the program itself before it left
+      text("link", `${now.ended} has ended; this is the last that came`);
+    } else if (!connected) {
       const since = lostSince === null ? "" : ` for ${((performance.now() - lostSince) / 1000).toFixed(0)} s`;
       text("link", now ? `OLD: no connection${since}; this is the last that came` : "no connection; trying again");
     } else {
       text("link", link.is === "live" ? "live" : link.is === "silent" ? "nothing received yet"
         : `OLD: nothing new for ${link.age_s.toFixed(0)} s; this is the last that came`);
     }
-    $("link").className = "pill " + (connected && link.is === "live" ? "live" : old ? "old" : "");
+    $("link").className = "pill " + (now?.ended ? "" : connected && link.is === "live" ? "live" : old ? "old" : "");
     if (!now || now.phase === undefined) return;
     const [word, about] = phases[now.phase] ?? [now.phase, ""];
     text("phase", word);
@@ -219,7 +221,7 @@
     {title: "Roll angle", unit: "deg", lines: [["roll", 1, "measured", []], ["reference", 2, "model", [7, 4]]]},
     {title: "Canards", unit: "deg", lines: [["mean of the encoders", 5, "measured", []], ["command", 4, "model", [7, 4]]]},
     {title: "Roll rate", unit: "deg/s", lines: [["roll rate", 3, "measured", []]]},
-    {title: "Height and speed", unit: "m, m/s", lines: [["height", 6, "measured", []], ["speed", 7, "model", [7, 4]]]},
+    {title: "Height and speed", unit: "m, m/s", lines: [["height", 6, "measured", []], ["speed along the guide", 7, "model", [7, 4]]]},
   ];
   const height = 150;
 
