@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "fantail/card_output.hpp"
 #include "fantail/compare_results.hpp"
@@ -62,6 +62,9 @@ void report_one(const ReportOptions& options) {
     return;
   }
   show("{}\n{}\n", flight.scenario, painted_verdict(results.verdict));
+  if (!flight.changes.empty()) {
+    show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
+  }
   for (const std::string& note : flight.notes) {
     show("  {}\n", note);
   }
