@@ -83,6 +83,14 @@ class ReportPage(unittest.TestCase):
         for aside in (-90, 90):
             self.assertTrue(0 < self.page.run(PAINTED, 154.7 - 90 + aside) < facing / 2)
 
+    def test_a_roll_of_nothing_has_no_minus(self):
+        with open(FOLDER / "flight.csv", newline="") as table:
+            turned = ((float(row["time_s"]), float(row["true_roll_angle_deg"])) for row in csv.DictReader(table))
+            time_s = next(time_s for time_s, roll_deg in turned if -0.045 < roll_deg < -0.01 and time_s > -0.9)
+        self.page.run(SCRUB, time_s)
+        self.assertEqual(self.page.run(ANGLES)[0], "0.0°")
+        self.assertEqual(self.page.run("return document.querySelector('.scene figcaption').lastChild.textContent"), "0.00 turns from zero")
+
     def test_what_is_below_the_rockets_stays_where_it_is_while_their_numbers_grow(self):
         tops = []
         for width_px in (390, 780, 1280):

@@ -12,7 +12,14 @@ namespace {
 constexpr std::size_t events_shown = 5;
 
 std::string cell(const std::optional<double>& value, int digits = 2) {
-  return value ? fmt::format("{:+.{}f}", *value, digits) : "-";
+  if (!value) {
+    return "-";
+  }
+  std::string text = fmt::format("{:+.{}f}", *value, digits);
+  if (text.find_first_not_of("-0.") == std::string::npos) {
+    text.front() = '+';  // nothing is not less than nothing
+  }
+  return text;
 }
 
 std::string unsigned_cell(const std::optional<double>& value, int digits = 2) {

@@ -6,9 +6,8 @@
   const signals = 7;  // roll, reference, rate, command, mean of the canards, height, speed: plot_history.hpp
   const longest_line_s = 0.25;
   const $ = (id) => document.getElementById(id);
-  const minus = (text) => text.replace("-", "\u2212");
-  const fixed = (value, digits) => value == null ? "\u2013" : minus(value.toFixed(digits));
-  const signed = (value, digits) => value == null ? "\u2013" : (value < 0 ? "\u2212" : "+") + Math.abs(value).toFixed(digits);
+  const fixed = (value, digits) => value == null ? "\u2013" : fantailNumber(value.toFixed(digits));
+  const signed = (value, digits) => value == null ? "\u2013" : (value >= 0 || Number(value.toFixed(digits)) === 0 ? "+" : "\u2212") + Math.abs(value).toFixed(digits);
   const text = (id, words) => { const at = $(id); if (at.textContent !== words) at.textContent = words; };
 
   let now = null;        // the newest frame

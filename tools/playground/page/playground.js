@@ -2,8 +2,7 @@
 (() => {
   "use strict";
   const $ = (id) => document.getElementById(id);
-  const minus = (text) => text.replace(/^-/, "\u2212");
-  const fixed = (value, digits, unit) => value == null ? "\u2013" : `${minus(value.toFixed(digits))} ${unit}`;
+  const fixed = (value, digits, unit) => value == null ? "\u2013" : `${fantailNumber(value.toFixed(digits))} ${unit}`;
   const native = JSON.parse($("native").textContent || "{}");
   const names = {held: "Held", not_held: "Not held", oscillates: "Oscillates", cut_short: "Cut short", not_judged: "Not judged", no_control: "No control"};
 
