@@ -18,7 +18,6 @@ namespace fantail::report {
 struct Figures {
   static constexpr double still_air_m_s = 0.5;  ///< in a tunnel, air that is slower than this stands still
 
-
   std::optional<double> apogee_m;                 ///< true height where truth exists, else the estimate
   std::optional<double> max_speed_m_s;            ///< likewise; over ground where the flight has a path
   std::optional<double> control_start_height_m;   ///< likewise
