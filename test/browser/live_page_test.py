@@ -109,13 +109,15 @@ class LivePage(unittest.TestCase):
             self.compare_with_the_record(moments)
             self.assertRegex(out, r"page +1 viewer at the same time at most, [1-9][0-9]+ frames, [0-9]+ dropped because a viewer was slow")
 
-            # The program is gone and the page has what it last knew, marked.
-            page.wait_until("return document.getElementById('link').textContent.startsWith('OLD: no connection')")
+            # The program is gone, as it said before; the page has what it last knew, marked.
+            page.wait_until("return !window.fantail.figures().connected && document.body.classList.contains('is-old')")
+            self.assertEqual(page.run("return document.getElementById('link').textContent"), "The flight has ended; this is the last that came")
+            self.assertIn("--realtime --page-at 127.0.0.1:0", page.run("return document.querySelector('footer').textContent"))
             self.assertEqual(page.run("return document.getElementById('phase').textContent"), "FINISHED")
             self.assertTrue(page.run("return document.body.classList.contains('is-old')"))
             shown = page.run("return window.fantail.figures()")
             events = page.run("return [...document.querySelectorAll('#events li')].map((item) => item.textContent)")
-            for words in ("armed -> launched", "launched -> controlling", "controlling -> finished"):
+            for words in ("Launched: launch detected", "Controlling: guide clear", "Finished: apogee"):
                 self.assertTrue(any(words in event for event in events), (words, events))
             unwanted = [one for one in page.complaints() if "ERR_CONNECTION_REFUSED" not in one and "ERR_INCOMPLETE" not in one]
             self.assertEqual(unwanted, [])
@@ -123,6 +125,14 @@ class LivePage(unittest.TestCase):
                        "frames_dropped": shown["dropped"]}
             (PICTURES / "live_page.json").write_text(json.dumps(figures, indent=2) + "\n")
             print(f"{figures['frames_drawn_per_s']:.1f} frames a second drawn over {seconds:.1f} s")
+
+    def test_a_program_that_is_killed_has_not_ended_but_is_lost(self):
+        with browser.Browser() as page, \
+                Program("fly", "--realtime", "--page-at", "127.0.0.1:0", "--out", str(PICTURES / "killed")) as program:
+            page.open(program.url)
+            page.wait_until("return window.fantail.figures().phase")
+            program.process.kill()
+            page.wait_until("return document.getElementById('link').textContent.startsWith('OLD: no connection')")
 
     def test_on_a_phone_nothing_is_cut_off_at_the_side(self):
         with browser.Browser(width=500) as page, \

@@ -18,17 +18,17 @@ window.fantailChecks = (() => {
   }
 
   // Nothing is cut off, and what scrolls shows that it does.
-  function cutOff() {
+  function cutOff(width_px) {  // of the screen: a telephone shows a wider page smaller, and innerWidth grows with it
     const said = [];
     const page = document.documentElement;
-    if (page.scrollWidth > innerWidth) said.push(`the page is ${page.scrollWidth} px wide`);
+    if (page.scrollWidth > width_px) said.push(`the page is ${page.scrollWidth} px wide`);
     for (const element of document.body.querySelectorAll("*")) {
       if (element.closest("script, style, svg svg, title") || !shown(element) || (element.ownerSVGElement && element.tagName !== "text")) continue;
       const box = element.getBoundingClientRect();
       if (box.width <= 1 || box.height <= 1) continue;
       const holder = element.ownerSVGElement ?? holderOf(element);
       if (holder && holder.tagName !== "svg" && scrolls(holder)) continue;
-      const room = holder ? holder.getBoundingClientRect() : {left: 0, right: innerWidth, top: -1e9, bottom: 1e9};
+      const room = holder ? holder.getBoundingClientRect() : {left: 0, right: width_px, top: -1e9, bottom: 1e9};
       const out = Math.max(room.left - box.left, box.right - room.right, holder ? room.top - box.top : 0, holder ? box.bottom - room.bottom : 0);
       if (out > slack_px) said.push(`${named(element)} is cut off by ${out.toFixed(1)} px`);
     }
@@ -74,5 +74,5 @@ window.fantailChecks = (() => {
       .map((text) => `${named(text)} is ${text.getBoundingClientRect().height.toFixed(1)} px high`);
   }
 
-  return {all: () => [...cutOff(), ...tooSmall(), ...blankRows(), ...overlaps(), ...unnamedCanvases()]};
+  return {all: (width_px) => [...cutOff(width_px), ...tooSmall(), ...blankRows(), ...overlaps(), ...unnamedCanvases()]};
 })();

@@ -23,6 +23,7 @@ FANTAIL, BENCH_SHEETS, AXE, PICTURES = sys.argv[1], sys.argv[2], pathlib.Path(sy
 MADE = PICTURES.with_name(PICTURES.name + "_made")
 CHECKS = (pathlib.Path(__file__).parent / "page_checks.js").read_text()
 SHEETS = {"A4": (21.0, 29.7), "Letter": (21.59, 27.94)}
+PHONE_PX, DESK_PX = 390, 1280  # wide
 SIX_DOF = "--set flight.motion=six_dof --set wind.speed_m_s=5 --set wind.from_deg=270"
 
 # The name of a page, the command that makes it in a folder of that name beside the others, and its file there. Without a file:
@@ -145,22 +146,22 @@ class Pages(unittest.TestCase):
                 program.stderr.read()
 
     def look_at(self, name, file):
-        self.page.screen(390, 844, phone=True)
+        self.page.screen(PHONE_PX, 844, phone=True)
         self.page.open(file.as_uri())
         self.judge(name)
 
     def judge(self, name):
         page, begin = self.page, time.monotonic()
-        page.screen(390, 844, phone=True)
+        page.screen(PHONE_PX, 844, phone=True)
         page.run(CHECKS)
         page.run(self.axe)
-        found = ["on a telephone: " + one for one in page.run("return fantailChecks.all()")]
+        found = ["on a telephone: " + one for one in page.run("return fantailChecks.all(arguments[0])", PHONE_PX)]
         found += ["on a telephone: " + one for one in self.violations()]
         page.long_picture(PICTURES / f"{name}_phone.png")
-        page.screen(1280, 900)
-        found += ["on a desk: " + one for one in page.run("return fantailChecks.all()")]
+        page.screen(DESK_PX, 900)
+        found += ["on a desk: " + one for one in page.run("return fantailChecks.all(arguments[0])", DESK_PX)]
         page.long_picture(PICTURES / f"{name}_light.png")
-        page.screen(1280, 900, dark=True)
+        page.screen(DESK_PX, 900, dark=True)
         found += ["in the dark: " + one for one in self.violations(["color-contrast"])]
         page.long_picture(PICTURES / f"{name}_dark.png")
         for sheet, size in SHEETS.items():  # while the screen is dark

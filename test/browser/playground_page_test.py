@@ -96,6 +96,37 @@ class PlaygroundPage(unittest.TestCase):
             page.wait_until("return !document.getElementById('refusal').hidden")
             page.picture(PICTURES / "playground_refused.png")
 
+    def test_opened_with_a_link_that_is_refused_it_says_so_and_offers_a_scenario_as_shipped(self):
+        shown = "return [...document.querySelectorAll('.results > section')].filter((one) => one.offsetHeight > 0).map((one) => one.id)"
+        for link, words in (("tasha3_launch2&controller.gain=1", "unknown key controller.gain"), ("nobody", "unknown scenario"),
+                            ("tasha3_launch2&%FF", "is no text")):
+            with browser.Browser() as page:
+                page.open(self.url + "#" + link)
+                page.wait_until("return document.getElementById('state').textContent === 'refused'")
+                self.assertIn(words, text_of(page, "refusal-text"))
+                self.assertEqual(page.run(shown), ["refusal"])
+                page.picture(PICTURES / "playground_refused_at_first.png")
+                page.run("document.getElementById('start').click()")
+                page.wait_until(IDLE)
+                self.assertEqual(text_of(page, "digest"), self.digest)
+                self.assertNotIn("refusal", page.run(shown))
+                page.wait_until("return document.getElementById('controller-canard_limit_deg')")
+
+    def test_a_decimal_comma_is_refused_in_words_and_stays_to_be_mended(self):
+        with browser.Browser() as page:
+            page.open(self.url)
+            page.wait_until(IDLE)
+            page.wait_until("return document.getElementById('controller-proportional_gain')")
+            turn = """const field = document.getElementById('controller-proportional_gain');
+                      field.value = arguments[0]; field.dispatchEvent(new Event('change')); return field.value"""
+            self.assertEqual(page.run(turn, "0,4"), "0,4")
+            self.assertIn("a number is written with a point, as in 0.4", text_of(page, "refusal-text"))
+            self.assertEqual(page.run("return location.hash"), "#tasha3_launch2")
+            page.run(turn, "0.4")
+            page.wait_until(IDLE)
+            self.assertTrue(page.run("return document.getElementById('refusal').hidden"))
+            self.assertEqual(page.run("return location.hash"), "#tasha3_launch2&controller.proportional_gain=0.4")
+
     def test_a_change_during_a_long_run_is_not_kept_waiting(self):
         with browser.Browser() as page:
             page.open(self.url + "#tunnel_swirl_without")

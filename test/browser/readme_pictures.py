@@ -17,7 +17,11 @@ import browser
 FRAMES_PER_S = 15
 SPEED = 4
 BEGIN_S, END_S = -0.2, 10.4
-TO = "const s = document.querySelector('.player input'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));"
+# A time that is chosen stops the player: its buttons are to show what all frames together do.
+TO = f"""const s = document.querySelector('.player input'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));
+const [play, ...speeds] = document.querySelectorAll('.player button');
+play.textContent = 'Pause';
+for (const one of speeds) one.setAttribute('aria-pressed', one.textContent === '{SPEED}\u00d7');"""
 
 
 def open_report(page, report):

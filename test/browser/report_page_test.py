@@ -24,6 +24,16 @@ LEGEND = "return [...document.querySelectorAll('.u-legend')][0].querySelectorAll
 SCRUB = """const slider = document.querySelector('.player input');
 slider.value = arguments[0]; slider.dispatchEvent(new Event('input'));"""
 
+# How many pixels of a rocket at a roll angle have the colour of its painted quarter; fins and body are paler, canards orange.
+PAINTED = """const canvas = Object.assign(document.createElement('canvas'), {style: 'width: 400px; height: 240px'});
+document.body.append(canvas);
+fantailRocket(canvas)(arguments[0] * Math.PI / 180, [0, 0, 0, 0], false);
+const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+canvas.remove();
+let painted = 0;
+for (let i = 0; i < data.length; i += 4) if (data[i + 3] === 255 && data[i + 2] > 80 && data[i] < .15 * data[i + 2]) painted++;
+return painted"""
+
 
 def degrees(text):
     return float(text.rstrip("°").replace("\u2212", "-"))
@@ -62,7 +72,33 @@ class ReportPage(unittest.TestCase):
             self.assertAlmostEqual(free, column_at("without_control.csv", "true_roll_angle_deg", time_s), delta=1.0)
             self.assertAlmostEqual(degrees(self.page.run(LEGEND)), flown, delta=1.0)
         label = self.page.run("return document.querySelector('.scene canvas').getAttribute('aria-label')")
-        self.assertRegex(label, r"^As flown, 8\.00 s: rolled by .*° ?, .* turns$")
+        self.assertRegex(label, r"^As flown, 8\.00 s: rolled by .*° ?, .* turns from zero$")
+
+    def test_the_painted_quarter_is_seen_when_it_is_turned_to_the_viewer_and_hidden_when_it_is_turned_away(self):
+        # The viewer stands at 180 - atan(0.34 / 0.72) = 154.7 degrees from y to z, and the paint of a rocket that has not rolled
+        # at 90: it faces the viewer at a roll of 64.7. At 90 degrees more or less an eighth of the body shows half of it.
+        facing, hidden = (self.page.run(PAINTED, 154.7 - 90 + turned) for turned in (0, 180))
+        self.assertGreater(facing, 1000)
+        self.assertEqual(hidden, 0)
+        for aside in (-90, 90):
+            self.assertTrue(0 < self.page.run(PAINTED, 154.7 - 90 + aside) < facing / 2)
+
+    def test_a_roll_of_nothing_has_no_minus(self):
+        with open(FOLDER / "flight.csv", newline="") as table:
+            turned = ((float(row["time_s"]), float(row["true_roll_angle_deg"])) for row in csv.DictReader(table))
+            time_s = next(time_s for time_s, roll_deg in turned if -0.045 < roll_deg < -0.01 and time_s > -0.9)
+        self.page.run(SCRUB, time_s)
+        self.assertEqual(self.page.run(ANGLES)[0], "0.0°")
+        self.assertEqual(self.page.run("return document.querySelector('.scene figcaption').lastChild.textContent"), "0.00 turns from zero")
+
+    def test_what_is_below_the_rockets_stays_where_it_is_while_their_numbers_grow(self):
+        tops = []
+        for width_px in (390, 780, 1280):
+            self.page.screen(width_px, 900, phone=width_px == 390)
+            for time_s in (-0.2, 5.0, 10.3):
+                self.page.run(SCRUB, time_s)
+                tops.append((width_px, self.page.run("return document.querySelector('.player').getBoundingClientRect().top + scrollY")))
+        self.assertEqual(len(set(tops)), 3, tops)
 
     def test_played_it_goes_on_by_itself_at_the_speed_that_is_chosen_and_can_be_stopped(self):
         play = "document.querySelector('.play').click();"

@@ -113,6 +113,38 @@ TEST(LiveFeed, WhoComesLateIsToldEverythingUpToTheFrameOfThatNumber) {
   EXPECT_EQ(heard.frame()["plot"].size(), 1U) << "what the greeting did not tell";
 }
 
+TEST(LiveFeed, EventsAreToldInPlainWords) {
+  Heard heard;
+  heard.hear_state({});
+  heard.hear_phase(core::Phase::armed, core::Phase::launched);
+  EXPECT_EQ(heard.frame()["events"][0]["text"].text(), "Launched: launch detected");
+  const telemetry::Event::VerdictChange change{.canard = 2, .verdict = core::CanardVerdict::stalled};
+  heard.hear(encode(Stamp{.run = heard.run, .sequence = heard.events++, .time = heard.now},
+                    telemetry::Event{.verdict = change}));
+  EXPECT_EQ(heard.frame()["events"][0]["text"].text(), "Canard 3: stalled, and was healthy");
+}
+
+TEST(LiveFeed, ThatNoMoreComesIsToldToEverybodyFromThenOn) {
+  Heard heard;
+  heard.hear_state({});
+  EXPECT_TRUE(heard.frame()["ended"].is_null());
+  heard.feed.end();
+  EXPECT_EQ(heard.frame()["ended"].text(), "The program that showed this");
+  EXPECT_EQ(heard.greeting()["ended"].text(), "The program that showed this");
+}
+
+TEST(LiveFeed, TheLinkIsCountedOverNoLongerThanSinceTheFirstMessage) {
+  Heard heard;
+  (void)heard.frame();
+  heard.now += Microseconds{4'000'000};  // a browser is waited for
+  heard.hear_state({});
+  for (int i = 0; i < 32; ++i) {
+    heard.now += Microseconds{100'000};
+    (void)heard.frame();
+  }
+  EXPECT_DOUBLE_EQ(heard.frame()["link"]["span_s"].number(), 3.2);
+}
+
 TEST(LiveFeed, TheClockBeginsWithTheDetectionAndEndsWithABackToArmed) {
   Heard heard;
   heard.hear_state({.phase = core::Phase::armed});

@@ -3,7 +3,7 @@
 "use strict";
 const assert = require("node:assert");
 const test = require("node:test");
-const {ofLink, toLink, toWords, native} = require("../../tools/playground/page/settings.js");
+const {objection, ofLink, toLink, toWords, native} = require("../../tools/playground/page/settings.js");
 
 const wish = (scenario, ...pairs) => ({scenario, settings: new Map(pairs)});
 
@@ -25,6 +25,12 @@ test("what is no link of this page is refused by what is wrong with it", () => {
                                   ["#x%0Aseed=1", /no name of a scenario/], [`#${"x".repeat(5000)}`, /longer than 4000/]]) {
     assert.match(ofLink(hash).refusal ?? "taken", sentence, hash);
   }
+});
+
+test("a decimal comma is refused in words, and a number is not", () => {
+  assert.match(objection(" 0,4"), /"0,4" is no number: a number is written with a point, as in 0\.4\./);
+  assert.match(objection("-,5"), /as in -\.5/);
+  for (const text of ["", "0.4", "-5", "1e-3", "[1, 2]", "a"]) assert.strictEqual(objection(text), "", text);
 });
 
 test("the words of a setting end at its line", () => {

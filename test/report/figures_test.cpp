@@ -41,6 +41,7 @@ TEST(Figures, InTheTunnelTwoSecondsDoNotCount) {
   synthetic.flight.tunnel = true;
   synthetic.each_controlled([](flight::Row& row) {
     row.truth->roll_angle_rad = text::radians(row.time_s < 0.6005 ? 0.0 : row.time_s < 2.59 ? 15.0 : -8.0);
+    row.truth->speed_m_s = 22.0;
   });
   const Figures f = figures(synthetic.flight);
   EXPECT_NEAR(text::degrees(f.largest_hold_error_rad.value()), 2.0, 1e-4);

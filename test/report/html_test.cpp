@@ -71,6 +71,42 @@ TEST(Html, SaysWhereTheLawOfThePlanComesToRestAndDrawsItsEstimate) {
   EXPECT_NE(rejecting.find("and what the law takes it for"), std::string::npos);
 }
 
+TEST(Html, SaysWhereItSettlesWithTheNumbersOfTheFlight) {
+  SyntheticFlight synthetic;
+  const auto says = [&synthetic](const char* words) {
+    return page_of(synthetic.flight).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says("Here u_d is \u22125 deg and kp is 0.5, so it rests \u22125/0.5 = \u221210 deg from R."));
+  synthetic.flight.left_by_fins = 0.8;  // -5 deg / (0.5 * 0.8)
+  EXPECT_TRUE(says("Here that is \u221212.5 deg from R: u_d is \u22125 deg, kp is 0.5"));
+  synthetic.flight.left_by_fins = 1.0;
+  synthetic.each_controlled(
+      [](flight::Row& row) { row.truth->disturbance_rad = text::radians(row.time_s < 2.0 ? -5.0 : -4.0); });
+  EXPECT_TRUE(says("Here that is between \u221210 and \u22128 deg from R."));
+}
+
+TEST(Html, OfARollThatIsNotJudgedNoHoldErrorAndNoSettlePointIsTold) {
+  SyntheticFlight synthetic;
+  synthetic.flight.airframe = flight::FlownAirframe{};  // no loop margin: its canards do not turn it
+  const std::string page = without_scripts(page_of(synthetic.flight));
+  EXPECT_NE(page.find("Roll not judged"), std::string::npos);
+  for (const char* part : {"It settles at", "hold error", "to spare"}) {
+    EXPECT_EQ(page.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(Html, SaysWhichSpeedItShows) {
+  SyntheticFlight synthetic;
+  EXPECT_NE(page_of(synthetic.flight).find("<dt>Top speed</dt>"), std::string::npos);
+  synthetic.flight.path = {{.time_s = 0.0}, {.time_s = 4.0, .north_m = 30.0, .height_m = 400.0}};
+  const std::string page = page_of(synthetic.flight);
+  EXPECT_NE(page.find("<dt>Top speed over ground</dt>"), std::string::npos);
+  EXPECT_NE(page.find("true, through the air along the axis"), std::string::npos);
+  EXPECT_NE(page.find("estimate, over ground along the guide"), std::string::npos);
+  synthetic.flight.tunnel = true;
+  EXPECT_NE(page_of(synthetic.flight).find("<dt>Largest air speed</dt>"), std::string::npos);
+}
+
 TEST(Html, NoLineIsDrawnWhereRowsAreMissing) {
   SyntheticFlight synthetic;
   std::erase_if(synthetic.flight.rows, [](const flight::Row& row) { return row.time_s > 2.0 && row.time_s < 2.5; });
@@ -110,6 +146,20 @@ TEST(Html, ListsEventsInTheOrderInWhichTheyHappened) {
     EXPECT_GT(at, last) << event;
     last = at;
   }
+}
+
+TEST(Html, APhaseThatTheFirstRowShowsBeganBeforeIt) {
+  SyntheticFlight synthetic;
+  const auto armed_row = [&synthetic] {
+    const std::string text = without_scripts(page_of(synthetic.flight));
+    const std::size_t begin = text.find("<td>Armed</td>");
+    return text.substr(begin, text.find("</tr>", begin) - begin);
+  };
+  EXPECT_NE(armed_row().find("already when the log begins (armed by switch and command)"), std::string::npos)
+      << armed_row();
+  synthetic.flight.phase_changes.front().time_s = -0.25;
+  EXPECT_EQ(armed_row().find("log begins"), std::string::npos) << armed_row();
+  EXPECT_NE(armed_row().find("armed by switch and command"), std::string::npos);
 }
 
 TEST(Html, ListsWhatWasAssumedAndCallsAnImposedRollImposed) {

@@ -79,6 +79,21 @@ TEST(Fly, WritesItsFilesWhereItIsTold) {
   EXPECT_EQ(names, results);
 }
 
+TEST(Fly, NamesEveryTableThatItWrote) {
+  const Folder folder;
+  for (const Names& words : {Names{"fly"}, Names{"fly", "--set", "flight.motion=six_dof"}, Names{"fly", "tunnel_steps"},
+                             Names{"fly", "gimbal"}}) {
+    Names asked = words;
+    asked.insert(asked.end(), {"--out", "out"});
+    const Outcome outcome = fantail(asked, {.working_folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const auto& entry : std::filesystem::directory_iterator{folder / "out"}) {
+      const std::string name = entry.path().filename().string();
+      EXPECT_EQ(outcome.out.find("  data    out/" + name + "\n") != std::string::npos, name.ends_with(".csv")) << name;
+    }
+  }
+}
+
 TEST(Fly, ReplacesAnEarlierResultAndLeavesOtherFilesAlone) {
   const Folder folder;
   folder.write("out/summary.json", "an earlier result");

@@ -108,6 +108,17 @@ TEST(Report, OfAFolderOfFlySaysTheSameAsFly) {
   EXPECT_NE(content(folder / "flown/report.html").find("<code>fantail fly tasha3_launch2</code>"), std::string::npos);
 }
 
+TEST(Report, OfAFolderOfFlySaysWhatWasChangedOnTheCommandLine) {
+  const Folder folder;
+  const Outcome flown =
+      fantail({"fly", "--set", "controller.canard_limit_deg=8", "--out", "flown"}, {.working_folder = folder.path()});
+  ASSERT_EQ(flown.exit_code, 0) << flown.err;
+  const Outcome outcome = fantail({"report", "flown"}, {.working_folder = folder.path()});
+  for (const std::string& out : {flown.out, outcome.out}) {
+    EXPECT_NE(out.find("\nChanged on the command line: controller.canard_limit_deg=8.\n"), std::string::npos) << out;
+  }
+}
+
 TEST(Report, OfTwoFlightsHasTheDifferencesOfCompare) {
   const Folder folder;
   folder.write("a.csv", line(1.0, 20.0));

@@ -70,6 +70,12 @@ TEST_F(PanelTest, ShowsDegreesAndADashForWhatIsNotKnown) {
   EXPECT_FALSE(contains(table, "STALE"));
 }
 
+TEST_F(PanelTest, ARollOfNothingHasNoMinus) {
+  hear(State{.roll_angle_rad = -1e-6}, 1, Microseconds{0});
+  panel.look(Microseconds{0});
+  EXPECT_PRED2(contains, panel.table(), "roll +0.00 deg");
+}
+
 TEST_F(PanelTest, WhatIsOldSaysSoAtItsPlaceAndTheRestIsLive) {
   hear_all(Microseconds{0});
   hear(State{.roll_angle_rad = 1.0}, 1, Microseconds{3'000'000});

@@ -26,6 +26,29 @@ TEST(Outliers, AreTheStepsThatLieApartFromTheMedianByFigureAndNumber) {
   EXPECT_NE(page.find("Step 5: "), std::string::npos);
 }
 
+TEST(Outliers, WhatIsNegligibleIsNoneHoweverWellTheOthersAgree) {
+  std::vector<Planted> rockets(7, {20.0, 9.6, -4.0});
+  for (std::size_t i = 0; i < rockets.size(); ++i) {
+    rockets[i].alpha_m2 += 0.001 * static_cast<double>(i % 3);
+  }
+  rockets[4].alpha_m2 = 20.3;  // 1.5 %
+  EXPECT_TRUE(outliers(identify_steps(made_run(rockets), tasha, at_22_m_s())).empty());
+  rockets[4].alpha_m2 = 20.6;  // 3 %
+  EXPECT_FALSE(outliers(identify_steps(made_run(rockets), tasha, at_22_m_s())).empty());
+}
+
+TEST(Overlay, SaysWhyUpAndDownStepsAreTwoBundles) {
+  const std::vector<Planted> rockets(4, {20.0, 9.6, -4.0});
+  StepTable table = identify_steps(made_run(rockets), tasha, at_22_m_s());
+  const auto explains = [](const StepTable& some) {
+    return overlay_html(some).find("two bundles") != std::string::npos;
+  };
+  EXPECT_TRUE(explains(table));
+  std::erase_if(table.steps, [](const StepResult& result) { return result.step.to_rad < result.step.from_rad; });
+  EXPECT_FALSE(table.steps.empty());
+  EXPECT_FALSE(explains(table));
+}
+
 TEST(Outliers, AreNoneWhereNobodyCouldSayWhichAreTheOddOnes) {
   EXPECT_TRUE(outliers(identify_steps(made_run(three_rockets), tasha, at_22_m_s())).empty());
   EXPECT_TRUE(outliers({}).empty());

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -236,6 +238,11 @@ TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {
   EXPECT_NE(text.find("dart: inertia 0.00393 kg m2"), std::string::npos) << text;
   for (const char* part : {"standard deviation", "of measurement", "between the steps", "Between the steps alpha"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+  // The head of the table fits, as its rows do, into the usual 80 columns.
+  std::istringstream lines{text.substr(text.find("\n\n"), text.find("Between the steps alpha") - text.find("\n\n"))};
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 80U) << line;
   }
   const std::string page = steps_html(heading, table);
   for (const char* label : {"Roll angle after step 1,", "Roll rate after step 3,", "dart"}) {

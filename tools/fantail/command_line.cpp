@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "fantail/examples.hpp"
 #include "fantail/terminal.hpp"
 #include "input/messages.hpp"
 #include "text/number.hpp"
@@ -96,7 +97,12 @@ void read_command_line(const std::string& name, const std::string& meaning, void
     if (error.get_exit_code() != 0) {
       throw UsageError{complaint(program, error)};
     }
-    show_text(program.help());  // asked for
+    // Asked for. CLI11 puts the examples at its end.
+    const std::string help = program.help();
+    const std::string examples = innermost(program).get_footer();
+    const std::size_t end = examples.empty() ? help.size() : std::min(help.rfind(examples), help.size());
+    show_text(help.substr(0, end));
+    fmt::print("{}", end == help.size() ? "" : examples_text(examples, output_columns()));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/fly_summary.hpp"
 
+#include <cctype>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,10 +47,12 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   print_figure("control starts", flight.tunnel ? std::nullopt : events.control_start_s, "{:.3f} s after lift-off");
   print_figure("  at height", results.figures.control_start_height_m, "{:.2f} m");
   print_figure("burn-out", events.burnout_s, "{:.2f} s");
-  print_figure("top speed", results.figures.max_speed_m_s, "{:.1f} m/s");
+  std::string speed{report::top_speed_name(flight)};
+  speed.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(speed.front())));
+  print_figure(speed, results.figures.max_speed_m_s, "{:.1f} m/s");
   print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
   print_figure("  at time", events.apogee_s, "{:.2f} s");
-  for (const flight::LoopMargin& margin : flight.loop_margins) {
+  for (const flight::LoopMargin& margin : report::different_margins(flight)) {
     show("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin", text::degrees(margin.phase_margin_rad),
          margin.speed_m_s, report::gain_margin_text(margin));
   }

@@ -9,6 +9,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/standard_streams.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 
@@ -48,6 +49,8 @@ std::string viewers_text(const live::ServerFigures& figures) {
                      figures.most_viewers, figures.most_viewers == 1 ? "" : "s", figures.frames_sent,
                      figures.frames_dropped);
 }
+
+std::string PageOptions::words() const { return at.empty() ? "--page" : "--page-at " + text::shell_word(at); }
 
 PageOutput::PageOutput(const PageOptions& options, live::Source source, const std::string& command) {
   if (!options.wanted()) {

@@ -18,6 +18,8 @@ struct PageOptions {
   std::string at;  ///< checked; empty: live::Address{}
 
   [[nodiscard]] bool wanted() const { return page || !at.empty(); }
+  /// As it was typed: "--page-at HOST:PORT".
+  [[nodiscard]] std::string words() const;
 };
 
 /// --page and --page-at. `what` is shown: "the flight live".

@@ -167,9 +167,10 @@ void fly_and_report(const FlyOptions& options) {
   const std::string command =
       options.run ? fmt::format("fantail fly --campaign {} --run {}", text::shell_word(options.campaign), *options.run)
                   : flight::fly_command(options.scenario.scenario, changes);
-  PageOutput page{options.page,
-                  {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario)},
-                  command + " --realtime --page"};
+  PageOutput page{
+      options.page,
+      {.name = scenario.name + ", simulated", .settles_off_rad = settles_off_rad(scenario), .what_ends = "The flight"},
+      command + " --realtime " + options.page.words()};
   FlightComputerOption computer{options.computer};
   page.wait_for_viewer();
   flight::Flight flight = fly_and_show(scenario, computer, lcm, page, options.realtime);
@@ -185,7 +186,7 @@ void fly_and_report(const FlyOptions& options) {
   }
   const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
   give_up_if_interrupted();
-  report::write_results(flight, results, folder);
+  const std::vector<std::string> written = report::write_results(flight, results, folder);
   chapters.end();
   if (options.json) {
     fmt::print("{}", results.summary);
@@ -194,7 +195,10 @@ void fly_and_report(const FlyOptions& options) {
     return;
   }
   print_summary(flight, results);
-  show("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+  show("\n  report  {}\n", (folder / "report.html").string());
+  for (const std::string& name : written) {
+    show("{}", name.ends_with(".csv") ? fmt::format("  data    {}\n", (folder / name).string()) : "");
+  }
   if (!flight.log.empty()) {
     show("  log     {}\n", (folder / "flight.ftl").string());
   }

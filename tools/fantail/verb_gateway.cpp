@@ -118,7 +118,7 @@ void run(const GatewayOptions& options) {
   }
   PageOutput page{options.page,
                   {.name = options.interface},
-                  "fantail gateway --can " + text::shell_word(options.interface) + " --page"};
+                  "fantail gateway --can " + text::shell_word(options.interface) + " " + options.page.words()};
   Outlets outlets{publisher.get(), page.sink()};
   gateway::Gateway gateway{place.bus(), outlets};
   StatusPrinter printer{options.interface, gateway, publisher.get(), place.now()};

@@ -241,7 +241,7 @@ void fill(const Verb& verb) {
       "Examples:\n"
       "  fantail identify out/tasha3_launch2 --method both\n"
       "                                          a simulated flight: the published grid beside the search without one\n"
-      "  fantail identify run7.csv --columns time=t:ms,roll_rate=p:rad/s,canard=fin:deg --save-columns --speed 22\n"
+      "  fantail identify run7.csv --columns time=t:ms,roll_rate=p:rad/s,canard=fin:deg --save-columns --speed 22 \\\n"
       "      --inertia 0.00393 --area 5.0265e-5 --elevation 1400 --window 0:5 --window 5:10\n"
       "                                          another logger's tunnel run, two steps of it, each by itself\n"
       "  fantail identify flight1 flight2 --shared alpha,beta\n"
@@ -249,7 +249,7 @@ void fill(const Verb& verb) {
       "agree\n"
       "  fantail identify flight3 --validate out/identify/flight1+flight2\n"
       "                                          does the model that was found there hold in another flight?\n"
-      "  fantail identify out/tasha3_launch1 --nodes thrust:2,coast:2 --loop closed\n"
+      "  fantail identify out/tasha3_launch1 --nodes thrust:2,coast:2 --loop closed \\\n"
       "      --plan tasha3_launch1 --json        canards as the controller commands them, for a script");
   verb.action([options] { identify_data(*options); });
 }

@@ -152,8 +152,8 @@ void run_node(const NodeOptions& options) {
   LcmOutput lcm{options.lcm};
   PageOutput page{options.page,
                   {.name = scenario.name + " on " + options.interface},
-                  fmt::format("fantail node {} --can {} --page", text::shell_word(options.scenario.scenario),
-                              text::shell_word(options.interface))};
+                  fmt::format("fantail node {} --can {} {}", text::shell_word(options.scenario.scenario),
+                              text::shell_word(options.interface), options.page.words())};
   const bool is_told = lcm.is_on() || page.is_on();
   telemetry::LimitTap tap{bus};
   PadEar ear{is_told ? static_cast<hal::CanBus&>(tap) : bus};

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "fantail/card_output.hpp"
 #include "fantail/compare_results.hpp"
@@ -62,6 +62,9 @@ void report_one(const ReportOptions& options) {
     return;
   }
   show("{}\n{}\n", flight.scenario, painted_verdict(results.verdict));
+  if (!flight.changes.empty()) {
+    show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
+  }
   for (const std::string& note : flight.notes) {
     show("  {}\n", note);
   }
@@ -139,7 +142,8 @@ void fill(const Verb& verb) {
       "  fantail report flown.ftl                             what the board has recorded, as fly shows its flights\n"
       "  fantail report flown.ftl out/tasha3_launch2 --align angle --from 0 --to 12\n"
       "                                                       flown and simulated, one over the other\n"
-      "  fantail report old_logger.csv --out /tmp/page --json a table from elsewhere, for a script\n"
+      "  fantail report old_logger.csv --out /tmp/page --json\n"
+      "                                                       a table from elsewhere, for a script\n"
       "\n"
       "Figures of how far two flights are apart, with limits for a script: fantail compare.");
   verb.action([options] {

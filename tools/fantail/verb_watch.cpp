@@ -48,8 +48,9 @@ void watch(const WatchOptions& options) {
   telemetry::Receiver receiver;
   telemetry::Panel panel{options.url, receiver};
   const hal::on_linux::Clock clock;
-  PageOutput page{
-      options.page, {.name = options.url}, "fantail watch --lcm " + text::shell_word(options.url) + " --page"};
+  PageOutput page{options.page,
+                  {.name = options.url},
+                  "fantail watch --lcm " + text::shell_word(options.url) + " " + options.page.words()};
   const auto take = [&](std::string_view channel, std::span<const std::byte> bytes) {
     receiver.take(channel, bytes, clock.now());
     page.take(channel, bytes);

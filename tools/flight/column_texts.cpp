@@ -62,7 +62,7 @@ constexpr auto texts = std::to_array<Text>({
   {"true_roll_rate_deg_s", "deg/s", "roll rate in the simulation"},
   {"true_canard_deg", "deg", "mean canard angle as the air answers it, less what stalls and what the fins take back"},
   {"true_height_m", "m", "height above the pad in the simulation"},
-  {"true_speed_m_s", "m/s", "speed in the simulation (tunnel: of the air)"},
+  {"true_speed_m_s", "m/s", "speed in the simulation (tunnel: of the air; six degrees of freedom: through the air, along the axis)"},
   {"true_disturbance_deg", "deg", "canard angle that would roll as the crooked fins do, u_d"},
 
   // What a flight log holds of a tick beside these.

@@ -2,6 +2,9 @@
 #include "live/feed.hpp"
 
 #include <algorithm>
+#include <cctype>
+
+#include <fmt/core.h>
 
 #include "telemetry/panel.hpp"
 
@@ -19,12 +22,30 @@ bool is_flying(core::Phase phase) {
   return phase == core::Phase::launched || phase == core::Phase::controlling || phase == core::Phase::finished;
 }
 
+std::string in_words(std::string_view name) {
+  std::string words{name};
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+/// "Launched: launch detected", "Canard 3: stalled, and was healthy".
+std::string event_words(const telemetry::Event& event) {
+  if (event.verdict) {
+    return fmt::format("Canard {}: {}, and was {}", event.verdict->canard + 1,
+                       in_words(core::name(event.verdict->verdict)), in_words(core::name(event.verdict->before)));
+  }
+  std::string words = in_words(core::name(event.phase->phase));
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return fmt::format("{}: {}", words, in_words(core::name(event.phase->reason)));
+}
+
 Json told(double time_s, const std::string& text) { return {{"time_s", time_s}, {"text", text}}; }
 
 }  // namespace
 
 void Feed::take(std::string_view channel, std::span<const std::byte> bytes, hal::Microseconds now) {
   const std::scoped_lock lock{mutex_};
+  first_came_ = first_came_.value_or(now);
   receiver_.take(channel, bytes, now);
   follow_state();
   follow_events();
@@ -62,13 +83,18 @@ void Feed::follow_events() {
     if (event.content.phase && event.content.phase->phase == core::Phase::launched) {
       launched_ = event.stamp.time;
     }
-    events_.push_back({in_seconds(event.stamp.time), telemetry::event_text(event.content)});
+    events_.push_back({in_seconds(event.stamp.time), event_words(event.content)});
     untold_events_ += 1;
   }
   while (events_.size() > most_events) {
     events_.pop_front();
   }
   untold_events_ = std::min(untold_events_, events_.size());
+}
+
+void Feed::end() {
+  const std::scoped_lock lock{mutex_};
+  ended_ = true;
 }
 
 std::string Feed::frame(hal::Microseconds now) {
@@ -103,6 +129,7 @@ Json Feed::now_json(hal::Microseconds now) const {
   Json json;
   json["frame"] = number_;
   json["link"] = link_json(now);
+  json["ended"] = ended_ ? Json{source_.what_ends} : Json{};
   json["run"] = run_ ? Json{std::to_string(*run_)} : Json{};  // as text: a browser's numbers have 53 bits
   if (!state) {
     return json;
@@ -136,12 +163,15 @@ Json Feed::link_json(hal::Microseconds now) const {
     recent.lost += telemetry::lost_lately(one);
     recent.late += one.late;
   }
+  // Before the first message there was nothing to receive.
+  const hal::Microseconds span =
+      std::min(receiver_.recent_span(), first_came_ ? now - *first_came_ : hal::Microseconds{});
   const bool is_old = state && now - state->came > telemetry::Receiver::stale_after;
   return {{"is", !state   ? "silent"
                  : is_old ? "old"
                           : "live"},
           {"age_s", state ? json::printed(in_seconds(now - state->came), 1) : Json{}},
-          {"span_s", json::printed(in_seconds(receiver_.recent_span()), 1)},
+          {"span_s", json::printed(in_seconds(span), 1)},
           {"received", recent.received},
           {"lost", recent.lost},
           {"late", recent.late},

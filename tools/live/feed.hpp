@@ -23,6 +23,8 @@ struct Source {
   /// How far from its reference the roll comes to rest: disturbance over proportional gain. Known of a simulation
   /// alone.
   std::optional<double> settles_off_rad{};
+  /// What has ended when no more comes, for people.
+  std::string what_ends{"The program that showed this"};
 };
 
 /// Turns what is heard of a rocket into frames for the page: the newest values, and what there is to plot since the
@@ -33,6 +35,9 @@ class Feed {
 
   /// Whatever came on a channel of LCM. `now` is the listener's clock.
   void take(std::string_view channel, std::span<const std::byte> bytes, hal::Microseconds now);
+
+  /// From here on every frame says that no more comes; for any thread.
+  void end();
 
   /// One line of JSON.
   [[nodiscard]] std::string frame(hal::Microseconds now);
@@ -55,6 +60,8 @@ class Feed {
 
   Source source_;
   mutable std::mutex mutex_;
+  bool ended_ = false;
+  std::optional<hal::Microseconds> first_came_;  ///< by the listener's clock
   telemetry::Receiver receiver_;
   PlotHistory plots_{signals};
   std::optional<std::int64_t> run_;            ///< whose plots and events these are

@@ -16,4 +16,9 @@ hal::Microseconds LivePage::now() const {
 
 void LivePage::take(std::string_view channel, std::span<const std::byte> bytes) { feed_.take(channel, bytes, now()); }
 
+void LivePage::finish() {
+  feed_.end();
+  broadcast_.finish();
+}
+
 }  // namespace fantail::live

@@ -22,8 +22,8 @@ class LivePage {
 
   /// Whatever came on a channel of LCM; for one thread.
   void take(std::string_view channel, std::span<const std::byte> bytes);
-  /// What has been taken so far is shown, also when the program ends behind it.
-  void finish() { broadcast_.finish(); }
+  /// What has been taken so far is shown, and that no more comes, also when the program ends behind it.
+  void finish();
 
   [[nodiscard]] const Broadcast& broadcast() const { return broadcast_; }
 

@@ -2,6 +2,7 @@
 #include "report/card.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "report/roll_truth.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/printable.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::report {
 namespace {
@@ -25,10 +28,8 @@ constexpr double right = 1136.0;
 
 struct Curve {
   std::vector<double> time_s{};
-  std::vector<double> turns{};
+  std::vector<double> roll_deg{};
 };
-
-constexpr double in_turns(double degrees) { return degrees / 360.0; }
 
 std::string text_at(double x, double y, double size, std::string_view style, std::string_view words) {
   return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" font-size=\"{:.0f}\" {}>{}</text>\n", x, y, size, style,
@@ -43,14 +44,26 @@ std::string_view colour_of(page::Tone tone) {
   }
 }
 
-/// A word wider than a line is cut there; what three lines do not hold ends with an ellipsis.
-std::vector<std::string> in_lines(std::string_view words, std::size_t width, std::size_t most) {
+std::string_view first_characters(std::string_view text, std::size_t count) {
+  std::size_t end = 0;
+  const auto inside_one = [&text](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
+  while (end < text.size() && (count > 0 || inside_one(end))) {
+    count -= inside_one(end) ? 0 : 1;
+    end += 1;
+  }
+  return text.substr(0, end);
+}
+
+/// A word wider than a line is cut there, between characters; what the most lines do not hold ends with an ellipsis.
+std::vector<std::string> in_lines(std::string_view text, std::size_t width, std::size_t most) {
+  const std::string clean = text::printable(text);
+  std::string_view words = clean;
   std::vector<std::string> lines{""};
   while (!words.empty()) {
     const std::size_t space = words.find(' ');
-    const std::string_view word = words.substr(0, std::min(space, width));
+    const std::string_view word = first_characters(words.substr(0, space), width);
     words.remove_prefix(std::min(words.size(), space == word.size() ? space + 1 : word.size()));
-    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > width) {
+    if (!lines.back().empty() && text::display_width(lines.back()) + 1 + text::display_width(word) > width) {
       if (lines.size() == most) {
         lines.back() += " \u2026";
         return lines;
@@ -65,11 +78,18 @@ std::vector<std::string> in_lines(std::string_view words, std::size_t width, std
 
 class Plot {
  public:
-  Plot(page::Range time_s, page::Range turns) : time_s_{page::drawable(time_s)}, turns_{page::drawable(turns)} {}
+  /// A full turn and its parts in degrees are no even numbers, so a roll of half a turn or more is in turns.
+  Plot(double top, page::Range time_s, page::Range roll_deg)
+      : top_{top},
+        time_s_{page::drawable(time_s)},
+        in_turns_{roll_deg.high - roll_deg.low >= 180.0},
+        roll_{page::drawable({shown(roll_deg.low), shown(roll_deg.high)})} {}
+
+  [[nodiscard]] std::string_view unit() const { return in_turns_ ? "turns" : "degrees"; }
 
   [[nodiscard]] std::string axes() const {
     std::string out;
-    for (const page::Tick& tick : page::even_ticks(turns_, 4.0)) {
+    for (const page::Tick& tick : page::even_ticks(roll_, 4.0)) {
       out += fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#d9dee4\"/>\n", left, y(tick.value), right - 60.0);
       out += text_at(right - 50.0, y(tick.value) + 6.0, 18.0, "fill=\"#586069\"", tick.text);
     }
@@ -82,11 +102,11 @@ class Plot {
   [[nodiscard]] std::string line(const Curve& curve, std::string_view style) const {
     std::string path;
     bool pen_down = false;
-    const std::vector<std::vector<double>> columns{curve.turns};
+    const std::vector<std::vector<double>> columns{curve.roll_deg};
     for (const std::size_t i : page::keep_extremes(columns, 500)) {
-      const bool known = std::isfinite(curve.turns[i]);
+      const bool known = std::isfinite(curve.roll_deg[i]);
       if (known) {
-        path += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', x(curve.time_s[i]), y(curve.turns[i]));
+        path += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', x(curve.time_s[i]), y(shown(curve.roll_deg[i])));
       }
       pen_down = known;
     }
@@ -97,64 +117,70 @@ class Plot {
   [[nodiscard]] double x(double time_s) const {
     return left + (right - 60.0 - left) * (time_s - time_s_.low) / (time_s_.high - time_s_.low);
   }
-  [[nodiscard]] double y(double turns) const {
-    return bottom_ - (bottom_ - top_) * (turns - turns_.low) / (turns_.high - turns_.low);
+  [[nodiscard]] double y(double roll) const {
+    return bottom_ - (bottom_ - top_) * (roll - roll_.low) / (roll_.high - roll_.low);
   }
+  [[nodiscard]] double shown(double degrees) const { return in_turns_ ? degrees / 360.0 : degrees; }
 
-  double top_ = 382.0;
-  double bottom_ = 556.0;
+  double top_;
+  double bottom_ = 536.0;
   page::Range time_s_;
-  page::Range turns_;
+  bool in_turns_;
+  page::Range roll_;
 };
 
-std::string roll_plot(const flight::Flight& flight) {
+std::string roll_plot(const flight::Flight& flight, double top) {
   const PlotWindow window = plot_window(flight);
   Curve flown;
   Curve free;
-  std::optional<page::Range> turns;
+  std::optional<page::Range> roll_deg_range;
+  const auto add = [&](Curve& curve, double time_s, double roll_deg) {
+    if (time_s >= window.begin_s && time_s <= window.end_s) {
+      curve.time_s.push_back(time_s);
+      curve.roll_deg.push_back(roll_deg);
+      page::include(roll_deg_range, roll_deg);
+    }
+  };
   const bool is_true = knows_true_roll(flight.rows);
   for (const flight::Row& row : flight.rows) {
-    if (row.time_s >= window.begin_s && row.time_s <= window.end_s) {
-      flown.time_s.push_back(row.time_s);
-      flown.turns.push_back(in_turns(roll_deg(row, is_true)));
-      page::include(turns, flown.turns.back());
-    }
+    add(flown, row.time_s, roll_deg(row, is_true));
   }
   for (const flight::FreeRollPoint& point : flight.without_control) {
-    if (point.time_s >= window.begin_s && point.time_s <= window.end_s) {
-      free.time_s.push_back(point.time_s);
-      free.turns.push_back(in_turns(text::degrees(point.true_roll_angle_rad)));
-      page::include(turns, free.turns.back());
-    }
+    add(free, point.time_s, text::degrees(point.true_roll_angle_rad));
   }
-  if (!turns) {
+  if (!roll_deg_range) {
     return {};
   }
   // Less than a tenth of a turn is not to look like a roll.
-  page::include(turns, turns->low + 0.1);
-  const Plot plot{{window.begin_s, window.end_s}, *turns};
+  page::include(roll_deg_range, roll_deg_range->low + 36.0);
+  const Plot plot{top + 16.0, {window.begin_s, window.end_s}, *roll_deg_range};
   std::string out = plot.axes();
-  out += text_at(left, 366.0, 20.0, "fill=\"#0f5fb5\" font-weight=\"bold\"", "\u2014 turns, as flown");
+  out += text_at(left, top, 20.0, "fill=\"#0f5fb5\" font-weight=\"bold\"",
+                 fmt::format("\u2014 roll angle in {}, as flown", plot.unit()));
   if (!free.time_s.empty()) {
-    out += text_at(left + 250.0, 366.0, 20.0, "fill=\"#586069\"", "\u2013 \u2013 without control");
+    out += text_at(left + 420.0, top, 20.0, "fill=\"#586069\"", "\u2013 \u2013 without control");
     out += plot.line(free, "stroke=\"#7b8691\" stroke-width=\"4\" stroke-dasharray=\"12 8\"");
   }
   return out + plot.line(flown, "stroke=\"#0f5fb5\" stroke-width=\"5\"");
 }
 
-std::string figure_row(const flight::Flight& flight, const Figures& f) {
-  std::vector<std::string> all;
-  const auto add = [&all](const std::optional<double>& value, int decimals, std::string_view words) {
+std::array<std::string, 2> figure_rows(const flight::Flight& flight, const Figures& f) {
+  std::array<std::string, 2> rows;
+  const auto add = [](std::string& row, const std::optional<double>& value, int decimals, std::string_view words) {
     if (value) {
-      all.push_back(fmt::format(fmt::runtime(words), text::fixed(*value, decimals)));
+      row += row.empty() ? "" : " \u00b7 ";
+      row += fmt::format(fmt::runtime(words), text::fixed(*value, decimals));
     }
   };
-  add(f.apogee_m, 0, "apogee {} m");
-  add(f.max_speed_m_s, 0, flight.tunnel ? "wind {} m/s" : "top speed {} m/s");
-  add(f.control_time_s, 1, "{} s under control");
-  add(f.roll_turns, 2, "turned by {}");
-  add(f.roll_turns_without_control, 2, "without control by {} turns");
-  return fmt::format("{}", fmt::join(all, "  \u00b7  "));
+  add(rows[0], f.apogee_m, 0, "apogee {} m");
+  add(rows[0], f.max_speed_m_s, 0,
+      flight.tunnel         ? "wind {} m/s"
+      : flight.path.empty() ? "top speed {} m/s"
+                            : "top speed {} m/s over ground");
+  add(rows[0], f.control_time_s, 1, "{} s under control");
+  add(rows[1], f.roll_turns, 2, "turned by {} turns under control");
+  add(rows[1], f.roll_turns_without_control, 2, "without control by {} turns");
+  return rows;
 }
 
 }  // namespace
@@ -165,20 +191,34 @@ std::string card_svg(const flight::Flight& flight, const Figures& figures, const
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1200\" height=\"630\" viewBox=\"0 0 1200 630\" "
       "font-family=\"DejaVu Sans, sans-serif\">\n<rect width=\"1200\" height=\"630\" fill=\"#ffffff\"/>\n";
   out += fmt::format("<rect width=\"16\" height=\"630\" fill=\"{}\"/>\n", colour);
-  out += text_at(left, 62.0, 22.0, "fill=\"#586069\"",
-                 flight.vehicle.empty() ? "Fantail flight report" : "Fantail flight report \u00b7 " + flight.vehicle);
+  out += text_at(
+      left, 62.0, 22.0, "fill=\"#586069\"",
+      in_lines(flight.vehicle.empty() ? "Fantail flight report" : "Fantail flight report \u00b7 " + flight.vehicle, 80,
+               1)
+          .front());
   out += text_at(left, 118.0, 50.0, "fill=\"#1f2933\" font-weight=\"bold\"", in_lines(flight.scenario, 32, 1).front());
-  out += text_at(left, 172.0, 30.0, fmt::format("fill=\"{}\" font-weight=\"bold\"", colour),
+  out += text_at(left, 168.0, 30.0, fmt::format("fill=\"{}\" font-weight=\"bold\"", colour),
                  display_name(verdict.outcome));
-  double y = 214.0;
-  for (const std::string& line : in_lines(verdict.text, 66, 3)) {
-    out += text_at(left, y, 26.0, "fill=\"#1f2933\"", line);
-    y += 34.0;
+  double y = 206.0;
+  for (const std::string& line : in_lines(verdict.text, 84, 6)) {
+    out += text_at(left, y, 24.0, "fill=\"#1f2933\"", line);
+    y += 31.0;
   }
-  out += text_at(left, 322.0, 20.0, "fill=\"#586069\"", figure_row(flight, figures));
-  out += roll_plot(flight);
-  out += text_at(left, 612.0, 18.0, "fill=\"#586069\"",
-                 flight.seed ? fmt::format("Simulated, seed {}.", *flight.seed) : "From a log.");
+  y += 6.0;
+  for (const std::string& line : figure_rows(flight, figures)) {
+    out += text_at(left, y, 20.0, "fill=\"#586069\"", line);
+    y += 28.0;
+  }
+  out += roll_plot(flight, std::max(y + 10.0, 366.0));
+  std::string origin = flight.seed ? fmt::format("Simulated, seed {}.", *flight.seed) : "From a log.";
+  if (!flight.changes.empty()) {
+    origin += fmt::format(" Changed on the command line: {}.", fmt::join(flight.changes, ", "));
+  }
+  y = 592.0;
+  for (const std::string& line : in_lines(origin, 116, 2)) {
+    out += text_at(left, y, 16.0, "fill=\"#586069\"", line);
+    y += 22.0;
+  }
   return out + "</svg>\n";
 }
 

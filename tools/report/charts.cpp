@@ -13,6 +13,7 @@
 #include "report/chart_drawer.hpp"
 #include "report/descent.hpp"
 #include "report/html.hpp"
+#include "report/settle_point.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -114,6 +115,9 @@ Chart disturbance(const flight::Flight& flight, const ChartDrawer& drawer) {
 
 Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
   const RowValue settle = [&flight](const flight::Row& row) {
+    if (flight.tunnel && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s) {
+      return unknown_value;
+    }
     return text::in_degrees(flight::settle_point_rad(row, flight)).value_or(unknown_value);
   };
   Chart chart =
@@ -136,17 +140,18 @@ std::vector<Chart> all_charts(const flight::Flight& flight, const ChartDrawer& d
                                       {drawer.line("true", Role::target, column("true_roll_rate_deg_s")),
                                        drawer.line("estimate", Role::measured, column("roll_rate_deg_s"))}),
                          canards_together(flight, drawer), drawer.with_limits(disturbance(flight, drawer))};
-  const page::Series true_speed =
-      drawer.line(flight.path.empty() ? "true" : "true, through the air", Role::target, column("true_speed_m_s"));
+  const page::Series true_speed = drawer.line(flight.path.empty() ? "true" : "true, through the air along the axis",
+                                              Role::target, column("true_speed_m_s"));
   if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate
     all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small_chart, {true_speed}));
   } else {
     all.push_back(drawer.chart("Height", "m", page::half_page, small_chart,
                                {drawer.line("true", Role::target, column("true_height_m")),
                                 drawer.line("estimate", Role::measured, column("height_m"))}));
-    all.push_back(drawer.chart("Speed", "m/s", page::half_page, small_chart,
-                               {true_speed, drawer.line(flight.path.empty() ? "estimate" : "estimate, over ground",
-                                                        Role::measured, column("speed_m_s"))}));
+    all.push_back(drawer.chart(
+        "Speed", "m/s", page::half_page, small_chart,
+        {true_speed, drawer.line(flight.path.empty() ? "estimate" : "estimate, over ground along the guide",
+                                 Role::measured, column("speed_m_s"))}));
   }
   return all;
 }

@@ -26,6 +26,13 @@ double true_zero_rad(const flight::Flight& flight) {
   return zero.rad();
 }
 
+std::string_view top_speed_name(const flight::Flight& flight) {
+  if (flight.tunnel) {
+    return "Largest air speed";
+  }
+  return flight.path.empty() ? "Top speed" : "Top speed over ground";
+}
+
 Figures figures(const flight::Flight& flight) {
   RunningFigures running{flight.tunnel};
   for (const flight::Row& row : flight.rows) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
@@ -15,6 +16,8 @@ namespace fantail::report {
 /// against, over the settled part of control: without the first second and the second after each change of R (in the
 /// slow air of the tunnel two seconds).
 struct Figures {
+  static constexpr double still_air_m_s = 0.5;  ///< in a tunnel, air that is slower than this stands still
+
   std::optional<double> apogee_m;                 ///< true height where truth exists, else the estimate
   std::optional<double> max_speed_m_s;            ///< likewise; over ground where the flight has a path
   std::optional<double> control_start_height_m;   ///< likewise
@@ -42,6 +45,9 @@ struct Figures {
 
   friend bool operator==(const Figures&, const Figures&) = default;
 };
+
+/// Which speed Figures::max_speed_m_s of this flight is: "Top speed over ground".
+[[nodiscard]] std::string_view top_speed_name(const flight::Flight& flight);
 
 [[nodiscard]] Figures figures(const flight::Flight& flight);
 

@@ -14,6 +14,7 @@
 #include "page/page.hpp"
 #include "report/descent.hpp"
 #include "report/gain_margin_text.hpp"
+#include "report/settle_point.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -23,21 +24,7 @@ namespace {
 using text::fixed;
 using Rows = std::vector<std::vector<page::Cell>>;
 
-std::string where_it_settles(const flight::Flight& flight) {
-  return fmt::format(
-      "{} The hold error is measured from there, without the {} after control start and after each reference step.",
-      flight::rejects_offset(flight.plan)
-          ? "This law takes its estimate of the fin offset u_d off the command, so it comes to rest at the reference "
-            "R, as far as the canards reach and as soon as the estimate is right."
-      : flight.plan.gain_schedule.speeds_count > 0
-          ? "This loop comes to rest at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
-            "reference R: an angle error has to balance the fin offset."
-          : "A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
-            "error has to balance the fin offset.",
-      flight.tunnel ? "two seconds" : "second");
-}
-
-std::string figure_list(const flight::Flight& flight, const Figures& f) {
+std::string figure_list(const flight::Flight& flight, const Figures& f, bool roll_is_judged) {
   std::vector<page::Figure> list;
   const auto add = [&list](std::string label, const std::optional<double>& value, int decimals, std::string unit,
                            std::string remark = {}) {
@@ -46,7 +33,7 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
     }
   };
   add("Apogee", f.apogee_m, 1, "m");
-  add(flight.tunnel ? "Largest air speed" : "Top speed", f.max_speed_m_s, 1, "m/s");
+  add(std::string{top_speed_name(flight)}, f.max_speed_m_s, 1, "m/s");
   if (const flight::PathPoint* top = flight::point_at(flight.path, flight.events.apogee_s.value_or(-1.0))) {
     add("Drift at apogee", flight::distance_m(*top), 1, "m",
         flight.path_frame == flight::PathFrame::plane ? "over ground" : "over ground, towards " + compass(*top));
@@ -55,7 +42,7 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
   add("Control starts", flight.events.control_start_s, 3, "s",
       f.control_start_height_m ? "at " + fixed(*f.control_start_height_m, 2) + " m" : "");
   add("Time under control", f.control_time_s, 2, "s");
-  add("Largest hold error", text::in_degrees(f.largest_hold_error_rad), 1, "deg",
+  add("Largest hold error", roll_is_judged ? text::in_degrees(f.largest_hold_error_rad) : std::nullopt, 1, "deg",
       f.mean_hold_error_rad ? "mean " + fixed(text::degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
   add("Saturated", f.saturated_fraction ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1, "%",
       "of control time");
@@ -68,7 +55,7 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
         fmt::format("mean {} deg{}", fixed(text::degrees(f.side_deflection->mean_rad), 2),
                     moment_n_m ? fmt::format("; at most {} N m", fixed(*moment_n_m, 3)) : ""));
   }
-  for (const flight::LoopMargin& margin : flight.loop_margins) {
+  for (const flight::LoopMargin& margin : different_margins(flight)) {
     list.push_back({"Phase margin", fixed(text::degrees(margin.phase_margin_rad), 0), "deg",
                     fmt::format("at {} m/s; gain margin {}", fixed(margin.speed_m_s, 0), gain_margin_text(margin))});
   }
@@ -78,8 +65,8 @@ std::string figure_list(const flight::Flight& flight, const Figures& f) {
     list.push_back({"Final phase", flight::display_name(f.final_phase), "", ""});
   }
   std::string html = page::figure_row(list);
-  if (f.largest_hold_error_rad) {
-    html += page::note(where_it_settles(flight), "settles");
+  if (roll_is_judged && f.largest_hold_error_rad) {
+    html += page::note(settle_point_text(flight), "settles");
   }
   return html;
 }
@@ -131,8 +118,12 @@ std::string phase_table(const flight::Flight& flight) {
   }
   Rows rows;
   for (const flight::PhaseChange& change : flight.phase_changes) {
-    rows.push_back(row(change.time_s, flight::display_name(change.phase),
-                       change.reason ? flight::display_name(*change.reason) : ""));
+    std::string reason{change.reason ? flight::display_name(*change.reason) : ""};
+    if (!flight.rows.empty() && change.time_s <= flight.rows.front().time_s) {
+      // A recording begins shortly before detection, when the rocket has long been armed.
+      reason = "already when the log begins" + (reason.empty() ? "" : fmt::format(" ({})", reason));
+    }
+    rows.push_back(row(change.time_s, flight::display_name(change.phase), reason));
   }
   return table("Phase", "Reason", rows);
 }
@@ -173,13 +164,6 @@ page::Tone tone(const Verdict& verdict) {
   return page::Tone::unsure;
 }
 
-std::string settle_point_name(const flight::Flight& flight) {
-  if (flight.known.plan && flight::rejects_offset(flight.plan)) {
-    return "R";
-  }
-  return flight.plan.gain_schedule.speeds_count > 0 ? "R + u_d/(f kp)" : "R + u_d/kp";
-}
-
 std::string html(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
   page::Page page{.kind = "Fantail flight report",
                   .title = flight.scenario,
@@ -196,7 +180,7 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                       "this page).",
                   .command = flight.command,
                   .live = charts(flight)};
-  if (figures.largest_hold_error_rad) {
+  if (verdict.roll_is_judged && figures.largest_hold_error_rad) {
     page.findings.push_back({"", fmt::format("It settles at {}.", settle_point_name(flight)), "settles"});
   }
   if (figures.roll_turns && figures.roll_turns_without_control) {
@@ -213,8 +197,8 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
   const std::array<std::string, 2> columns{page::section("Events", event_table(flight)),
                                            page::section("Phases", phase_table(flight) + canard_table(flight))};
   page.body_html = page::section("The flight", page::live_figure(page.live, "Roll angle over time")) +
-                   page::section("Figures", figure_list(flight, figures)) + path_section(flight) +
-                   turning_section(flight) + page::side_by_side(columns) + about_section(flight);
+                   page::section("Figures", figure_list(flight, figures, verdict.roll_is_judged)) +
+                   path_section(flight) + turning_section(flight) + page::side_by_side(columns) + about_section(flight);
   return page::html(page);
 }
 

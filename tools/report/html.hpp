@@ -28,9 +28,6 @@ namespace fantail::report {
 /// Whether a verdict is good news; the colour of the page, the card and the terminal.
 [[nodiscard]] page::Tone tone(const Verdict& verdict);
 
-/// Where the law of the plan comes to rest: "R + u_d/kp".
-[[nodiscard]] std::string settle_point_name(const flight::Flight& flight);
-
 /// The rocket as it rolled from `begin_s` on, and as it would have rolled without control where that is known. Truth
 /// where there is any, else the estimate. Empty where no roll angle is known.
 [[nodiscard]] std::optional<page::RollScene> roll_scene(const flight::Flight& flight, double begin_s);

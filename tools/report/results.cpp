@@ -2,6 +2,7 @@
 #include "report/results.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <string>
 #include <system_error>
@@ -43,7 +44,8 @@ Results results(const flight::Flight& flight) {
   return r;
 }
 
-void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder) {
+std::vector<std::string> write_results(const flight::Flight& flight, const Results& results,
+                                       const std::filesystem::path& folder) {
   std::vector<text::NamedFile> files = result_files(flight, results);
   std::vector<std::string> of_others;
   const auto add = [&](const char* name, bool there, const auto& content) {
@@ -60,6 +62,9 @@ void write_results(const flight::Flight& flight, const Results& results, const s
   add("card.png", !results.card_png.empty(), [&] { return results.card_png; });
   add(own_free_roll, !flight.without_control.empty(), [&] { return flight::free_roll_csv(flight.without_control); });
   text::OutputFolder{folder}.write(files, of_others);
+  std::vector<std::string> names;
+  std::ranges::transform(files, std::back_inserter(names), &text::NamedFile::name);
+  return names;
 }
 
 void write_report(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder,

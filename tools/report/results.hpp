@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "flight/flight.hpp"
 #include "report/figures.hpp"
@@ -22,8 +24,10 @@ struct Results {
 /// Writes flight.csv, summary.json, report.html, flight.ftl when something was recorded, of a run in a tunnel
 /// tunnel.csv, of a flight with a path trajectory.csv, of one on the gimbal or on pins turning.csv, and where it is
 /// known how it would have rolled without control without_control.csv into a folder, all or none; see OutputFolder.
-/// What an earlier run left there under one of these names does not stay. Throws OutputError.
-void write_results(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder);
+/// What an earlier run left there under one of these names does not stay. Returns the names of what it wrote. Throws
+/// OutputError.
+std::vector<std::string> write_results(const flight::Flight& flight, const Results& results,
+                                       const std::filesystem::path& folder);
 
 /// Writes flight.csv, summary.json and report.html of a flight that was read from `input`. A folder that holds the
 /// files of a flight, flight.ftl, tunnel.csv, trajectory.csv, turning.csv or without_control.csv, is refused: a report

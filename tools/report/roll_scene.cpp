@@ -80,9 +80,9 @@ std::optional<page::RollScene> roll_scene(const Flight& flight, double begin_s) 
                         .step_s = std::max(finest_step_s, std::ceil(1e3 * length_s / most_samples) / 1e3),
                         .shown_s = most_telling_s(flight).value_or(rows.front().time_s),
                         .from_s = rows.front().time_s};
-  scene.note = is_true
-                   ? "Seen from behind and the right; positive roll is clockwise. Roll as it truly was."
-                   : "Seen from behind and the right; positive roll is clockwise. Roll as the flight computer knew it.";
+  scene.note = fmt::format(
+      "Seen from behind and the right; positive roll is clockwise. Only roll is drawn, no pitch or yaw, as {}.",
+      is_true ? "it truly was" : "the flight computer knew it");
   if (!flight.without_control.empty()) {
     scene.note += " Without control: the same rocket, seed and faults, with its canards at trim.";
   }

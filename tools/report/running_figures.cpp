@@ -15,7 +15,6 @@ constexpr double settling_time_in_tunnel_s = 2.0;
 constexpr double lasting_saturation_s = 0.5;
 // Rows are a millisecond apart and their times are rounded to the microsecond.
 constexpr double clock_tolerance_s = 1e-6;
-constexpr double still_air_m_s = 0.5;
 
 // The truth where it is known.
 double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
@@ -75,7 +74,7 @@ void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   phase_ = row.phase;
   keep_largest(largest_speed_m_s_, speed_m_s(row));
   keep_largest(largest_height_m_, height_m(row));
-  in_still_air_ = in_still_air_ && row.truth && std::abs(row.truth->speed_m_s) < still_air_m_s;
+  in_still_air_ = in_still_air_ && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s;
   zero_.add(row);
   const bool is_control = row.phase == core::Phase::controlling;
   if (stage_ == Stage::before_control && is_control) {
@@ -163,7 +162,7 @@ void RunningFigures::look_after_control(const flight::Row& row, const flight::Fl
 
 void RunningFigures::tell_authority(Figures& f, const flight::Flight& flight) const {
   f.largest_disturbance_rad = largest_offset_rad_;
-  if (!least_offset_rad_ || !flight.known.plan) {
+  if (!least_offset_rad_ || !flight.known.plan || f.in_still_air) {
     return;
   }
   // The margin is a roof over the offset: of all offsets between the least and the largest, one of these two has the
@@ -222,8 +221,8 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
   f.control_time_s = clock(end_.time_s) - clock(start_.time_s);
   f.command_at_end_rad = end_.command_rad;
   f.roll_turns = known((end_.roll_angle_rad - start_.roll_angle_rad) / (2.0 * std::numbers::pi));
-  f.largest_hold_error_rad = largest_error_rad_;
-  if (settled_ > 0) {
+  if (settled_ > 0 && !f.in_still_air) {  // nothing holds anything there
+    f.largest_hold_error_rad = largest_error_rad_;
     f.mean_hold_error_rad = sum_of_errors_rad_ / static_cast<double>(settled_);
   }
   tell_authority(f, flight);

@@ -61,10 +61,14 @@ std::string why_no_control(const flight::Flight& flight) {
   }
 }
 
+std::string saturation(const Figures& f) {
+  return f.saturated_fraction
+             ? fmt::format("canards at their limit {} % of control time", text::fixed(100.0 * *f.saturated_fraction, 1))
+             : "the log does not say when canards were at their limit";
+}
+
 std::string saturation_and_margin(const Figures& f) {
-  std::string text = f.saturated_fraction ? fmt::format("canards at their limit {} % of control time",
-                                                        text::fixed(100.0 * *f.saturated_fraction, 1))
-                                          : "the log does not say when canards were at their limit";
+  std::string text = saturation(f);
   if (f.authority_margin_rad) {
     text += fmt::format(", {} {} against the fin offset", degrees_text(std::abs(*f.authority_margin_rad)),
                         *f.authority_margin_rad < 0.0 ? "too few" : "to spare");
@@ -155,7 +159,7 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     return {Outcome::not_held, fmt::format("{} {}", sentence(cause), sentence(rest))};
   }
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(f))) : "";
-  if (f.largest_hold_error_rad && !f.in_still_air) {
+  if (f.largest_hold_error_rad) {
     const bool held = *f.largest_hold_error_rad <= held_error_rad;
     if (const std::string why = held ? why_nothing_settles(flight, f) : ""; !why.empty()) {
       return {Outcome::not_judged, sentence("roll not judged: " + why)};
@@ -166,7 +170,7 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     return {held ? Outcome::held : Outcome::not_held, sentence(hold) + ended_at_limit};
   }
   return {Outcome::not_judged,
-          sentence(fmt::format("roll not judged: {}; {}", why_not_judged(flight, f), rest)) + ended_at_limit};
+          sentence(fmt::format("roll not judged: {}; {}", why_not_judged(flight, f), saturation(f))) + ended_at_limit};
 }
 
 // Nobody minds the last half second: near apogee there is no flow over the canards.
@@ -210,6 +214,7 @@ void begin_lower(std::string& text) {
 /// The verdict on the whole flight from the one on the time under control.
 Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   Verdict v = judge_control(flight, f);
+  v.roll_is_judged = v.outcome != Outcome::not_judged;
   if (f.oscillation) {
     const Oscillation& o = *f.oscillation;
     v.outcome = v.outcome == Outcome::held ? Outcome::oscillates : v.outcome;

@@ -23,8 +23,9 @@ enum class Outcome : std::uint8_t {
 
 struct Verdict {
   Outcome outcome = Outcome::no_control;
-  std::string text;          ///< one to six plain sentences
-  bool ended_early = false;  ///< whatever the outcome
+  std::string text;             ///< one to six plain sentences
+  bool ended_early = false;     ///< whatever the outcome
+  bool roll_is_judged = false;  ///< there is a word about how well the roll was held, whatever became of it then
 };
 
 [[nodiscard]] Verdict verdict(const flight::Flight& flight, const Figures& figures);

@@ -12,7 +12,14 @@ namespace {
 constexpr std::size_t events_shown = 5;
 
 std::string cell(const std::optional<double>& value, int digits = 2) {
-  return value ? fmt::format("{:+.{}f}", *value, digits) : "-";
+  if (!value) {
+    return "-";
+  }
+  std::string text = fmt::format("{:+.{}f}", *value, digits);
+  if (text.find_first_not_of("-0.") == std::string::npos) {
+    text.front() = '+';  // nothing is not less than nothing
+  }
+  return text;
 }
 
 std::string unsigned_cell(const std::optional<double>& value, int digits = 2) {
@@ -69,7 +76,7 @@ std::string Panel::motion_text() const {
       "  phase {} ({}){}\n"
       "  roll {} deg, rate {} deg/s; reference {} deg, excitation {} deg\n"
       "  command {} of {} deg{}\n"
-      "  height {} m, speed {} m/s, specific force {} m/s2\n",
+      "  height {} m, speed {} m/s along the guide, specific force {} m/s2\n",
       age_text(receiver_.state()), core::name(state.phase), core::name(state.reason),
       state.timing_fault ? ", TIMING FAULT" : "", cell(degrees(state.roll_angle_rad)),
       cell(degrees(state.roll_rate_rad_s)), cell(degrees(state.reference_rad)), cell(degrees(state.excitation_rad)),

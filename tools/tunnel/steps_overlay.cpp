@@ -57,8 +57,9 @@ std::vector<Outlier> outliers(const StepTable& table) {
     std::ranges::transform(values, std::back_inserter(distances),
                            [&](double value) { return std::abs(value - middle); });
     const double spread = median(distances) / 0.6745;
+    const double negligible = column.is_angle ? text::radians(0.1) : 0.02 * std::abs(middle);
     for (std::size_t i = 0; i < values.size() && spread > 0.0; ++i) {
-      if (distances[i] > 3.5 * spread) {
+      if (distances[i] > std::max(3.5 * spread, negligible)) {
         all.push_back({table.steps[i].number, &column, values[i], middle});
       }
     }
@@ -93,7 +94,14 @@ std::string overlay_html(const StepTable& table) {
   if (odd.empty() && table.steps.size() >= 5) {
     sentences.emplace_back("No step lies apart from the others in any figure.");
   }
-  return page::figure(chart, "The measured roll angle of each step, from the reference before it.") +
+  const auto goes_up = [](const StepResult& result) { return result.step.to_rad > result.step.from_rad; };
+  const auto up = std::ranges::count_if(table.steps, goes_up);
+  const bool both = up > 0 && up < std::ssize(table.steps);
+  return page::figure(chart,
+                      fmt::format("The measured roll angle of each step, from the reference before it.{}",
+                                  both ? " Steps up and steps down are two bundles where the law settles beside its "
+                                         "reference: each is drawn in its own sense, so they lie apart by twice that."
+                                       : "")) +
          (sentences.empty() ? "" : page::list(sentences));
 }
 

@@ -212,8 +212,12 @@ std::string over_steps(const StepTable& table, std::size_t place, const char* la
 std::string steps_text(const StepsHeading& heading, const StepTable& table) {
   std::string text = fmt::format("{}: {} {}\n{}\n\n", heading.log, table.steps.size(),
                                  table.steps.size() == 1 ? "step" : "steps", basis(heading));
-  text += "                        alpha     beta     disturbance / deg     mean abs error of\n";
-  text += "step                       m2        m      begin      end    angle/deg  rate/deg/s\n";
+  text += fmt::format("{:21} {:>8} {:>8}   {:>17}   {:>17}\n", "", "alpha", "beta", "disturbance", "mean abs error of");
+  const auto head = [&text](auto... cells) {
+    text += fmt::format("{:21} {:>8} {:>8}   {:>8} {:>8}   {:>8} {:>8}\n", cells...);
+  };
+  head("", "", "", "begin", "end", "angle", "rate");
+  head("step", "m2", "m", "deg", "deg", "deg", "deg/s");
   for (const StepResult& result : table.steps) {
     const StepFigures figures = figures_of(result);
     text += row_text(fmt::format("{:2} at {:g} s", result.number, result.step.begin_s), printed(table, figures));

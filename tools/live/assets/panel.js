@@ -5,9 +5,8 @@
   const span_s = 30;
   const signals = 7;  // roll, reference, rate, command, mean of the canards, height, speed: plot_history.hpp
   const $ = (id) => document.getElementById(id);
-  const minus = (text) => text.replace("-", "\u2212");
-  const fixed = (value, digits) => value == null ? "\u2013" : minus(value.toFixed(digits));
-  const signed = (value, digits) => value == null ? "\u2013" : (value < 0 ? "\u2212" : "+") + Math.abs(value).toFixed(digits);
+  const fixed = (value, digits) => value == null ? "\u2013" : fantailNumber(value.toFixed(digits));
+  const signed = (value, digits) => value == null ? "\u2013" : (value >= 0 || Number(value.toFixed(digits)) === 0 ? "+" : "\u2212") + Math.abs(value).toFixed(digits);
   const text = (id, words) => { const at = $(id); if (at.textContent !== words) at.textContent = words; };
 
   let now = null;        // the newest frame
@@ -59,14 +58,16 @@
     const link = now ? now.link : {is: "silent"};
     const old = !connected || link.is === "old";
     document.body.classList.toggle("is-old", old && now !== null && now.phase !== undefined);
-    if (!connected) {
+    if (now?.ended) {  // told by the program itself before it left
+      text("link", `${now.ended} has ended; this is the last that came`);
+    } else if (!connected) {
       const since = lostSince === null ? "" : ` for ${((performance.now() - lostSince) / 1000).toFixed(0)} s`;
       text("link", now ? `OLD: no connection${since}; this is the last that came` : "no connection; trying again");
     } else {
       text("link", link.is === "live" ? "live" : link.is === "silent" ? "nothing received yet"
         : `OLD: nothing new for ${link.age_s.toFixed(0)} s; this is the last that came`);
     }
-    $("link").className = "pill " + (connected && link.is === "live" ? "live" : old ? "old" : "");
+    $("link").className = "pill " + (now?.ended ? "" : connected && link.is === "live" ? "live" : old ? "old" : "");
     if (!now || now.phase === undefined) return;
     const [word, about] = phases[now.phase] ?? [now.phase, ""];
     text("phase", word);
@@ -199,7 +200,7 @@
     {title: "Roll angle", unit: "deg", lines: [["roll", 1, "measured", []], ["reference", 2, "model", [7, 4]]]},
     {title: "Canards", unit: "deg", lines: [["mean of the encoders", 5, "measured", []], ["command", 4, "model", [7, 4]]]},
     {title: "Roll rate", unit: "deg/s", lines: [["roll rate", 3, "measured", []]]},
-    {title: "Height and speed", unit: "m, m/s", lines: [["height", 6, "measured", []], ["speed", 7, "model", [7, 4]]]},
+    {title: "Height and speed", unit: "m, m/s", lines: [["height", 6, "measured", []], ["speed along the guide", 7, "model", [7, 4]]]},
   ];
   const height = 150;
 

@@ -6,7 +6,7 @@
   const height = 130;
   const $ = (id) => document.getElementById(id);
   const text = (id, words) => { const at = $(id); if (at.textContent !== words) at.textContent = words; };
-  const signed = (value) => value == null ? "\u2013" : (value < 0 ? "\u2212" : "+") + Math.abs(value).toFixed(2);
+  const signed = (value) => value == null ? "\u2013" : (value > -.005 ? "+" : "\u2212") + Math.abs(value).toFixed(2);
   const nothing = () => Array.from({length: 2 * canards + 1}, () => []);  // time, command and encoder of each canard
 
   let now = null, connected = false, changed = false, columns = nothing();

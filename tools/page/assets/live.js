@@ -12,7 +12,7 @@
     target: {width: 5}, measured: {width: 1.6}, model: {width: 1.8, dash: [10, 4]}, second: {width: 1.8, dash: [7, 4]},
     reference: {width: 1.5}, limit: {width: 1.4}, neutral: {width: 1},
   };
-  const number = (value) => String(value).replace("-", "\u2212");
+  const number = (value) => String(value).replace(/^-(?=[0.]*$)/, "").replace("-", "\u2212");  // never less than a zero
 
   const charts = [];  // beside data.plots; null: nobody has asked for it yet
   let view = [data.views[0].begin, data.views[0].end];
@@ -169,7 +169,7 @@
         bind: {dblclick: () => () => show(data.views[0].begin, data.views[0].end)},
       },
       axes: [
-        {...axis, size: 26, space: 60, values: (chart, ticks) => ticks.map(number)},
+        {...axis, size: 26, space: 60, values: (chart, ticks) => ticks.map((tick) => number(tick) + " s")},
         {...axis, size: axisWidth, gap: 6, space: 28, values: (chart, ticks) => ticks.map(number)},
       ],
       series: [

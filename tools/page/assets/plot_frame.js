@@ -2,6 +2,9 @@
 // What the live page and the playground have around and behind the lines of a plot.
 "use strict";
 
+// A number that was made text: a minus as wide as a figure, and none before zeros.
+const fantailNumber = (text) => text.replace(/^-(?=[0.]*$)/, "").replace(/^-/, "\u2212");
+
 // {title, unit, lines: [[name, column, role, dashes], ...]} -> {holder, place}: a heading with a key of each line, and where uPlot is
 // to draw.
 function fantailPlotFrame({title, unit, lines}) {
@@ -25,10 +28,10 @@ function fantailPlotFrame({title, unit, lines}) {
 // Options of uPlot: both axes, room above and below the lines, and the lines.
 function fantailPlotOptions(lines) {
   const color = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
-  const axis = {stroke: color("soft"), font: "11px system-ui, sans-serif", grid: {stroke: color("line"), width: 1}, ticks: {show: false},
-    values: (chart, ticks) => ticks.map((tick) => String(tick).replace("-", "\u2212"))};
+  const axis = {stroke: color("soft"), font: "11px system-ui, sans-serif", grid: {stroke: color("line"), width: 1}, ticks: {show: false}};
+  const values = (unit) => (chart, ticks) => ticks.map((tick) => fantailNumber(String(tick)) + unit);
   return {
-    axes: [{...axis, size: 24, space: 60}, {...axis, size: 46, gap: 4, space: 24}],
+    axes: [{...axis, size: 24, space: 60, values: values(" s")}, {...axis, size: 46, gap: 4, space: 24, values: values("")}],
     y: {range: (chart, low, high) => {
       if (low == null) return [-1, 1];
       const margin = Math.max((high - low) * .08, .5);

@@ -27,7 +27,7 @@ function fantailRocket(canvas) {
       const [a, b] = [side, side + 1].map((i) => 2 * Math.PI * i / sides);
       // A quarter of the body is painted, or nobody would see it roll.
       const painted = name === "shell" && side >= 3 && side < 9;
-      faces.push({corners: [corner(x0, r0, a), corner(x1, r1, a), corner(x1, r1, b), corner(x0, r0, b)],
+      faces.push({corners: [corner(x0, r0, a), corner(x0, r0, b), corner(x1, r1, b), corner(x1, r1, a)],
         name: painted ? "paint" : name});
     }
   }

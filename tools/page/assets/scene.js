@@ -33,7 +33,7 @@ function fantailScene(data, number, show) {
     const words = () => {
       const degrees = at(roll, time);
       return degrees == null ? ["\u2013", "not known"]
-        : [number(degrees.toFixed(1)) + "\u00b0", number((degrees / 360).toFixed(2)) + " turns"];
+        : [number(degrees.toFixed(1)) + "\u00b0", number((degrees / 360).toFixed(2)) + " turns from zero"];
     };
     return {
       box,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The left column. It shows what the settings are, and tells of each change; what it does not know stays in the link.
+// The left column. It shows what the settings are, and tells of each change, or of what is wrong with it; what it does not know
+// stays in the link.
 "use strict";
 
-const fantailControls = (changed) => {
+const fantailControls = (changed, refused) => {
   const $ = (id) => document.getElementById(id);
   const usualFault = {canard: "1", from_s: "2", until_s: "4", offset_deg_s: "100"};
   const offset = "disturbance.angles_deg";
@@ -13,6 +14,13 @@ const fantailControls = (changed) => {
     made.append(...children);
     return made;
   };
+  // What is refused stays in its field, to be mended.
+  function onChange(field, take) {
+    field.addEventListener("change", () => {
+      const objection = fantailSettings.objection(field.value);
+      if (objection) refused(objection); else take(field.value.trim());
+    });
+  }
   const bare = (value) => value.replace(/^\[(.*)\]$/, "$1");
 
   // A fin offset of a scenario may change in flight; one that is set here does not.
@@ -41,7 +49,7 @@ const fantailControls = (changed) => {
       changed();
     };
     slider.addEventListener("input", () => { field.value = slider.value; turned(slider.value); });
-    field.addEventListener("change", () => { turned(field.value); show(); });
+    onChange(field, (value) => { turned(value); show(); });
     const show = () => {
       const own = settings.get(control.key);
       field.value = own === undefined ? usual : bare(own);
@@ -71,7 +79,7 @@ const fantailControls = (changed) => {
     $("fault").value = fault ? fault.kind : "";
     $("fault-fields").replaceChildren(...(fault?.fields ?? []).flatMap(({key, unit}) => {
       const field = element("input", {type: "text", id: `fault-${key}`, value: settings.get(`faults.${key}`) ?? "", autocomplete: "off"});
-      field.addEventListener("change", () => { settings.set(`faults.${key}`, field.value.trim()); changed(); });
+      onChange(field, (value) => { settings.set(`faults.${key}`, value); changed(); });
       return [element("label", {htmlFor: field.id, textContent: key.replace(/_(s|deg|deg_s)$/, "").replaceAll("_", " ") + (unit ? `, ${unit}` : "")}), field];
     }));
     $("fault-fields").title = fault?.meaning ?? "";
@@ -85,8 +93,8 @@ const fantailControls = (changed) => {
     showFault();
     changed();
   });
-  $("seed").addEventListener("change", () => {
-    if ($("seed").value.trim() === "") settings.delete("seed"); else settings.set("seed", $("seed").value.trim());
+  onChange($("seed"), (value) => {
+    if (value === "") settings.delete("seed"); else settings.set("seed", value);
     changed();
   });
 

@@ -2,19 +2,19 @@
 (() => {
   "use strict";
   const $ = (id) => document.getElementById(id);
-  const minus = (text) => text.replace(/^-/, "\u2212");
-  const fixed = (value, digits, unit) => value == null ? "\u2013" : `${minus(value.toFixed(digits))} ${unit}`;
+  const fixed = (value, digits, unit) => value == null ? "\u2013" : `${fantailNumber(value.toFixed(digits))} ${unit}`;
   const native = JSON.parse($("native").textContent || "{}");
   const names = {held: "Held", not_held: "Not held", oscillates: "Oscillates", cut_short: "Cut short", not_judged: "Not judged", no_control: "No control"};
 
-  let wanted = {scenario: "tasha3_launch2", settings: new Map()};
+  const usual = "tasha3_launch2";
+  let wanted = {scenario: usual, settings: new Map()};
   let columnNames = [], built = "", flight = null, flown = 0, slowest = 0;
   let at = null, playing = !matchMedia("(prefers-reduced-motion: reduce)").matches, begun = 0;
 
   const turn = Math.PI / 180;
   const draw = fantailRocket($("rocket"));
   const plots = fantailPlots($("plots"), (time) => { at = time; });
-  const controls = fantailControls(() => { controls.showOthers(); fly(); });
+  const controls = fantailControls(() => { controls.showOthers(); fly(); }, refuse);
   const flights = fantailFlights(take);
 
   function pill(words, kind) {
@@ -22,14 +22,20 @@
     $("state").className = `pill ${kind}`;
   }
 
-  function refuse(sentence) {
+  function refuse(sentence, runs = true) {
     $("refusal").hidden = false;
     $("refusal-text").textContent = sentence;
+    // Where something has flown, "As shipped" stands beside it.
+    $("start").hidden = !runs || flight !== null;
+    $("start").textContent = `Start from ${known(wanted.scenario) ? wanted.scenario : usual} as it is shipped`;
+    document.body.classList.toggle("is-empty", flight === null);
     document.body.classList.add("is-old");
     pill("refused", "bad");
   }
 
   // --- what is asked for ---
+  const known = (scenario) => [...$("scenario").options].some(({value}) => value === scenario);
+
   function fly() {
     try {
       history.replaceState(null, "", fantailSettings.toLink(wanted));
@@ -43,7 +49,7 @@
   function open(read) {
     if (read.refusal) return refuse(read.refusal);
     wanted = read;
-    if ([...$("scenario").options].some(({value}) => value === wanted.scenario)) {
+    if (known(wanted.scenario)) {
       $("scenario").value = wanted.scenario;
       flights.controls(wanted.scenario);
     }
@@ -52,7 +58,7 @@
 
   // --- what comes ---
   function take(message) {
-    if (message.trouble) return refuse(`The simulator does not run in this browser: ${message.trouble}`);
+    if (message.trouble) return refuse(`The simulator does not run in this browser: ${message.trouble}`, false);
     if (message.about) {
       columnNames = message.about.columns;
       if ($("scenario").options.length > 0) return undefined;  // of a worker that was started anew
@@ -78,7 +84,7 @@
     slowest = Math.max(slowest, result.milliseconds);
     flight = {summary, columns, rows: result.rows, span: spanOf(summary, columns), milliseconds: result.milliseconds, memory: result.memory};
     $("refusal").hidden = true;
-    document.body.classList.remove("is-old");
+    document.body.classList.remove("is-old", "is-empty");
     $("verdict-card").className = `card verdict ${summary.outcome}`;
     $("title").textContent = `${asked.scenario}, ${summary.vehicle}`;
     pill(`flown in ${result.milliseconds.toFixed(0)} ms`, "good");
@@ -102,12 +108,12 @@
     $("verdict").textContent = summary.verdict;
     const margin = summary.loop_margins.reduce((least, {phase_margin_deg: value}) => Math.min(least, value), Infinity);
     const figures = [
-      ["largest error of roll", fixed(summary.largest_hold_error_deg, 1, "deg")],
+      ["largest error of roll", fixed(summary.outcome === "not_judged" ? null : summary.largest_hold_error_deg, 1, "deg")],
       ["canards at their limit", summary.saturated_fraction == null ? "\u2013" : fixed(100 * summary.saturated_fraction, 1, "%")],
       ["left of their authority", fixed(summary.authority_margin_deg, 1, "deg")],
       ["least phase margin", fixed(Number.isFinite(margin) ? margin : null, 0, "deg")],
       ["control starts at", fixed(summary.events.control_start_s, 2, "s")],
-      ["top speed", fixed(summary.max_speed_m_s, 1, "m/s")],
+      [summary.at_apogee == null ? "top speed" : "top speed over ground", fixed(summary.max_speed_m_s, 1, "m/s")],
       ["apogee", fixed(summary.apogee_m, 0, "m")],
     ];
     $("figures").replaceChildren(...figures.map(([name, value]) => {
@@ -169,6 +175,7 @@
   });
   $("play").textContent = playing ? "Pause" : "Play";
   $("scenario").addEventListener("change", () => open({scenario: $("scenario").value, settings: new Map()}));
+  $("start").addEventListener("click", () => open({scenario: known(wanted.scenario) ? wanted.scenario : usual, settings: new Map()}));
   $("reset").addEventListener("click", () => open({scenario: $("scenario").value, settings: new Map()}));
   $("copy").addEventListener("click", async () => {
     try {
@@ -182,7 +189,7 @@
   addEventListener("hashchange", () => open(fantailSettings.ofLink(location.hash)));  // not of what the page itself writes there
 
   requestAnimationFrame(step);
-  flights.start().catch((error) => refuse(`The simulator does not run in this browser: ${error.message}`));
+  flights.start().catch((error) => refuse(`The simulator does not run in this browser: ${error.message}`, false));
   window.fantail = {figures: () => ({flown, slowest, built, busy: flights.isBusy(), outcome: flight?.summary.outcome ?? null,
     digest: flight?.summary.log_sha256 ?? null, milliseconds: flight?.milliseconds ?? null, memory: flight?.memory ?? null})};
 })();

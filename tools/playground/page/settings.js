@@ -35,6 +35,10 @@ const fantailSettings = (() => {
     return {refusal: `"${scenario}" in the link is no name of a scenario.`};
   }
 
+  // Of what somebody types where one number belongs; "" when nothing speaks against it. To the loaders "0,4" is a list of two.
+  const objection = (text) => /^\s*[-+]?\d*,\d+\s*$/.test(text)
+    ? `"${text.trim()}" is no number: a number is written with a point, as in ${text.trim().replace(",", ".")}.` : "";
+
   const code = (text) => encodeURIComponent(text).replace(/%5B/g, "[").replace(/%5D/g, "]").replace(/%2C/g, ",");
 
   function toLink({scenario, settings}) {
@@ -58,6 +62,6 @@ const fantailSettings = (() => {
     };
   }
 
-  return {ofLink, toLink, toWords, native};
+  return {ofLink, objection, toLink, toWords, native};
 })();
 if (typeof module !== "undefined") module.exports = fantailSettings;

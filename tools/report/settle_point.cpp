@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "report/settle_point.hpp"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "page/axis.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::report {
+namespace {
+
+std::string brief(double value) { return text::brief(value, 2); }
+
+/// "Here u_d is -4.9 deg and kp is 0.5, so it rests -4.9/0.5 = -9.8 deg from R.", or between what it rests when that
+/// changes under control. Empty without truth.
+std::string in_numbers(const flight::Flight& flight) {
+  std::optional<page::Range> offset_deg;
+  std::optional<page::Range> rest_deg;  // from R
+  for (const flight::Row& row : flight.rows) {
+    const auto settles_rad = flight::settle_point_rad(row, flight);
+    if (row.phase == core::Phase::controlling && settles_rad) {
+      page::include(offset_deg, text::degrees(row.truth->disturbance_rad));
+      page::include(rest_deg, text::degrees(*settles_rad - row.reference_rad));
+    }
+  }
+  if (!offset_deg || !rest_deg) {
+    return {};
+  }
+  const std::string lowest = brief(rest_deg->low);
+  const std::string highest = brief(rest_deg->high);
+  if (lowest != highest) {
+    return fmt::format(" Here that is between {} and {} deg from R.", lowest, highest);
+  }
+  const std::string offset = brief(offset_deg->low);
+  const std::string gain = brief(static_cast<double>(flight.plan.controller.proportional_gain));
+  return flight.left_by_fins != 1.0
+             ? fmt::format(
+                   " Here that is {} deg from R: u_d is {} deg, kp is {}, and of the canards' roll the fins leave "
+                   "{} times.",
+                   lowest, offset, gain, brief(flight.left_by_fins))
+             : fmt::format(" Here u_d is {} deg and kp is {}, so it rests {}/{} = {} deg from R.", offset, gain, offset,
+                           gain, lowest);
+}
+
+}  // namespace
+
+std::string settle_point_name(const flight::Flight& flight) {
+  if (flight.known.plan && flight::rejects_offset(flight.plan)) {
+    return "R";
+  }
+  return flight.plan.gain_schedule.speeds_count > 0 ? "R + u_d/(f kp)" : "R + u_d/kp";
+}
+
+std::string settle_point_text(const flight::Flight& flight) {
+  const std::string why =
+      flight::rejects_offset(flight.plan)
+          ? "This law takes its estimate of the fin offset u_d off the command, so it comes to rest at the reference "
+            "R, as far as the canards reach and as soon as the estimate is right."
+      : flight.plan.gain_schedule.speeds_count > 0
+          ? "This loop comes to rest at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
+            "reference R: an angle error has to balance the fin offset." +
+                in_numbers(flight)
+          : "A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
+            "error has to balance the fin offset." +
+                in_numbers(flight);
+  return fmt::format(
+      "{} The hold error is measured from there, without the {} after control start and after each reference step.",
+      why, flight.tunnel ? "two seconds" : "second");
+}
+
+}  // namespace fantail::report
