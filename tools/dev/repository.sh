@@ -42,12 +42,15 @@ checked() {
 
 # valid SCHEMA FILE...: by a schema that comes with the program, so without the network.
 valid() {
-  local schema="$1" file
+  local schema="$1" file said
   shift
   for file in "$@"; do
     [ -f "$file" ] || { echo "repository: there is no $file" >&2 && return 1; }
   done
-  build/repository-venv/bin/check-jsonschema --quiet --builtin-schema "$schema" "$@"
+  said=$(build/repository-venv/bin/check-jsonschema --builtin-schema "$schema" "$@" 2>&1) || {
+    echo "$said" >&2
+    return 1
+  }
 }
 
 # Go checks what it fetches against its public list of checksums. What it fetched and compiled is not kept.
