@@ -108,6 +108,17 @@ export PIP_INDEX_URL PIP_RETRIES PIP_DEFAULT_TIMEOUT
 expect 69 "the model checker could not be installed" prove
 [ ! -e build/prove-venv ] || { echo "FAILED: a half environment was left behind" && failures=$((failures + 1)); }
 expect 64 "there is no proof such" prove such
+
+# A folder that git does not know, and a tool that Go cannot fetch.
+stand_in git 'exit 128'
+expect 69 "git does not know this folder as a repository" repository
+stand_in git 'exit 0'
+stand_in go 'exit 1'
+mkdir -p test/repository build/repository-venv
+: >test/repository/requirements.txt
+: >build/repository-venv/requirements.txt
+expect 69 "actionlint could not be installed" repository
+[ ! -e build/actionlint ] || { echo "FAILED: half of actionlint was left behind" && failures=$((failures + 1)); }
 unset PIP_INDEX_URL PIP_RETRIES PIP_DEFAULT_TIMEOUT
 
 # Slow: in a pipe it says how far it is, and a second one waits for its turn and says so.

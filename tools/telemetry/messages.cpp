@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <fantail_lcm/canards_t.hpp>
 #include <fantail_lcm/event_t.hpp>
