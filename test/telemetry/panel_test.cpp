@@ -63,6 +63,8 @@ TEST_F(PanelTest, ShowsDegreesAndADashForWhatIsNotKnown) {
   EXPECT_PRED2(contains, table, "phase controlling (guide_clear)");
   EXPECT_PRED2(contains, table, "roll -30.00 deg, rate +5.00 deg/s; reference - deg, excitation - deg");
   EXPECT_PRED2(contains, table, "command +6.00 of 6.00 deg, SATURATED");
+  EXPECT_PRED2(contains, table, " m/s along the guide");
+  EXPECT_PRED2(contains, panel.lines(), " m/s along the guide; link: ");
   EXPECT_PRED2(contains, table, "       1    +1.00     +1.50       +0.50    9.00  healthy\n");
   EXPECT_PRED2(contains, table, "       2    +2.00         -           -    9.00  dead\n");
   EXPECT_PRED2(contains, table, "       3        -     +3.00           -    6.00  unknown\n");

@@ -187,7 +187,7 @@ std::string Panel::lines() const {
   const State& state = receiver_.state()->content;
   return text + fmt::format(
                     "{:.3f} s  {}{} ({}), roll {} deg, rate {} deg/s, command {} deg{}, height {} m, speed {} "
-                    "m/s; {}",
+                    "m/s along the guide; {}",
                     in_seconds(receiver_.state()->stamp.time), is_stale(receiver_.state()) ? "STALE: " : "",
                     core::name(state.phase), core::name(state.reason), cell(degrees(state.roll_angle_rad)),
                     cell(degrees(state.roll_rate_rad_s)), cell(degrees(state.command_rad)),
