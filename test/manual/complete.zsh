@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# Prints what zsh offers at the end of $COMPLETE_LINE, one word a line, folders without a slash. A second zsh, in a terminal
+# of its own, is sent the line and the key.
+zmodload zsh/zpty
+zpty shell zsh -f -i
+zpty -w shell "PS1='' fpath=(\$COMPLETIONS \$fpath)"
+zpty -w shell 'stty -echo; autoload -Uz compinit; compinit -D -u'
+# Instead of a menu: each match between two marks.
+zpty -w shell 'show() { compadd() { local -a hits; builtin compadd -O hits "$@"; print -rl -- "offered "$^hits; builtin compadd "$@" }; _main_complete; unfunction compadd; print -r END }'
+zpty -w shell 'zle -C show complete-word show; bindkey "^I" show; print -r READY'
+local text
+zpty -r shell text '*READY*READY*'
+zpty -w -n shell "$COMPLETE_LINE"$'\t'
+zpty -r shell text '*END*'
+print -r -- "$text" | tr -d '\r' | sed -n 's/^.*offered //p' | sed 's|/$||'
+zpty -d shell
