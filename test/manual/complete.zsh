@@ -7,9 +7,9 @@ zpty -w shell "PS1='' fpath=(\$COMPLETIONS \$fpath)"
 zpty -w shell 'stty -echo; autoload -Uz compinit; compinit -D -u'
 # Instead of a menu: each match between two marks.
 zpty -w shell 'show() { compadd() { local -a hits; builtin compadd -O hits "$@"; print -rl -- "offered "$^hits; builtin compadd "$@" }; _main_complete; unfunction compadd; print -r END }'
-zpty -w shell 'zle -C show complete-word show; bindkey "^I" show; print -r READY'
+zpty -w shell 'zle -C show complete-word show; bindkey "^I" show; print -r RE""ADY'
 local text
-zpty -r shell text '*READY*READY*'
+zpty -r shell text '*READY*' # not what is typed, which has quotes in it
 zpty -w -n shell "$COMPLETE_LINE"$'\t'
 zpty -r shell text '*END*'
 print -r -- "$text" | tr -d '\r' | sed -n 's/^.*offered //p' | sed 's|/$||'

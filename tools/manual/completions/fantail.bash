@@ -29,11 +29,14 @@ _fantail() {
     [[ $word != *[=:] ]] || compopt -o nospace
   done
   case ${answer[0]} in
-    files | folders)
-      local kind=-f
-      [ "${answer[0]}" = files ] || kind=-d
-      compopt -o filenames
-      mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen "$kind" -- "${begun#"$kept"}")
+    # What bash does itself where it found nothing: a name in quotes.
+    files)
+      compopt -o filenames -o default
+      mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "${begun#"$kept"}")
+      ;;
+    folders)
+      compopt -o filenames -o dirnames
+      mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -d -- "${begun#"$kept"}")
       ;;
   esac
 }
