@@ -50,6 +50,16 @@ TEST(CommandPage, ShowsArgumentsInTheSynopsis) {
   EXPECT_THAT(text, HasSubstr("\\fBfantail fly\\fR [\\fIoptions\\fR] \\fIA\\fR [\\fIB\\fR ...]\n"));
 }
 
+TEST(CommandPage, ShowsInTheSynopsisWhichOptionsAreRequired) {
+  const Option can{.names = {"-c", "--can"}, .value = "IF", .required = true};
+  const std::string text = page(
+      {.name = "fantail bench",
+       .meaning = "Check",
+       .commands = {{.name = "fantail bench watch", .options = {can}}, {.name = "fantail bench arm", .options = {can}}},
+       .needs_command = true});
+  EXPECT_THAT(text, HasSubstr("\\fBfantail bench watch\\fR \\fB\\-\\-can\\fR \\fIIF\\fR [\\fIoptions\\fR]\n.br\n"));
+}
+
 TEST(CommandPage, HasASectionForEachVerbOfTheCommand) {
   const Command watch{.name = "fantail bench watch",
                       .meaning = "Look",

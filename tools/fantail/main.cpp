@@ -70,7 +70,7 @@ fantail::manual::Command command() {
       .options = {{.names = {"-h", "--help"}, .meaning = "Print this; fantail VERB --help is about one verb"},
                   {.names = {"--version"}, .meaning = "Print the version"}},
       .needs_command = true,
-      .notes = examples};
+      .notes = description + std::string{examples}};
   for (const auto& verb : verb_table) {
     program.commands.push_back({.name = "fantail " + std::string{verb.name}, .meaning = std::string{verb.meaning}});
   }

@@ -63,7 +63,13 @@ std::string option_item(const Option& option) {
 }
 
 std::string synopsis(const Command& command) {
-  std::string line = bold(command.name) + " [" + italic("options") + "]";
+  std::string line = bold(command.name);
+  for (const Option& option : command.options) {
+    if (option.required) {
+      line.append(" ").append(bold(option.names.back())).append(" ").append(value_text(option));
+    }
+  }
+  line += " [" + italic("options") + "]";
   for (const Option& argument : command.arguments) {
     const std::string name = italic(argument.names.front()) + (argument.repeated ? " ..." : "");
     line += argument.required ? " " + name : " [" + name + "]";
@@ -75,14 +81,14 @@ std::string synopsis(const Command& command) {
 bool has_page_here(const Command& inner) { return !inner.options.empty(); }
 
 std::string synopses(const Command& command) {
-  std::string text = command.needs_command ? "" : paragraph(synopsis(command));
+  std::string lines = command.needs_command ? "" : synopsis(command);
   for (const Command& inner : command.commands) {
     if (!has_page_here(inner)) {
       return paragraph(bold(command.name) + " " + italic("verb") + " [" + italic("options") + "]");
     }
-    text += paragraph(synopsis(inner));
+    lines += (lines.empty() ? "" : "\n.br\n") + synopsis(inner);
   }
-  return text;
+  return paragraph(lines);
 }
 
 std::string verbs(const Command& command) {
@@ -145,6 +151,11 @@ std::string paragraphs(const std::vector<std::string>& texts) {
   return result;
 }
 
+std::string as_sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
 /// As whatis(1) has it: the first letter small, but for an abbreviation.
 std::string as_name_line(std::string text) {
   if (text.size() > 1 && std::isupper(static_cast<unsigned char>(text[1])) == 0) {
@@ -158,7 +169,7 @@ std::string as_name_line(std::string text) {
 std::string command_page(const Command& command, const Title& title, std::span<const ExitCode> codes) {
   const Notes notes = notes_of(command.notes);
   std::string page = beginning(title, as_name_line(command.meaning)) + section("SYNOPSIS", synopses(command));
-  page += heading("DESCRIPTION") + paragraph(sentence(command.meaning + ".")) + paragraphs(notes.sentences);
+  page += heading("DESCRIPTION") + paragraph(sentence(as_sentence(command.meaning))) + paragraphs(notes.sentences);
   page += section("VERBS", verbs(command)) + section("OPTIONS OF EVERY VERB", common_options(command));
   page += section("OPTIONS", options(command, command));
   for (const Command& inner : command.commands) {
@@ -167,7 +178,7 @@ std::string command_page(const Command& command, const Title& title, std::span<c
     }
     const Notes own = notes_of(inner.notes);
     page += heading(inner.name.substr(inner.name.find(' ') + 1));
-    page += paragraph(sentence(inner.meaning + ".")) + paragraphs(own.sentences) + paragraphs(own.exits);
+    page += paragraph(sentence(as_sentence(inner.meaning))) + paragraphs(own.sentences) + paragraphs(own.exits);
     page += options(inner, command);
     if (!own.examples.empty()) {
       page += subheading("Examples") + examples(own);

@@ -23,7 +23,7 @@ std::uint32_t code_point(std::string_view text, std::size_t& bytes) {
 }
 
 /// A line that begins with one of these would be an instruction.
-std::string safe_line(std::string line) {
+std::string safe_line(const std::string& line) {
   return line.starts_with('.') || line.starts_with('\'') ? "\\&" + line : line;
 }
 
