@@ -3,8 +3,9 @@
 # of its own, is sent the line and the key.
 zmodload zsh/zpty
 zpty shell zsh -f -i
-zpty -w shell "PS1='' fpath=(\$COMPLETIONS \$fpath)"
-zpty -w shell 'stty -echo; autoload -Uz compinit; compinit -D -u'
+# Without what other packages have for zsh; zsh's own is listed once, in a file.
+zpty -w shell "PS1='' fpath=(\$COMPLETIONS \${fpath:#*vendor*})"
+zpty -w shell 'stty -echo; autoload -Uz compinit; compinit -C -d $HOME/listed'
 # Instead of a menu: each match between two marks.
 zpty -w shell 'show() { compadd() { local -a hits; builtin compadd -O hits "$@"; print -rl -- "offered "$^hits; builtin compadd "$@" }; _main_complete; unfunction compadd; print -r END }'
 zpty -w shell 'zle -C show complete-word show; bindkey "^I" show; print -r RE""ADY'

@@ -5,6 +5,8 @@
 set -eu
 shell=$1 source=$2 build=$3
 tests=$source/test/manual
+alone=""
+[ "$shell" != fish ] || alone=--no-config # without what other packages have for fish
 command -v "$shell" >/dev/null || { echo "$shell is not installed" && exit 77; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -18,7 +20,8 @@ touch flown.ftl
 offers() {
   COMPLETE_LINE=$1
   shift
-  "$shell" "$tests/complete.$shell" >"$work/offered" 2>&1
+  # shellcheck disable=SC2086 # one word or nothing
+  "$shell" $alone "$tests/complete.$shell" >"$work/offered" 2>&1
   for word in "$@"; do
     case $word in
       !*) ! grep -qxF -e "${word#!}" "$work/offered" ;;
