@@ -17,7 +17,12 @@ install(DIRECTORY sim/scenarios sim/vehicles sim/motors sim/tunnel_results DESTI
 install(DIRECTORY firmware/plans DESTINATION ${data}/firmware COMPONENT runtime)
 install(FILES firmware/protocol/canard_bus.dbc DESTINATION ${data} COMPONENT runtime)
 install(DIRECTORY tools/telemetry/types/ DESTINATION ${data}/lcm COMPONENT runtime)
-install(FILES docs/fantail.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT runtime)
+# The pages are made by the target `manual`; what completes in a shell asks the installed program.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT runtime)
+set(completions tools/manual/completions)
+install(FILES ${completions}/fantail.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME fantail COMPONENT runtime)
+install(FILES ${completions}/_fantail DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT runtime)
+install(FILES ${completions}/fantail.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT runtime)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(FILES third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}/uplot COMPONENT runtime)
 

@@ -22,6 +22,7 @@ set(FANTAIL_LAYERS
   "tools/text||fmt/"
   "tools/table_file|text|fmt/"
   "tools/json||fmt/"
+  "tools/manual|text|fmt/"
   "tools/linear||Eigen/"
   "tools/page|text json|fmt/"
   "tools/input|core sim text|fmt/"
@@ -57,7 +58,7 @@ set(FANTAIL_LAYERS
   "tools/detection|core sim text json page input campaign|fmt/"
   "tools/faults|core sim text json page input campaign|fmt/"
   "tools/playground|core sim text json input flight report fly|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "tools/fantail|core protocol avionics hal/linux sim text json manual page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.

@@ -23,7 +23,17 @@ cd "$work"
 for verb in $("$build/fantail" --help | sed -n '/^Verbs:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
   "$prefix/bin/fantail" "$verb" --help >help.txt || fail "fantail $verb is not installed"
   grep -q "^Usage: fantail $verb" help.txt || fail "fantail $verb --help speaks of something else"
-  grep -qx ".B $verb" "$prefix/share/man/man1/fantail.1" || fail "the man page does not know $verb"
+  [ -s "$prefix/share/man/man1/fantail-$verb.1" ] || fail "there is no man page of $verb"
+done
+for page in man1/fantail.1 man5/fantail.toml.5 man5/flight.ftl.5; do
+  [ -s "$prefix/share/man/$page" ] || fail "there is no man page $page"
+done
+# A shell that completes is told the names that are installed.
+mv "$prefix/share/fantail/sim/scenarios/tunnel_steps.toml" "$prefix/share/fantail/sim/scenarios/tunnel_mine.toml"
+"$prefix/bin/fantail" --complete fly tunnel_ >words.txt
+grep -qx tunnel_mine words.txt && ! grep -qx tunnel_steps words.txt || fail "completed are other names than the installed: $(cat words.txt)"
+for file in bash-completion/completions/fantail zsh/site-functions/_fantail fish/vendor_completions.d/fantail.fish; do
+  grep -q -e --complete "$prefix/share/$file" || fail "$file is not installed"
 done
 rm "$prefix/libexec/fantail/fantail-paper"
 code=0

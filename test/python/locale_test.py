@@ -2,6 +2,7 @@
 """Numbers keep their point where a program round the package has set a locale with a decimal comma."""
 
 import os
+import pathlib
 import subprocess
 import sys
 
@@ -23,9 +24,11 @@ print(flight.verdict)
 
 @pytest.fixture(scope="module")
 def german(tmp_path_factory):
+    if not pathlib.Path("/usr/share/i18n/locales/de_DE").exists():
+        pytest.skip("no locales to make one of (package locales)")
     folder = tmp_path_factory.mktemp("locales")
     made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE.UTF-8")], capture_output=True, text=True)
-    assert made.returncode in (0, 1), made.stderr + " (package locales)"  # 1: with warnings
+    assert made.returncode in (0, 1), made.stderr  # 1: with warnings
     return {**os.environ, "LOCPATH": str(folder)}
 
 

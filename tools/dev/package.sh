@@ -17,7 +17,7 @@ package() {
   version=$(project_version)
   epoch=$(git log -1 --format=%ct)
   arm_build "the flight image" fantail-stm32f405
-  host_build "every verb" verbs
+  host_build "every verb" verbs manual
   debian_documents "$version" "$epoch"
   rm -rf build/packages
   # CPack says a line for each step; they are of interest when one fails.

@@ -4,7 +4,7 @@
 
 fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin libcpp-httplib-dev libzip-dev libpugixml-dev"
 can_packages="user-mode-linux busybox-static can-utils iproute2"
-test_packages="$fly_packages $can_packages libgtest-dev libgmock-dev librapidcheck-dev python3-venv python3-dev"
+test_packages="$fly_packages $can_packages libgtest-dev libgmock-dev librapidcheck-dev mandoc python3-venv python3-dev"
 firmware_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib libeigen3-dev cmake ninja-build git python3"
 arm_packages="$firmware_packages qemu-system-arm googletest"
 flash_packages="openocd stlink-tools dfu-util stm32flash"
@@ -18,9 +18,10 @@ browser_packages="chromium chromium-driver poppler-utils"
 card_packages="librsvg2-bin fonts-dejavu-core"
 playground_packages="$fly_packages clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
 package_packages="$fly_packages $firmware_packages dpkg-dev lintian"
+shell_packages="zsh fish"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
-all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages $card_packages $playground_packages nodejs"
+all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages $card_packages $playground_packages $shell_packages locales nodejs"
 
 system_name() {
   # shellcheck disable=SC1091

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/offers.hpp"
 #include "input/document.hpp"
 #include "input/messages.hpp"
 #include "input/shipped.hpp"
@@ -50,6 +51,7 @@ void add_airframe_options(const Verb& verb, AirframeOptions& options) {
   verb.option(
           "--vehicle", options.vehicle,
           "Vehicle with inertia and reference area: a shipped name or a path [the one in the flight's summary.json]")
+      .offers(shipped(input::Shipped::vehicle))
       .value_name("NAME|FILE");
   verb.option("--inertia", options.inertia_kg_m2, "Roll moment of inertia, instead of the vehicle's")
       .check(within(1e-9, 1e6))

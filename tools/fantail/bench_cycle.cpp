@@ -15,11 +15,13 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
+#include "input/shipped.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
 
@@ -150,9 +152,12 @@ void add_bench_cycle(const Verb& bench) {
       .show_default();
   verb.option("--vehicle", options->vehicle,
               "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
+      .offers(shipped(input::Shipped::vehicle))
       .value_name("FILE");
-  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path").value_name("PLAN");
-  verb.option("--out", options->out, "Folder for cycle.json and cycle.csv [out/cycle]");
+  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
+      .offers(shipped(input::Shipped::plan))
+      .value_name("PLAN");
+  verb.option("--out", options->out, "Folder for cycle.json and cycle.csv [out/cycle]").offers(folders);
   verb.examples(
       "Examples:\n"
       "  fantail bench cycle --can can0 --vehicle my_rocket.toml   ten minutes; exit code 1 when something fails\n"

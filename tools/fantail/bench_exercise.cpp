@@ -17,11 +17,13 @@
 #include "fantail/bench_page.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
+#include "input/shipped.hpp"
 #include "link/session.hpp"
 #include "text/output_folder.hpp"
 
@@ -123,10 +125,13 @@ Verb add(const Verb& bench, const char* name, const char* meaning, const std::sh
   add_bench_options(verb, options->bench, "Print sheet.json instead of the text");
   verb.option("--vehicle", options->vehicle,
               "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
+      .offers(shipped(input::Shipped::vehicle))
       .value_name("FILE");
-  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path").value_name("PLAN");
+  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
+      .offers(shipped(input::Shipped::plan))
+      .value_name("PLAN");
   add_page_options(verb, options->page, "the canards and the sheet, which fills while they move,");
-  verb.option("--out", options->out, "Folder for sheet.html, sheet.json and sheet.csv [out/bench]");
+  verb.option("--out", options->out, "Folder for sheet.html, sheet.json and sheet.csv [out/bench]").offers(folders);
   verb.action([options, make] { exercise(*options, make); });
   return verb;
 }

@@ -15,6 +15,7 @@
 #include "fantail/flight_files.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/line_input.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
@@ -214,7 +215,9 @@ void add_bench_log(const Verb& bench) {
   auto verb = bench.verb("log", "Download the recorded flights, and erase them if asked to");
   auto options = std::make_shared<LogOptions>();
   add_bench_options(verb, options->bench, "Print one JSON object; the question goes to standard error");
-  verb.option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]").value_name("DIR");
+  verb.option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]")
+      .offers(folders)
+      .value_name("DIR");
   auto flight =
       verb.option("--flight", options->flight, "Only this one, numbered as in --list").range(1, 9999).value_name("N");
   auto list_flag = verb.flag("--list", options->list, "List what is recorded, and download nothing");

@@ -11,6 +11,7 @@
 
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -93,6 +94,11 @@ void add_bench_plan(const Verb& bench) {
           "PLAN", options->plan,
           "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl); or the word show, which reads "
           "the plan in force back and prints it as a plan file")
+      .offers([](std::string_view begun) {
+        manual::Offer offer = shipped(input::Shipped::plan)(begun);
+        offer.words.emplace_back("show");
+        return offer;
+      })
       .required();
   add_bench_options(verb, options->bench, "Print one JSON object");
   verb.examples(

@@ -15,11 +15,13 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
+#include "input/shipped.hpp"
 #include "link/plan_reader.hpp"
 #include "text/output_folder.hpp"
 
@@ -154,8 +156,11 @@ void add_bench_zero(const Verb& bench) {
       bench.verb("zero", "Centre and scale of each canard against its encoder; writes them into a new plan file");
   auto options = std::make_shared<ZeroOptions>();
   add_bench_options(verb, options->bench, "Print one JSON object");
-  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path").value_name("PLAN");
+  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
+      .offers(shipped(input::Shipped::plan))
+      .value_name("PLAN");
   verb.option("--write", options->write, "New plan file: the plan in force with the measured values")
+      .offers(files)
       .value_name("FILE");
   verb.option("--trust", options->trusted, "Which one stands right at the centre: then the other one is corrected")
       .one_of({"encoder", "servo"})

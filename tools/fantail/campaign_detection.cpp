@@ -17,11 +17,13 @@
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
+#include "input/shipped.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 
@@ -189,6 +191,7 @@ void fill_detection(const Verb& verb) {
           "A shipped plan, a plan file, or published_launch2; may be given again [all shipped launch plans, and the "
           "second launch's rule as printed; of these, judged are those that ask two accelerometers]. One that is named "
           "is judged, but for published_launch2")
+      .offers(shipped(input::Shipped::plan))
       .one_word_each_time();
   verb.option("--kind", options->kinds, "Only this kind of event; may be given again [all]")
       .one_word_each_time()
@@ -221,6 +224,7 @@ void fill_detection(const Verb& verb) {
           "--out", options->out,
           "Folder for detection.html, summary.json and parts.jsonl [out/campaign/detection, with what was changed in "
           "the name]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print summary.json instead of the text").excludes(event);
   verb.examples(

@@ -13,6 +13,7 @@
 #include "avionics/identity.hpp"
 #include "campaign/setup.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -192,6 +193,7 @@ void fill_faults(const Verb& verb) {
           "--out", options->out,
           "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "
           "changed in the name]")
+      .offers(folders)
       .check(objection_to_folder);
   auto json = verb.flag("--json", options->json, "Print summary.json instead of the text; of one run, what it came to");
   auto list = verb.flag("--list", options->list, "Say which devices and faults there are, and fly nothing");

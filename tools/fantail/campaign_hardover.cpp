@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -108,6 +109,7 @@ void fill_hardover(const Verb& verb) {
   verb.option("--threads", options->study.threads, "How many to fly at once [as many as the machine can]")
       .range(1, 1024);
   verb.option("--out", options->out, "Folder for hardover.html and hardover.json [out/hardover/SCENARIO]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print hardover.json instead of the text");
   verb.examples(

@@ -2,6 +2,8 @@
 #include "fantail/command_line.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +19,18 @@
 
 namespace fantail::tool {
 namespace {
+
+/// What CLI11 has no place for.
+struct Declared {
+  std::string allowed{};
+  std::vector<std::string> words{};
+  manual::Offering offering{};
+};
+
+Declared& declared(const CLI::Option* option) {
+  static std::map<const CLI::Option*, Declared> all;
+  return all[option];
+}
 
 const CLI::App& innermost(const CLI::App& app) {
   const auto parsed = app.get_subcommands();
@@ -72,22 +86,82 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
 // What every verb has.
 void add_color(CLI::App& app) {
   for (CLI::App* verb : app.get_subcommands(nullptr)) {
-    verb->add_option_function<std::string>("--color", set_color,
-                                           "Colours, or none; auto: on a terminal, without NO_COLOR")
-        ->type_name("auto|always|never")
-        ->check(CLI::IsMember(std::vector<std::string>{"auto", "always", "never"}));
+    Option{verb->add_option_function<std::string>("--color", set_color,
+                                                  "Colours, or none; auto: on a terminal, without NO_COLOR")}
+        .value_name("auto|always|never")
+        .one_of({"auto", "always", "never"});
     add_color(*verb);
   }
 }
 
+std::unique_ptr<CLI::App> program_with(const std::string& name, const std::string& meaning,
+                                       void (*fill)(const Verb& verb)) {
+  auto program = std::make_unique<CLI::App>("", "fantail");
+  program->require_subcommand(1);
+  fill(Verb{program->add_subcommand(name, meaning)});
+  add_color(*program);
+  return program;
+}
+
+manual::Option described(const CLI::Option& option) {
+  const Declared& more = declared(&option);
+  manual::Option result{.allowed = more.allowed,
+                        .usual = option.get_default_str(),
+                        .meaning = option.get_description(),
+                        .words = more.words,
+                        .required = option.get_required(),
+                        .repeated = option.get_expected_max() == CLI::detail::expected_max_vector_size,
+                        .offering = more.offering};
+  for (const std::string& name : option.get_snames()) {
+    result.names.push_back("-" + name);
+  }
+  for (const std::string& name : option.get_lnames()) {
+    result.names.push_back("--" + name);
+  }
+  if (option.get_positional()) {
+    result.names = {option.get_name(true)};
+  }
+  if (option.get_type_size() != 0) {
+    result.value = option.get_type_name();
+    if (!more.allowed.empty()) {  // CLI11 has put it there
+      result.value.resize(result.value.size() - more.allowed.size() - 1);
+    }
+  }
+  for (const CLI::Option* other : option.get_needs()) {
+    result.needs.push_back(other->get_name());
+  }
+  for (const CLI::Option* other : option.get_excludes()) {
+    result.excludes.push_back(other->get_name());
+  }
+  std::ranges::sort(result.excludes);  // CLI11 has them in the order of their addresses
+  return result;
+}
+
+manual::Command described(const CLI::App& verb, const std::string& before) {
+  manual::Command command{.name = before + " " + verb.get_name(),
+                          .meaning = verb.get_description(),
+                          .needs_command = verb.get_require_subcommand_min() > 0,
+                          .notes = verb.get_footer()};
+  for (const CLI::Option* option : verb.get_options()) {
+    (option->get_positional() ? command.arguments : command.options).push_back(described(*option));
+  }
+  for (const CLI::App* inner : verb.get_subcommands(nullptr)) {
+    command.commands.push_back(described(*inner, command.name));
+  }
+  return command;
+}
+
 }  // namespace
+
+manual::Command command_of(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb)) {
+  const std::unique_ptr<CLI::App> program = program_with(name, meaning, fill);
+  return described(*program->get_subcommand(name), program->get_name());
+}
 
 void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
                        std::vector<std::string> words) {
-  CLI::App program{"", "fantail"};
-  program.require_subcommand(1);
-  fill(Verb{program.add_subcommand(name, meaning)});
-  add_color(program);
+  const std::unique_ptr<CLI::App> owner = program_with(name, meaning, fill);
+  CLI::App& program = *owner;
   // CLI11 takes the words from behind.
   std::ranges::reverse(words);
   words.push_back(name);
@@ -118,13 +192,22 @@ Option& Option::check(const Objection& objection) {
 
 // CLI11's own Range lets NaN through.
 Option& Option::range(double low, double high) {
-  option_->check(CLI::Validator{within(low, high),
-                                fmt::format("from {} to {}", input::plain_number(low), input::plain_number(high))});
+  std::string& allowed = declared(option_).allowed;
+  allowed = fmt::format("from {} to {}", input::plain_number(low), input::plain_number(high));
+  option_->check(CLI::Validator{within(low, high), allowed});
   return *this;
 }
 
 Option& Option::one_of(std::initializer_list<const char*> words) {
-  option_->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
+  Declared& more = declared(option_);
+  more.words.assign(words.begin(), words.end());
+  more.allowed = CLI::detail::generate_set(more.words);
+  option_->check(CLI::IsMember(more.words));
+  return *this;
+}
+
+Option& Option::offers(manual::Offering offering) {
+  declared(option_).offering = std::move(offering);
   return *this;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "manual/command.hpp"
 #include "text/error.hpp"
 
 // CLI11 stands behind this file: its headers take five seconds to compile, and every verb would pay them.
@@ -33,6 +34,8 @@ class Option {
   Option& check(const Objection& objection);
   Option& range(double low, double high);
   Option& one_of(std::initializer_list<const char*> words);
+  /// What a shell may offer for the value; the words of one_of() it does without.
+  Option& offers(manual::Offering offering);
   /// What stands for the value in the help: KG_M2.
   Option& value_name(const std::string& name);
   /// The help shows the value that the variable has now.
@@ -70,6 +73,10 @@ class Verb {
  private:
   CLI::App* app_;
 };
+
+/// What `fill` describes, for the manual and for shells.
+[[nodiscard]] manual::Command command_of(const std::string& name, const std::string& meaning,
+                                         void (*fill)(const Verb& verb));
 
 /// Reads the words behind a verb's name and does what `fill` has described; for --help, prints it. Throws UsageError,
 /// and what the verb's action throws.

@@ -8,6 +8,7 @@
 
 #include "avionics/identity.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "hil/emulator.hpp"
 #include "hil/wire.hpp"
 
@@ -38,9 +39,11 @@ void add_flight_computer_options(const Verb& verb, FlightComputerOptions& option
   verb.option("--on", options.on,
               "Where the avionics runs: host (in this program), emulator (the ARM image on an emulated Cortex-M4), "
               "serial:DEVICE (a board on a serial line) [host]")
+      .offers([](std::string_view /*begun*/) { return manual::Offer{.words = {"host", "emulator", "serial:"}}; })
       .check(objection_to_place)
       .value_name("PLACE");
   verb.option("--image", options.image, "The image for the emulator [fantail-emulator.elf of the last build]")
+      .offers(files)
       .value_name("FILE");
 }
 

@@ -2,6 +2,7 @@
 #include "fantail/identify_options.hpp"
 
 #include "core/flight_plan_fields.hpp"
+#include "fantail/offers.hpp"
 #include "identify/choices.hpp"
 #include "input/document.hpp"
 #include "input/plan_file.hpp"
@@ -21,6 +22,7 @@ void add_reading(const Verb& verb, IdentifyOptions& o) {
   verb.option("DATA", o.data,
               "A CSV, MAT or Parquet file, a flight log (.ftl), or a folder that `fantail fly` wrote; several with "
               "--shared")
+      .offers(files)
       .required();
   auto shared =
       verb.option(
@@ -30,6 +32,7 @@ void add_reading(const Verb& verb, IdentifyOptions& o) {
   verb.option("--validate", o.validate,
               "Hold the model of an earlier identification against this log: its alpha and beta, a disturbance of this "
               "log's own [into out/validate/DATA]")
+      .offers(files)
       .value_name("FOLDER|FILE")
       .excludes(shared);
   add_log_options(verb, o.log);
@@ -83,9 +86,10 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
       .one_of({"open", "closed"})
       .show_default();
   verb.option(
-      "--plan", o.plan,
-      "Closed loop: gains, their schedule and limit of a shipped plan or a path [the plan in the flight log, if "
-      "DATA is or holds one]");
+          "--plan", o.plan,
+          "Closed loop: gains, their schedule and limit of a shipped plan or a path [the plan in the flight log, if "
+          "DATA is or holds one]")
+      .offers(shipped(input::Shipped::plan));
   verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
   verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
   verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
@@ -153,6 +157,7 @@ void add_identify_options(const Verb& verb, IdentifyOptions& options) {
   verb.option("--out", options.out,
               "Folder for report.html, model.csv and identification.json [out/identify/DATA, with "
               "several A+B]")
+      .offers(folders)
       .check(objection_to_folder);
 }
 

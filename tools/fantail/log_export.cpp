@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include "fantail/command_line.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
 #include "flight_log/flight_log.hpp"
@@ -26,7 +26,6 @@
 #include "log_export/replayed_flight.hpp"
 #include "telemetry/type_texts.hpp"
 #include "text/error.hpp"
-#include "text/number.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
@@ -268,7 +267,7 @@ void export_log(const ExportOptions& options) {
 void add_log_export(const Verb& log) {
   auto verb = log.verb("export", "A flight log as a file that other programs read");
   auto options = std::make_shared<ExportOptions>();
-  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
+  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").offers(files).required();
   verb.option("--to", options->format,
               "csv: flight.csv. mat: for MATLAB, Octave and SciPy. parquet: for pandas and DuckDB. mcap: for "
               "Foxglove. ulog: for PlotJuggler. lcm: for lcm-logplayer. candump: the bus as it was, for canplayer and "
@@ -277,6 +276,7 @@ void add_log_export(const Verb& log) {
       .one_of({"csv", "mat", "parquet", "mcap", "ulog", "lcm", "candump", "json"})
       .value_name("csv|mat|parquet|mcap|ulog|lcm|candump|json");
   verb.option("--out", options->out, "The file; - is standard output [out/export/NAME.ENDING]")
+      .offers(files)
       .check(objection_to_file);
   verb.option("--fields", options->fields,
               "Only these, with commas between; an unknown name lists all [csv: those of flight.csv; others: all]")

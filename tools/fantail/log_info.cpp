@@ -8,6 +8,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -89,7 +90,7 @@ FlightInfo flight_info(const flight_log::Flight& flight) {
 void add_log_info(const Verb& log) {
   auto verb = log.verb("info", "What a flight log holds, whether it is intact, and whether a replay agrees");
   auto options = std::make_shared<InfoOptions>();
-  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
+  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").offers(files).required();
   add_flight_choice(verb, options->flight, " [all]");
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(

@@ -2,20 +2,26 @@
 // The program `fantail` itself: finds the program of a verb and becomes it.
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include "fantail/exit_codes.hpp"
+#include "fantail/program_page.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verb_table.hpp"
 #include "input/messages.hpp"
+#include "manual/command.hpp"
+#include "manual/completion.hpp"
 
 namespace {
 
@@ -24,16 +30,52 @@ using fantail::tool::say;
 using fantail::tool::show;
 using fantail::tool::verb_table;
 
+constexpr const char* meaning = "roll control for sounding rockets, from the wind tunnel to flight";
+constexpr const char* description =
+    "It flies sounding rockets with roll canards in a simulated world, through the control code of the real avionics; "
+    "checks the canards of a rocket over CAN; makes a roll model of tunnel and flight logs, and predicts the next "
+    "flight with it.\n"
+    "Each verb explains itself, with examples, when it is given `--help`, and has a page of its own in this manual: "
+    "`man fantail-fly`.\n\n";
 constexpr const char* examples =
     "Examples:\n"
     "  fantail fly                          the second launch of Tasha III, with a report\n"
     "  fantail fly tunnel_steps --json      the wind-tunnel runs, for a script\n"
     "  fantail plan show tasha3_launch2     every number a rocket is loaded with\n"
     "  fantail predict tasha3_launch1       what a tunnel would have said of it: no go, and why\n"
-    "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n"
-    "\n"
-    "Exit codes: 0 done, 1 a requirement was not met, 64 usage, 65 bad data, 66 no such input, 69 not installed,\n"
-    "  70 internal error, 74 input/output, 78 bad configuration, 130 interrupted\n";
+    "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n";
+
+std::string list_of_exit_codes() {
+  constexpr std::size_t widest = 110;
+  std::string text = "Exit codes: ";
+  std::size_t begin = 0;  // of the last line
+  for (const fantail::manual::ExitCode& code : fantail::tool::exit_codes) {
+    const std::string entry =
+        fmt::format("{} {}{}", code.code, code.meaning, &code == &fantail::tool::exit_codes.back() ? "\n" : ", ");
+    if (text.size() - begin + entry.size() > widest) {
+      text.back() = '\n';
+      begin = text.size();
+      text += "  ";
+    }
+    text += entry;
+  }
+  return text;
+}
+
+/// This program as shells and the manual see it. Which options a verb has, the verb's own program says.
+fantail::manual::Command command() {
+  fantail::manual::Command program{
+      .name = "fantail",
+      .meaning = meaning,
+      .options = {{.names = {"-h", "--help"}, .meaning = "Print this; fantail VERB --help is about one verb"},
+                  {.names = {"--version"}, .meaning = "Print the version"}},
+      .needs_command = true,
+      .notes = description + std::string{examples}};
+  for (const auto& verb : verb_table) {
+    program.commands.push_back({.name = "fantail " + std::string{verb.name}, .meaning = std::string{verb.meaning}});
+  }
+  return program;
+}
 
 ExitCode printed() {
   if (fantail::tool::output_was_taken()) {
@@ -45,15 +87,16 @@ ExitCode printed() {
 
 ExitCode help() {
   show(
-      "Fantail: roll control for sounding rockets, from the wind tunnel to flight\n"
+      "Fantail: {}\n"
       "Usage: fantail VERB ...\n\n"
       "  -h,--help    Print this; fantail VERB --help is about one verb\n"
       "  --version    Print the version\n\n"
-      "Verbs:\n");
+      "Verbs:\n",
+      meaning);
   for (const auto& verb : verb_table) {
     show("  {:<10} {}\n", verb.name, verb.meaning);
   }
-  show("\n{}", examples);
+  show("\n{}\n{}", examples, list_of_exit_codes());
   return printed();
 }
 
@@ -94,6 +137,28 @@ ExitCode become(const std::string& verb, char** argv) {
   return ExitCode::not_installed;
 }
 
+bool is_verb(const std::string& word) {
+  return std::ranges::find(verb_table, word, &fantail::tool::VerbEntry::name) != verb_table.end();
+}
+
+/// What no person types: `--complete WORD...` is a shell's question, which the program of a verb answers once that
+/// stands there; `--manual DATE` makes the page of the manual.
+ExitCode answer_hidden(int argc, char** argv) {
+  const std::vector<std::string> words{argv + 2, argv + argc};
+  if (words.empty()) {
+    return refuse("unknown option " + std::string{argv[1]});
+  }
+  if (argv[1] == std::string{"--manual"}) {
+    fmt::print("{}", fantail::tool::program_page(command(), words[0]));
+  } else if (words.size() > 1 && is_verb(words[0])) {
+    std::swap(argv[1], argv[2]);
+    return become(words[0], argv + 1);
+  } else {
+    fmt::print("{}", fantail::manual::completion(command(), words));
+  }
+  return printed();
+}
+
 ExitCode start(int argc, char** argv) {
   if (argc < 2) {
     return refuse("a verb is missing; allowed: " + list());
@@ -106,10 +171,13 @@ ExitCode start(int argc, char** argv) {
     show("fantail {}\n", FANTAIL_VERSION);
     return printed();
   }
+  if (word == "--complete" || word == "--manual") {
+    return answer_hidden(argc, argv);
+  }
   if (word.starts_with('-')) {
     return refuse("unknown option " + word + "; a verb comes first: " + list());
   }
-  if (std::ranges::find(verb_table, word, &fantail::tool::VerbEntry::name) == verb_table.end()) {
+  if (!is_verb(word)) {
     const auto meant = fantail::input::suggestion(word, names());
     return refuse("unknown verb \"" + word + '"' + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list()));
   }

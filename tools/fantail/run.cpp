@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -10,9 +11,13 @@
 
 #include <fmt/core.h>
 
+#include "fantail/exit_codes.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verb_table.hpp"
+#include "manual/command_page.hpp"
+#include "manual/completion.hpp"
+#include "manual/roff.hpp"
 #include "page/page.hpp"
 #include "text/error.hpp"
 #include "text/shell_word.hpp"
@@ -41,9 +46,28 @@ ExitCode code_of(text::ErrorKind kind) {
   return ExitCode::bad_configuration;
 }
 
+/// What no person types: `--complete WORD...` is a shell's question, and `--manual DATE` makes the page of the manual.
+bool answer_hidden(const VerbEntry& entry, void (*fill)(const Verb& verb), const std::vector<std::string>& words) {
+  if (words.size() < 2 || (words[0] != "--complete" && words[0] != "--manual")) {
+    return false;
+  }
+  const std::string name{entry.name};
+  const manual::Command command = command_of(name, std::string{entry.meaning}, fill);
+  if (words[0] == "--complete") {
+    fmt::print("{}", manual::completion(command, std::span{words}.subspan(1)));
+  } else {
+    const manual::Title title{.name = "fantail-" + name, .section = 1, .date = words[1], .version = FANTAIL_VERSION};
+    fmt::print("{}", manual::tidied(manual::command_page(command, title, exit_codes) +
+                                    manual::see_also({"fantail(1)", "fantail.toml(5)", "flight.ftl(5)"})));
+  }
+  return true;
+}
+
 ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const std::vector<std::string>& words) {
   try {
-    read_command_line(std::string{entry.name}, std::string{entry.meaning}, fill, words);
+    if (!answer_hidden(entry, fill, words)) {
+      read_command_line(std::string{entry.name}, std::string{entry.meaning}, fill, words);
+    }
   } catch (const text::Error& error) {
     const ExitCode code = code_of(error.kind());
     // A "no" is worth nothing to somebody who could not read it.

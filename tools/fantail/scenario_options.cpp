@@ -8,9 +8,11 @@
 
 #include <fmt/core.h>
 
+#include "fantail/offers.hpp"
 #include "fantail/standard_streams.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
+#include "input/shipped.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -44,7 +46,8 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
   auto scenario =
       verb.option("SCENARIO", options.scenario,
                   "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
-                  "to a scenario file");
+                  "to a scenario file")
+          .offers(shipped(input::Shipped::scenario));
   if (options.scenario.empty()) {
     scenario.required();
   } else {
@@ -54,6 +57,7 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
       .check(objection_to_seed)
       .value_name("NUMBER");
   verb.option("--set", options.changes, "section.key=value: change one value of plan, vehicle or scenario")
+      .offers(changes)
       .one_word_each_time();
 }
 

@@ -5,6 +5,7 @@
 
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "tunnel/flow.hpp"
@@ -39,6 +40,7 @@ void add_tunnel_flow(const Verb& tunnel) {
   auto verb = tunnel.verb("flow", "Steady speeds, turbulence, and the line of speed over fan");
   auto options = std::make_shared<FlowOptions>();
   verb.option("LOG", options->log, "A CSV with time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv")
+      .offers(files)
       .required();
   add_steady_option(verb, "--steady", options->steady,
                     "When it was steady, instead of finding out: begins in seconds, each until the fan's next set "

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "fantail/command_line.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
@@ -238,6 +239,7 @@ void add_tunnel_stability(const Verb& tunnel) {
   verb.option("LOG", options->logs,
               "Flight logs (.ftl) or folders with one, whose gyro saw the swings; or CSV files with time_s and "
               "pitch_rate_deg_s or pitch_deg")
+      .offers(files)
       .required();
   verb.option("--speeds", options->speeds, "Air speed of each swing, in their order [the tunnel.csv beside the log]")
       .check([](const std::string& text) {
@@ -253,6 +255,7 @@ void add_tunnel_stability(const Verb& tunnel) {
       .value_name("T:T,...");
   verb.option("--vehicle", options->vehicle,
               "Vehicle with mass and [airframe]: a shipped name or a path [the one in the flight's summary.json]")
+      .offers(shipped(input::Shipped::vehicle))
       .value_name("NAME|FILE");
   verb.option("--inertia", options->inertia_kg_m2, "Transverse moment of inertia, instead of the vehicle's")
       .check(within(1e-6, 1e6))

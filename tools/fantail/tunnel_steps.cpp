@@ -9,6 +9,7 @@
 #include "fantail/command_line.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "input/messages.hpp"
@@ -96,12 +97,15 @@ void steps(const StepsVerbOptions& options) {
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {
   verb.option("RUN", options.run,
               "A flight folder, a flight log (.ftl), or a CSV, MAT or Parquet file with reference_deg and canard_deg")
+      .offers(files)
       .required();
   add_airframe_options(verb, options.airframe);
   verb.option("--speed", options.speed_m_s, "Wind speed, instead of tunnel.csv's mean or the log's own")
       .check(within(0.1, 1000.0))
       .value_name("M/S");
-  verb.option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run").value_name("FILE");
+  verb.option("--wind", options.wind, "The tunnel's log, instead of the tunnel.csv beside the run")
+      .offers(files)
+      .value_name("FILE");
   auto density =
       verb.option("--density", options.density_kg_m3, "Air density [1.2]").check(within(0.01, 5.0)).value_name("KG/M3");
   verb.option("--elevation", options.elevation_m,

@@ -4,6 +4,7 @@
 
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "text/error.hpp"
@@ -66,6 +67,7 @@ void swirl(const SwirlVerbOptions& options) {
 void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {
   verb.option("--wind-" + word, options.wind,
               "The tunnel's log of that session, instead of the tunnel.csv beside it or the log's own speeds")
+      .offers(files)
       .value_name("FILE");
   add_steady_option(verb, "--steady-" + word, options.steady,
                     "When that session was steady, instead of finding out: begins in seconds, or begin:end");
@@ -78,8 +80,9 @@ void add_tunnel_swirl(const Verb& tunnel) {
   auto options = std::make_shared<SwirlVerbOptions>();
   verb.option("WITHOUT", options->without.roll,
               "Roll log without flow straightener: a flight folder, a flight log (.ftl), or a CSV, MAT or Parquet file")
+      .offers(files)
       .required();
-  verb.option("WITH", options->with.roll, "Roll log with flow straightener").required();
+  verb.option("WITH", options->with.roll, "Roll log with flow straightener").offers(files).required();
   add_session(verb, "without", options->without);
   add_session(verb, "with", options->with);
   verb.option("--alpha", options->swirl.alpha_m2, "Damping [mean of the published tunnel steps]")

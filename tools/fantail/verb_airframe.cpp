@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "airframe/report.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
@@ -58,10 +59,15 @@ void show_airframe(const AirframeOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<AirframeOptions>();
-  verb.option("VEHICLE", options->vehicle, "A vehicle with the section [shape]: a shipped name or a path").required();
-  verb.option("--set", options->changes, "section.key=value: change one value of the vehicle").one_word_each_time();
+  verb.option("VEHICLE", options->vehicle, "A vehicle with the section [shape]: a shipped name or a path")
+      .offers(shipped(input::Shipped::vehicle))
+      .required();
+  verb.option("--set", options->changes, "section.key=value: change one value of the vehicle")
+      .offers(changes_of_vehicle)
+      .one_word_each_time();
   verb.option("--out", options->out,
               "Folder for airframe.html and airframe.json [out/airframe/VEHICLE, with the changes' names behind it]")
+      .offers(folders)
       .check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
   verb.flag("--json", options->json, "Print airframe.json instead of the text");
   verb.examples(

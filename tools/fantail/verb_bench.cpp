@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "fantail/bench_options.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "hal/linux/can_error.hpp"
 #include "link/session.hpp"
@@ -9,7 +10,10 @@
 namespace fantail::tool {
 
 void add_bench_options(const Verb& verb, BenchOptions& options, const std::string& json_meaning) {
-  verb.option("--can", options.interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
+  verb.option("--can", options.interface, "CAN interface, for example vcan0 or can0")
+      .offers(can_interfaces)
+      .required()
+      .value_name("IF");
   verb.option("--wait", options.wait_s, "Wait so long for the avionics to speak and the rocket to be at rest")
       .range(0.0, 3600.0)
       .value_name("SECONDS");

@@ -18,6 +18,7 @@
 #include "fantail/campaign_faults.hpp"
 #include "fantail/campaign_hardover.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -189,8 +190,11 @@ void merge(const MergeOptions& options) {
 
 void fill_merge(const Verb& verb) {
   auto options = std::make_shared<MergeOptions>();
-  verb.option("SHARDS", options->shards, "The folders of all shards of one campaign, in any order").required();
+  verb.option("SHARDS", options->shards, "The folders of all shards of one campaign, in any order")
+      .offers(folders)
+      .required();
   verb.option("--out", options->out, "Folder for the whole: the same bytes as of the campaign flown as one")
+      .offers(folders)
       .required()
       .check(objection_to_folder);
   verb.examples(
@@ -232,6 +236,7 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for runs.csv.gz, campaign.json, summary.json, campaign.html and the worst runs "
               "[out/campaign/SCENARIO, with what was changed in the name]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(

@@ -11,6 +11,7 @@
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -128,7 +129,9 @@ void compare_logs(const CompareVerbOptions& options) {
 }
 
 void add_log(const Verb& verb, const std::string& name, const std::string& capital, LogChoice& choice) {
-  verb.option(capital, choice.path, "CSV, MAT or Parquet file, flight log (.ftl) or flight folder").required();
+  verb.option(capital, choice.path, "CSV, MAT or Parquet file, flight log (.ftl) or flight folder")
+      .offers(files)
+      .required();
   verb.option("--" + name, choice.motion, "Which roll motion of " + capital + ": as measured, or a simulation's truth")
       .one_of({"measured", "true"})
       .value_name("measured|true")
@@ -174,6 +177,7 @@ void fill(const Verb& verb) {
               "Largest mean difference of the rate, deg/s; else exit code 1")
       .check(objection_to_requirement);
   verb.option("--out", options->out, "Folder for compare.html, compare.json and differences.csv")
+      .offers(folders)
       .check(objection_to_folder)
       .show_default();
   verb.flag("--json", options->json, "Print compare.json instead of the text");

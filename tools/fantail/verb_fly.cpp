@@ -16,6 +16,7 @@
 #include "fantail/fly_summary.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/page_output.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -220,10 +221,12 @@ void fill(const Verb& verb) {
           "--trajectory", options->trajectory,
           "A CSV file that RocketPy or OpenRocket has exported: the rocket goes where it says, and only the roll and "
           "the avionics are simulated")
+      .offers(files)
       .value_name("FILE");
   auto campaign = verb.option("--campaign", options->campaign,
                               "Fly a run of the campaign in this folder again, as it was: SCENARIO is that of the "
-                              "campaign");
+                              "campaign")
+                      .offers(folders);
   auto run = verb.option("--run", options->run, "Which run of it, as in runs.csv, from 0 on").value_name("NUMBER");
   campaign.value_name("FOLDER").needs(run);
   run.range(0.0, 1e8 - 1.0).needs(campaign);
@@ -234,6 +237,7 @@ void fill(const Verb& verb) {
           "on the gimbal or on pins, turning.csv, and how it would have rolled without control, without_control.csv "
           "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES; of a campaign, run_NUMBER in its "
           "folder]")
+      .offers(folders)
       .check(objection_to_folder);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");

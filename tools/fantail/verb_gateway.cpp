@@ -9,6 +9,7 @@
 #include "fantail/can_place.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/page_output.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
@@ -148,7 +149,10 @@ void run(const GatewayOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<GatewayOptions>();
-  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
+  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0")
+      .offers(can_interfaces)
+      .required()
+      .value_name("IF");
   add_lcm_option(verb, options->url, "Where the messages go");
   add_page_options(verb, options->page);
   verb.option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")

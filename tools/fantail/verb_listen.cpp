@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
@@ -143,6 +144,7 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<ListenOptions>();
   verb.option("LOG", options->log,
               "A ULog (.ulg), MAT (.mat) or Parquet file (.parquet), or a CSV file of any other name")
+      .offers(files)
       .required();
   verb.option("--columns", options->columns,
               "QUANTITY=[-][SCALE*]COLUMN:UNIT for time, axial (or axial_from_rest, zero on the pad), second_axial, "
@@ -154,12 +156,15 @@ void fill(const Verb& verb) {
       .check(objection_to_map)
       .value_name("MAP");
   verb.option("--barometer", options->barometer, "A file of its own that has the height")
+      .offers(files)
       .check(objection_to_nothing)
       .value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns, "Its time, height and speed, as in --columns")
       .check(objection_to_nothing)
       .value_name("QUANTITY=COLUMN:UNIT,...");
-  verb.option("--plan", options->plan, "The flight plan: a shipped name or a path").show_default();
+  verb.option("--plan", options->plan, "The flight plan: a shipped name or a path")
+      .offers(shipped(input::Shipped::plan))
+      .show_default();
   verb.option("--longest-gap", options->longest_gap_s,
               "Longest time between two samples that a straight line bridges, s [ten usual intervals; of a log faster "
               "than 400 Hz the plan's stale time]")
@@ -172,6 +177,7 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for listen.html and listen.json [out/listen/LOG, where that has the page of another file "
               "out/listen/LOG_2, ...]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print listen.json instead of the text");
   verb.examples(

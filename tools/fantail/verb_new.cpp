@@ -14,6 +14,7 @@
 #include "airframe/new_rocket.hpp"
 #include "airframe/openrocket/read.hpp"
 #include "airframe/report.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
 #include "input/document.hpp"
@@ -213,9 +214,11 @@ void fill(const Verb& verb) {
   verb.option("NAME", options->name, "Name of the rocket, and of the folder that is made").required();
   verb.option("--from", options->from,
               "What its shape is read from: a vehicle with the section [shape], or an OpenRocket file (.ork)")
+      .offers(shipped(input::Shipped::vehicle))
       .required()
       .value_name("NAME|FILE");
   verb.option("--motor", options->motor, "Its motor, a RASP file [that of the vehicle]; a design needs it")
+      .offers(shipped(input::Shipped::motor))
       .value_name("NAME|FILE");
   verb.examples(
       "Examples:\n"

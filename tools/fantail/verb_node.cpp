@@ -13,6 +13,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/pad_script.hpp"
 #include "fantail/page_output.hpp"
 #include "fantail/run.hpp"
@@ -193,10 +194,14 @@ void run_node(const NodeOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<NodeOptions>();
   add_scenario_options(verb, options->scenario);
-  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0").required().value_name("IF");
+  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0")
+      .offers(can_interfaces)
+      .required()
+      .value_name("IF");
   verb.option("--flash", options->flash,
               "What the board keeps when it is switched off: plan, power-up count, flights "
               "[out/SCENARIO/flash.bin]")
+      .offers(files)
       .value_name("FILE");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
   add_page_options(verb, options->page);

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -73,7 +74,7 @@ void repeat_the_paper(const PaperOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<PaperOptions>();
-  verb.option("--out", options->out, "Folder for paper.html and paper.json").show_default();
+  verb.option("--out", options->out, "Folder for paper.html and paper.json").offers(folders).show_default();
   verb.flag("--json", options->json, "Print paper.json instead of the text");
   verb.examples(
       "Examples:\n"

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "core/flight_plan.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/plan_check.hpp"
 #include "fantail/plan_json.hpp"
 #include "fantail/run.hpp"
@@ -122,7 +123,9 @@ constexpr Action packing{
 Verb add(const Verb& plan_verb, const Action& action, const std::shared_ptr<PlanOptions>& options) {
   const Verb verb = plan_verb.verb(action.name, action.meaning);
   const std::string plan = "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps) or a path";
-  verb.option("PLAN", options->plan, plan + action.without).required(action.needs_plan);
+  verb.option("PLAN", options->plan, plan + action.without)
+      .offers(shipped(input::Shipped::plan))
+      .required(action.needs_plan);
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(action.examples);
   verb.action([options, act = action.act] { act(*options); });
@@ -140,9 +143,10 @@ void fill(const Verb& plan) {
   add(plan, checking, options)
       .option("--scenario", options->scenario,
               "A scenario whose rocket is to fly it: the phase margin of the loop is checked from the speed at which "
-              "control begins to top speed; below 45 degrees is a warning, an unstable loop is refused");
+              "control begins to top speed; below 45 degrees is a warning, an unstable loop is refused")
+      .offers(shipped(input::Shipped::scenario));
   add(plan, showing, options);
-  add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]");
+  add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]").offers(files);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -228,6 +229,7 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.option("--tunnel", options->tunnel,
               "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
+      .offers(shipped(input::Shipped::tunnel_result))
       .value_name("FILE");
   verb.flag("--other-vehicle", options->other_vehicle,
             "Take tunnel results that say they are of another vehicle than the scenario's");
@@ -253,6 +255,7 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO, with what was changed "
               "in the name]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print predict.json instead of the text");
   verb.examples(

@@ -11,6 +11,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -138,13 +139,15 @@ void run(const ReplayOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<ReplayOptions>();
-  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").required();
+  verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").offers(files).required();
   verb.option("--set", options->changes,
               "section.key=value: change one value of the plan and see which commands it would have given, in "
               "open loop; repeatable")
+      .offers(changes_of_plan)
       .one_word_each_time();
   add_flight_choice(verb, options->flight);
   verb.option("--out", options->out, "With --set: folder for what_if.html and what_if.csv [out/replay/NAME]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(

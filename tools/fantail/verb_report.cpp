@@ -12,6 +12,7 @@
 #include "fantail/compare_results.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -115,10 +116,11 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<ReportOptions>();
   constexpr const char* what =
       "a flight log (.ftl), a CSV, MAT or Parquet file with columns of flight.csv, or a flight folder";
-  verb.option("A", options->a, fmt::format("The flight: {}", what)).required();
-  auto b = verb.option("B", options->b, "A second flight to draw over it: the same kinds of file");
+  verb.option("A", options->a, fmt::format("The flight: {}", what)).offers(files).required();
+  auto b = verb.option("B", options->b, "A second flight to draw over it: the same kinds of file").offers(files);
   verb.option("--out", options->out,
               "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.option("--from", options->from_s, "Of two flights: start on A's clock, s").check(objection_to_time).needs(b);
   verb.option("--to", options->to_s, "Of two flights: end on A's clock, s").check(objection_to_time).needs(b);

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -191,10 +192,12 @@ void fill(const Verb& verb) {
   verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
   verb.option("--plan", options->plan,
               "The plan file to write [NAME_tuned.toml beside the old plan; for a shipped one in the working folder]")
+      .offers(files)
       .value_name("FILE");
   verb.flag("--force", options->force, "Replace a plan file that is there");
   verb.option("--out", options->out,
               "Folder for tune.html and tune.json [out/tune/SCENARIO, with what was changed in the name]")
+      .offers(folders)
       .check(objection_to_folder);
   verb.flag("--json", options->json, "Print tune.json instead of the text");
   verb.examples(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
@@ -9,6 +10,7 @@ namespace fantail::tool {
 
 void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string& default_folder) {
   verb.option("--out", output.out, "Folder for the results [" + default_folder + "]")
+      .offers(folders)
       .check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
   verb.flag("--json", output.json, "Print the JSON instead of the text");
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/program_page.hpp"
+
+#include "fantail/exit_codes.hpp"
+#include "manual/command_page.hpp"
+#include "manual/roff.hpp"
+
+namespace fantail::tool {
+
+using namespace manual;
+
+std::string program_page(const Command& program, const std::string& date) {
+  const Title title{.name = "fantail", .section = 1, .date = date, .version = FANTAIL_VERSION};
+  std::string page = command_page(program, title, exit_codes);
+  page += heading("TERMINALS");
+  page += paragraph(sentence(
+      "On a terminal lines are wrapped between words, at its width or at 120 columns, and a table that is too wide "
+      "leaves out columns and says which. Verdicts and phases, which say the same in words, are coloured where "
+      "`NO_COLOR` is unset or empty and `TERM` is not `dumb`; every verb has `--color`, which counts more. In a pipe "
+      "or a file everything is as wide as it is, and without colours unless `--color always` asks for them."));
+  page += heading("ENVIRONMENT");
+  page += item(bold("FANTAIL_DATA"),
+               roff("The folder of the shipped scenarios, vehicles, motors and plans, instead of the one that was "
+                    "installed."));
+  page += item(bold("NO_COLOR"), sentence("When it is set to anything but nothing: no colours, unless `--color always` "
+                                          "asks for them."));
+  page += heading("FILES");
+  page += item(italic("PREFIX/share/fantail"),
+               roff("Shipped scenarios, vehicles, motors and plans; the CAN database; the LCM message types."));
+  page += item(italic("PREFIX/libexec/fantail"), roff("The program of each verb."));
+  return tidied(page + see_also({"fantail-fly(1)", "fantail.toml(5)", "flight.ftl(5)"}));
+}
+
+}  // namespace fantail::tool
