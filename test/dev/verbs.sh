@@ -75,6 +75,7 @@ quick() {
   call 64 sanitize .
   call 64 gates firmware/core
   call 64 repository docs
+  call 64 package here
   call 64 prove no_such_proof
   grep -q 'no proof no_such_proof' said || { echo "FAILED: the proof that is none was not named: $(cat said)" && exit 1; }
   call 0 prove --list
