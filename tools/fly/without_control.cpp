@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fly/without_control.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "sim/world.hpp"
@@ -30,7 +28,7 @@ sim::Scenario uncontrolled(const sim::Scenario& scenario) {
 std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& scenario, const flight::Flight& flight,
                                                         const Look& look) {
   constexpr std::int64_t ticks_between_looks = 1024;
-  const std::int64_t ticks_between_points = std::max<std::int64_t>(10, std::llround(scenario.log_period_s * 1e3));
+  constexpr std::int64_t ticks_between_points = 10;  // however few rows the flight keeps: its figures do not change
   std::vector<flight::FreeRollPoint> points;
   if (!flight.events.control_start_s || scenario.surroundings == sim::Surroundings::gimbal || scenario.pin ||
       !moves_canards(scenario.plan)) {
