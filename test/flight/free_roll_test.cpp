@@ -38,7 +38,7 @@ TEST(FreeRoll, IsOnTheLineBetweenTwoPointsAndUnknownOutsideOfThem) {
   EXPECT_DOUBLE_EQ(free_roll_angle_rad(points, 3.5).value(), 1.5);
   EXPECT_DOUBLE_EQ(free_roll_angle_rad(points, 4.0).value(), 0.0);
   EXPECT_FALSE(free_roll_angle_rad(points, 0.999));
-  EXPECT_FALSE(free_roll_angle_rad(points, 6.001));
+  EXPECT_FALSE(free_roll_angle_rad(points, 4.011));
   EXPECT_FALSE(free_roll_angle_rad({}, 0.0));
 }
 

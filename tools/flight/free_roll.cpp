@@ -12,6 +12,8 @@ namespace {
 
 using Column = PointColumn<FreeRollPoint>;
 
+constexpr double between_points_s = 0.01;
+
 constexpr std::array columns{Column{"time_s", &FreeRollPoint::time_s},
                              Column{"true_roll_angle_deg", &FreeRollPoint::true_roll_angle_rad, true},
                              Column{"true_roll_rate_deg_s", &FreeRollPoint::true_roll_rate_rad_s, true}};
@@ -26,8 +28,7 @@ std::vector<FreeRollPoint> read_free_roll(const Table& table) { return read_poin
 
 std::optional<double> free_roll_angle_rad(const std::vector<FreeRollPoint>& points, double time_s) {
   const auto after = std::ranges::lower_bound(points, time_s, {}, &FreeRollPoint::time_s);
-  if (after == points.end() && points.size() > 1 &&
-      time_s - points.back().time_s < points.back().time_s - points.rbegin()[1].time_s) {
+  if (after == points.end() && !points.empty() && time_s - points.back().time_s < between_points_s) {
     return points.back().true_roll_angle_rad;  // the next point would have come later than the last row
   }
   if (after == points.end() || (after == points.begin() && after->time_s != time_s)) {
