@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What both live pages have: a connection that tries again, and columns for uPlot. Nothing goes the other way.
+// What both live pages have: a connection that tries again, columns for uPlot, and plots that fit. Nothing goes the other way.
 "use strict";
 
 // Frames of /events: take(frame) for each, lost() when the connection has gone.
@@ -28,4 +28,15 @@ function fantailAddStretch(columns, row) {
       columns[i].push(value === null ? null : value / 100);
     }
   }
+}
+
+// Builds the plots in `holder` (each then has chart and place), as wide as their places and in the colours of the screen.
+function fantailKeepPlots(holder, plots, height, build) {
+  build();
+  new ResizeObserver(() => {
+    for (const {chart, place} of plots) {
+      if (place.clientWidth > 0 && place.clientWidth !== chart.width) chart.setSize({width: place.clientWidth, height});
+    }
+  }).observe(holder);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
 }

@@ -237,13 +237,7 @@
     requestAnimationFrame(step);
   }
 
-  build();
-  new ResizeObserver(() => {
-    for (const {chart, place} of plots) {
-      if (place.clientWidth > 0 && place.clientWidth !== chart.width) chart.setSize({width: place.clientWidth, height});
-    }
-  }).observe($("plots"));
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
+  fantailKeepPlots($("plots"), plots, height, build);
   // On paper: as wide as the sheet, in its colours (panel.css, chart.css).
   for (const [when, is] of [["beforeprint", true], ["afterprint", false]]) {
     addEventListener(when, () => { document.documentElement.classList.toggle("on-paper", is); build(); });

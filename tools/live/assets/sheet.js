@@ -66,13 +66,7 @@
     requestAnimationFrame(step);
   }
 
-  build();
-  new ResizeObserver(() => {
-    for (const {chart, place} of plots) {
-      if (place.clientWidth > 0 && place.clientWidth !== chart.width) chart.setSize({width: place.clientWidth, height});
-    }
-  }).observe($("plots"));
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", build);
+  fantailKeepPlots($("plots"), plots, height, build);
   setInterval(() => {  // for who does not see the plots
     plots.forEach(({place, title}, i) => {
       const canard = now?.canards[i];
