@@ -11,6 +11,7 @@
 #include "logs/refused.hpp"
 #include "logs/roll_log.hpp"
 #include "system/folder.hpp"
+#include "text/sha256.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -19,7 +20,7 @@ using flight_log::MadeFlight;
 using test::expect_refused;
 using text::ErrorKind;
 
-std::string text(const std::vector<std::byte>& bytes) {
+std::string as_text(const std::vector<std::byte>& bytes) {
   std::string result(bytes.size(), '\0');
   std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
   return result;
@@ -32,7 +33,7 @@ class FlightFile : public testing::Test {
     std::vector<std::byte> bytes = made_.bytes;
     const auto begin = static_cast<std::ptrdiff_t>(made_.frame_ends[200]);
     std::fill(bytes.begin() + begin, bytes.begin() + static_cast<std::ptrdiff_t>(made_.frame_ends[300]), std::byte{0});
-    return text(bytes);
+    return as_text(bytes);
   }
 
   const MadeFlight made_ = flight_log::make_flight();
@@ -40,7 +41,7 @@ class FlightFile : public testing::Test {
 };
 
 TEST_F(FlightFile, AFlightLogGivesTheRollMotionOfItsReplay) {
-  const RollLog log = read_roll_log(folder_.write("flown.ftl", text(made_.bytes)), {}, {});
+  const RollLog log = read_roll_log(folder_.write("flown.ftl", as_text(made_.bytes)), {}, {});
   ASSERT_EQ(log.time_s.size(), made_.records.size());
   EXPECT_TRUE(log.warnings.empty());
   for (std::size_t i = 0; i < log.time_s.size(); ++i) {
@@ -54,9 +55,9 @@ TEST_F(FlightFile, AFlightLogGivesTheRollMotionOfItsReplay) {
 }
 
 TEST_F(FlightFile, OfAFolderTheTableIsTakenAndWithoutOneTheLog) {
-  folder_.write("only/flight.ftl", text(made_.bytes));
+  folder_.write("only/flight.ftl", as_text(made_.bytes));
   EXPECT_EQ(read_roll_log(folder_.path() / "only", {}, {}).time_s.size(), made_.records.size());
-  folder_.write("both/flight.ftl", text(made_.bytes));
+  folder_.write("both/flight.ftl", as_text(made_.bytes));
   folder_.write("both/flight.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,0,0\n1,0,0\n");
   EXPECT_EQ(read_roll_log(folder_.path() / "both", {}, {}).time_s.size(), 2U);
 }
@@ -67,7 +68,7 @@ TEST_F(FlightFile, ThePlanThatFlewIsInTheLogOrInTheOneBesideTheTable) {
     return plan ? std::optional{plan->controller.proportional_gain} : std::nullopt;
   };
   const std::optional<float> flown = made_.plan.controller.proportional_gain;
-  const std::filesystem::path log = folder_.write("both/flight.ftl", text(made_.bytes));
+  const std::filesystem::path log = folder_.write("both/flight.ftl", as_text(made_.bytes));
   const std::filesystem::path table = folder_.write("both/flight.csv", "time_s\n");
   EXPECT_EQ(kp(log), flown);
   EXPECT_EQ(kp(table), flown);
@@ -89,7 +90,7 @@ TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
 }
 
 TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
-  const auto path = folder_.write("flown.ftl", text(made_.bytes));
+  const auto path = folder_.write("flown.ftl", as_text(made_.bytes));
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "no true values"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "angle unit is fixed"},
@@ -101,14 +102,14 @@ TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
 TEST_F(FlightFile, OfSeveralFlightsNoneIsTakenAtRandom) {
   flight_log::MadeFlightOptions second;
   second.flight = 2;
-  const auto path = folder_.write("two.ftl", text(made_.bytes) + text(flight_log::make_flight(second).bytes));
+  const auto path = folder_.write("two.ftl", as_text(made_.bytes) + as_text(flight_log::make_flight(second).bytes));
   expect_refused(ErrorKind::bad_data, {"two.ftl: contains 2 flights", "fantail log export", "--flight"},
                  [&] { (void)read_flight(path); });
 }
 
 TEST_F(FlightFile, AFlightThatCannotBeReplayedSaysWhy) {
   // Without its header nobody knows the plan: from the first record on to the last but one thousand.
-  const std::string bytes = text(made_.bytes);
+  const std::string bytes = as_text(made_.bytes);
   const auto path = folder_.write("tail.ftl", bytes.substr(made_.frame_ends[made_.frame_ends.size() - 100]));
   expect_refused(ErrorKind::bad_data, {"tail.ftl: the flight cannot be replayed"}, [&] { (void)read_flight(path); });
 }
@@ -121,7 +122,7 @@ TEST_F(FlightFile, AFolderWhoseSummaryNamesNoScenarioIsCalledByItsOwnName) {
 }
 
 TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanFromTheLog) {
-  folder_.write("flown/flight.ftl", text(made_.bytes));
+  folder_.write("flown/flight.ftl", as_text(made_.bytes));
   folder_.write("flown/flight.csv",
                 "time_s,phase,roll_angle_deg,true_roll_angle_deg\n0,armed,1,2\n1,launched,1,2\n2,controlling,3,4\n");
   folder_.write("flown/summary.json",
@@ -143,6 +144,30 @@ TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanF
   EXPECT_EQ(flight.canard_verdict_changes[0].canard, 3U);
   EXPECT_NEAR(flight.imposed_roll.value().angle_rad, 3.14159265358979, 1e-12);
   EXPECT_EQ(flight.notes, std::vector<std::string>{"A note."});
+}
+
+TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
+  folder_.write("mixed/flight.csv",
+                "time_s,phase,roll_angle_deg,roll_rate_deg_s\n0,launched,1,0\n1,controlling,1,0\n2,controlling,3,0\n");
+  folder_.write("mixed/summary.json", R"({"events":{"control_start_s":0.6}})");
+  EXPECT_EQ(read_flight(folder_.path() / "mixed").events.control_start_s, 0.6);  // between two rows
+  folder_.write("mixed/summary.json", R"({"events":{"control_start_s":1.3}})");
+  const auto refused = [&](std::initializer_list<const char*> words) {
+    expect_refused(ErrorKind::bad_data, words, [&] { (void)read_flight(folder_.path() / "mixed"); });
+    expect_refused(ErrorKind::bad_data, words, [&] { (void)read_roll_log(folder_.path() / "mixed", {}, {}); });
+  };
+  refused({"mixed: its files are of two flights", "under control at 1.000 s", "starts at 1.300 s"});
+  folder_.write("mixed/flight.ftl", as_text(made_.bytes));
+  const auto summary = [&](const std::string& sha256) {
+    folder_.write("mixed/summary.json", R"({"log_sha256":")" + sha256 + R"("})");
+  };
+  summary(std::string(64, '0'));
+  expect_refused(ErrorKind::bad_data, {"mixed: its files are of two flights: flight.ftl has not the SHA-256"},
+                 [&] { (void)read_flight(folder_.path() / "mixed"); });
+  expect_refused(ErrorKind::bad_data, {"mixed: its files are of two flights"},
+                 [&] { (void)flown_plan(folder_.path() / "mixed/flight.csv"); });
+  summary(text::sha256(made_.bytes));
+  EXPECT_TRUE(read_flight(folder_.path() / "mixed").known.plan);
 }
 
 TEST_F(FlightFile, ASummaryThatIsNoneIsRefused) {

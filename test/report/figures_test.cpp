@@ -2,6 +2,7 @@
 #include "report/figures.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -155,7 +156,54 @@ TEST(Figures, HeightsAndSpeedsAreTrueOnesWhereTruthExists) {
   EXPECT_FALSE(f.largest_hold_error_rad);
 }
 
-TEST(Figures, AFlightThatEndsBeforeApogeeHasNone) { EXPECT_FALSE(figures(SyntheticFlight{}.flight).apogee_m); }
+TEST(Figures, AFlightThatEndsBeforeApogeeHasNone) {
+  flight::Flight flight = SyntheticFlight{}.flight;
+  flight.events.apogee_s.reset();
+  EXPECT_FALSE(figures(flight).apogee_m);
+}
+
+/// It is fastest at 2 s and highest at 4 s, without the rows of which `is_missing` says so.
+Figures figures_without(const std::function<bool(double)>& is_missing) {
+  SyntheticFlight synthetic;
+  flight::Flight& flight = synthetic.flight;
+  flight.events.apogee_s = 4.0;
+  for (flight::Row& row : flight.rows) {
+    row.truth->speed_m_s = 50.0 - 10.0 * std::abs(row.time_s - 2.0);
+    row.truth->height_m = 400.0 - 5.0 * (row.time_s - 4.0) * (row.time_s - 4.0);
+  }
+  std::erase_if(flight.rows, [&](const flight::Row& row) { return is_missing(row.time_s); });
+  return figures(flight);
+}
+
+TEST(Figures, TopSpeedAndApogeeAreThoseOfTheFlightAndNotTheLargestOfTheRowsThatAreLeft) {
+  const auto between = [](double from_s, double to_s) {
+    return figures_without([=](double time_s) { return time_s > from_s + 1e-9 && time_s < to_s - 1e-9; });
+  };
+  const Figures whole = between(9.0, 9.0);
+  EXPECT_TRUE(whole.max_speed_m_s == 50.0 && whole.apogee_m == 400.0 && whole.holes.empty());
+  const Figures coasting = between(2.5, 3.5);
+  EXPECT_TRUE(coasting.max_speed_m_s == 50.0 && coasting.apogee_m == 400.0);
+  ASSERT_EQ(coasting.holes.size(), 1U);
+  EXPECT_NEAR(coasting.holes[0].from_s, 2.5, 1e-9);
+  EXPECT_NEAR(coasting.holes[0].to_s, 3.5, 1e-9);
+  const Figures boosting = between(0.5, 1.5);
+  EXPECT_TRUE(boosting.max_speed_m_s == 50.0);
+  EXPECT_FALSE(between(1.6, 2.3).max_speed_m_s);
+  EXPECT_FALSE(between(3.7, 4.2).apogee_m);
+  EXPECT_TRUE(between(3.7, 4.2).max_speed_m_s);
+  EXPECT_FALSE(figures_without([](double time_s) { return time_s > 1.5; }).max_speed_m_s);
+  EXPECT_FALSE(figures_without([](double time_s) { return time_s > 3.5; }).apogee_m);
+  EXPECT_FALSE(figures_without([](double time_s) { return time_s < 2.5; }).max_speed_m_s);
+}
+
+TEST(Figures, ATableThatHasARowEveryFifthOfASecondHasNoHolesForThat) {
+  const Figures thin = figures_without([](double time_s) {
+    const double steps = time_s / 0.2;
+    return std::abs(steps - std::round(steps)) > 1e-6;
+  });
+  EXPECT_TRUE(thin.holes.empty());
+  EXPECT_TRUE(thin.max_speed_m_s && thin.apogee_m);
+}
 
 TEST(Figures, NetRollIsCountedInTurnsUnderControl) {
   SyntheticFlight synthetic;

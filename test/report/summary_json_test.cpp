@@ -49,6 +49,7 @@ TEST(SummaryJson, SaysTheMeanWindOfAFlightThatHadOne) {
 TEST(SummaryJson, WhatDoesNotExistIsNull) {
   SyntheticFlight synthetic;
   synthetic.never_controlled(-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command);
+  synthetic.flight.events.apogee_s.reset();
   const auto summary = summary_of(synthetic.flight);
   EXPECT_TRUE(summary["log_sha256"].is_null());
   EXPECT_TRUE(summary["events"]["apogee_s"].is_null());

@@ -10,7 +10,7 @@
 namespace fantail::report {
 
 /// A hand-made flight: 1 kHz from -0.5 s to 4.5 s, detected at 0.2 s, control from 0.6 s to the end of the rows (3901
-/// ticks), disturbance -5 deg, gain 0.5, limit 9 deg, reference 0, and under control the roll angle exactly at its
+/// ticks) at apogee, disturbance -5 deg, gain 0.5, limit 9 deg, reference 0, and under control the roll angle exactly at its
 /// settle point of -10 deg.
 class SyntheticFlight {
  public:
@@ -23,7 +23,7 @@ class SyntheticFlight {
     flight.plan = core::default_plan();
     flight.plan.controller.proportional_gain = 0.5F;
     flight.plan.controller.canard_limit = core::Angle::from_degrees(9.0F);
-    flight.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 0.6};
+    flight.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 0.6, .apogee_s = 4.5};
     flight.phase_changes = {{-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command},
                             {0.2, core::Phase::launched, core::PhaseReason::launch_detected},
                             {0.6, core::Phase::controlling, core::PhaseReason::guide_clear}};

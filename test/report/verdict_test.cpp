@@ -31,6 +31,7 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
 TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
   SyntheticFlight held;
   held.flight.trajectory_end_s = 4.5;
+  held.flight.events.apogee_s.reset();
   const Verdict v = verdict_of(held.flight);
   EXPECT_EQ(v.outcome, Outcome::cut_short);
   EXPECT_FALSE(v.ended_early);  // it was not control that ended

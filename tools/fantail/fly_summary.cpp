@@ -50,8 +50,12 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   std::string speed{report::top_speed_name(flight)};
   speed.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(speed.front())));
   print_figure(speed, results.figures.max_speed_m_s, "{:.1f} m/s");
-  print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
-  print_figure("  at time", events.apogee_s, "{:.2f} s");
+  if (results.figures.apogee_m) {
+    print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
+    print_figure("  at time", events.apogee_s, "{:.2f} s");
+  } else {
+    print_figure("apogee", events.apogee_s, "at {:.2f} s; no tick is on record there");
+  }
   for (const flight::LoopMargin& margin : report::different_margins(flight)) {
     show("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin", text::degrees(margin.phase_margin_rad),
          margin.speed_m_s, report::gain_margin_text(margin));

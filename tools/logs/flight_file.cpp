@@ -8,6 +8,7 @@
 #include "flight_log/to_report.hpp"
 #include "logs/column_map.hpp"
 #include "logs/load_table.hpp"
+#include "logs/one_flight.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
 
@@ -66,6 +67,9 @@ std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path) {
   if (!is_there(log)) {
     return {};
   }
+  if (!is_log) {
+    expect_log_of_summary(log.parent_path());
+  }
   const flight_log::LogFile file = flight_log::read_log_file(log);
   return flight_log::is_one_flight(file) ? file.flights.front().plan : std::nullopt;
 }
@@ -120,6 +124,7 @@ flight::Flight read_flight(const std::filesystem::path& path) {
     flight.scenario = path.filename().string();
     return flight;
   }
+  expect_rows_of_summary(flight.rows, path);
   report::add_summary(flight, path / "summary.json");
   if (flight.scenario.empty()) {  // no summary, or one that names none
     flight.scenario = std::filesystem::absolute(file).lexically_normal().parent_path().filename().string();

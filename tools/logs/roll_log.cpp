@@ -17,6 +17,7 @@
 #include "logs/integrated_angle.hpp"
 #include "logs/load_table.hpp"
 #include "logs/log_doubts.hpp"
+#include "logs/one_flight.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
 
@@ -144,6 +145,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
     flight.notes.insert(flight.notes.begin(), said);
   }
   if (file != path) {
+    expect_rows_of_summary(flight.rows, path);
     const flight::Events events = report::summary_events(path / "summary.json");
     flight.events.burnout_s = events.burnout_s;
     flight.events.apogee_s = events.apogee_s;

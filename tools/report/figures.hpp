@@ -3,12 +3,22 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
 #include "report/side_deflection.hpp"
 
 namespace fantail::report {
+
+/// Between two ticks that follow each other in the rows, and much farther apart than the others: what is between is
+/// lost.
+struct Hole {
+  double from_s = 0.0;
+  double to_s = 0.0;
+
+  friend bool operator==(const Hole&, const Hole&) = default;
+};
 
 /// The numbers of one flight. Empty: the flight has no such figure (no control, no truth, a tunnel run, ...).
 ///
@@ -18,8 +28,9 @@ namespace fantail::report {
 struct Figures {
   static constexpr double still_air_m_s = 0.5;  ///< in a tunnel, air that is slower than this stands still
 
-  std::optional<double> apogee_m;                 ///< true height where truth exists, else the estimate
-  std::optional<double> max_speed_m_s;            ///< likewise; over ground where the flight has a path
+  std::optional<double> apogee_m;       ///< true height where truth exists, else the estimate; empty, too, where the
+                                        ///< rows of apogee are missing
+  std::optional<double> max_speed_m_s;  ///< likewise; over ground where the flight has a path
   std::optional<double> control_start_height_m;   ///< likewise
   std::optional<double> control_time_s;           ///< first to last tick under control
   std::optional<double> saturated_fraction;       ///< of the ticks under control
@@ -40,6 +51,9 @@ struct Figures {
   std::optional<double> roll_after_end_rad;     ///< largest |roll angle - that at the end of control| until apogee
   std::optional<Oscillation> oscillation;
   std::optional<SideDeflection> side_deflection;
+  double begin_s = 0.0;       ///< of the first row
+  double end_s = 0.0;         ///< of the last
+  std::vector<Hole> holes{};  ///< in between
   bool in_still_air = false;  ///< in a tunnel whose fan stands, or on a gimbal, at every tick
   core::Phase final_phase = core::Phase::safe;
 

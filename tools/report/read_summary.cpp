@@ -162,6 +162,11 @@ flight::Unmeasured summary_unmeasured(const std::filesystem::path& file) {
   return unmeasured;
 }
 
+std::optional<std::string> summary_log_sha256(const std::filesystem::path& file) {
+  const std::string sha256 = text(read(file), "log_sha256");
+  return sha256.empty() ? std::nullopt : std::optional{sha256};
+}
+
 std::optional<flight::FlownAirframe> summary_airframe(const std::filesystem::path& file) {
   return airframe(read(file));
 }

@@ -15,6 +15,8 @@ constexpr double settling_time_in_tunnel_s = 2.0;
 constexpr double lasting_saturation_s = 0.5;
 // Rows are a millisecond apart and their times are rounded to the microsecond.
 constexpr double clock_tolerance_s = 1e-6;
+// A step between rows that is no hole, however dense the others are: nothing turns or climbs far in it.
+constexpr double longest_step_s = 0.1;
 
 // The truth where it is known.
 double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
@@ -43,6 +45,16 @@ void keep_farthest_from_zero(std::optional<double>& kept, double value) {
 /// Whatever is no number counts as nothing.
 void keep_error(std::optional<double>& kept, double error_rad) { kept = std::max(kept.value_or(0.0), error_rad); }
 
+/// Is there a row near this time?
+bool is_on_record(const Figures& f, double time_s) {
+  return time_s > f.begin_s - longest_step_s && time_s < f.end_s + longest_step_s &&
+         std::ranges::none_of(
+             f.holes,
+             [time_s](const Hole& hole) {
+               return time_s > hole.from_s + longest_step_s && time_s < hole.to_s - longest_step_s;
+             });
+}
+
 /// In wind the rows' true speed is the one through the air, along the rocket's axis.
 double top_speed_over_ground_m_s(const std::vector<flight::PathPoint>& path) {
   double top_m_s = 0.0;
@@ -70,9 +82,19 @@ RunningFigures::RunningFigures(bool tunnel)
       oscillation_{settling_time_s_} {}
 
 void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
+  if (rows_ == 0) {
+    first_s_ = row.time_s;
+  } else if (row.time_s - last_s_ > longest_step_s) {
+    steps_.push_back({.from_s = last_s_, .to_s = row.time_s});
+  }
   rows_ += 1;
+  last_s_ = row.time_s;
   phase_ = row.phase;
-  keep_largest(largest_speed_m_s_, speed_m_s(row));
+  last_speed_m_s_ = speed_m_s(row);
+  if (!largest_speed_m_s_ || last_speed_m_s_ > *largest_speed_m_s_) {
+    largest_speed_at_s_ = row.time_s;
+  }
+  keep_largest(largest_speed_m_s_, last_speed_m_s_);
   keep_largest(largest_height_m_, height_m(row));
   in_still_air_ = in_still_air_ && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s;
   zero_.add(row);
@@ -201,14 +223,43 @@ void RunningFigures::tell_end(Figures& f, const flight::Flight& flight) const {
   }
 }
 
+void RunningFigures::tell_extent(Figures& f, const flight::Clock& clock) const {
+  f.begin_s = clock(first_s_);
+  f.end_s = clock(last_s_);
+  const double usual_step_s = rows_ > 1 ? (last_s_ - first_s_) / static_cast<double>(rows_ - 1) : 0.0;
+  for (const Hole& step : steps_) {
+    if (step.to_s - step.from_s > 3.0 * usual_step_s) {
+      f.holes.push_back({.from_s = clock(step.from_s), .to_s = clock(step.to_s)});
+    }
+  }
+}
+
+bool RunningFigures::top_speed_is_known(const Figures& f, const flight::Flight& flight,
+                                        const flight::Clock& clock) const {
+  if (flight.tunnel || !largest_speed_m_s_) {
+    return true;  // the air's, which nothing accelerates
+  }
+  // A rocket accelerates, and then it slows down: at an edge of what is missing it may have been faster within.
+  const double at_s = clock(largest_speed_at_s_);
+  const bool begins_late = at_s == f.begin_s && f.begin_s > longest_step_s && last_speed_m_s_ < *largest_speed_m_s_;
+  const bool ends_early = at_s == f.end_s && rows_ > 1;
+  return !begins_late && !ends_early &&
+         std::ranges::none_of(f.holes, [at_s](const Hole& hole) { return hole.from_s == at_s || hole.to_s == at_s; });
+}
+
 Figures RunningFigures::figures(const flight::Flight& flight, const flight::Clock& clock) const {
   Figures f;
   if (rows_ == 0) {
     return f;
   }
   f.final_phase = phase_;
-  f.max_speed_m_s = flight.path.empty() ? largest_speed_m_s_ : top_speed_over_ground_m_s(flight.path);
-  if (!flight.tunnel && flight.events.apogee_s) {
+  tell_extent(f, clock);
+  if (!flight.path.empty()) {
+    f.max_speed_m_s = top_speed_over_ground_m_s(flight.path);
+  } else if (top_speed_is_known(f, flight, clock)) {
+    f.max_speed_m_s = largest_speed_m_s_;
+  }
+  if (!flight.tunnel && flight.events.apogee_s && is_on_record(f, *flight.events.apogee_s)) {
     f.apogee_m = largest_height_m_;
   }
   f.in_still_air = flight.tunnel && in_still_air_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
@@ -69,13 +70,23 @@ class RunningFigures {
   void judge_hold(const flight::Row& row, const flight::Flight& flight);
   void judge_saturation(const flight::Row& row);
   void look_after_control(const flight::Row& row, const flight::Flight& flight);
+  void tell_extent(Figures& f, const flight::Clock& clock) const;
   void tell_authority(Figures& f, const flight::Flight& flight) const;
   void tell_saturation(Figures& f, const flight::Flight& flight, const flight::Clock& clock) const;
   void tell_end(Figures& f, const flight::Flight& flight) const;
 
+  /// Is it a figure of the flight, or only of the rows that are left of it?
+  [[nodiscard]] bool top_speed_is_known(const Figures& f, const flight::Flight& flight,
+                                        const flight::Clock& clock) const;
+
   std::size_t rows_ = 0;
+  double first_s_ = 0.0;
+  double last_s_ = 0.0;
+  std::vector<Hole> steps_{};  ///< between rows, that may be holes
   core::Phase phase_ = core::Phase::safe;
   std::optional<double> largest_speed_m_s_{};
+  double largest_speed_at_s_ = 0.0;
+  double last_speed_m_s_ = 0.0;
   std::optional<double> largest_height_m_{};
   bool in_still_air_ = true;
   TrueZero zero_;

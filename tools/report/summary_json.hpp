@@ -23,6 +23,9 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file);
 [[nodiscard]] flight::Events summary_events(const std::filesystem::path& file);
 [[nodiscard]] flight::Unmeasured summary_unmeasured(const std::filesystem::path& file);
 
+/// SHA-256 of the flight.ftl that was written with it; empty without the file, and where there was no log.
+[[nodiscard]] std::optional<std::string> summary_log_sha256(const std::filesystem::path& file);
+
 /// Which airframe flew. Empty without the file, and for a summary of an older version, which does not say. Throws as
 /// add_summary does.
 [[nodiscard]] std::optional<flight::FlownAirframe> summary_airframe(const std::filesystem::path& file);

@@ -164,6 +164,13 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     if (const std::string why = held ? why_nothing_settles(flight, f) : ""; !why.empty()) {
       return {Outcome::not_judged, sentence("roll not judged: " + why)};
     }
+    if (held && misses_control(flight, f)) {
+      const std::string on_record = fmt::format(
+          "roll not judged: ticks under control are missing; in the others it stayed within {} of where this law "
+          "settles; {}",
+          degrees_text(*f.largest_hold_error_rad), rest);
+      return {Outcome::not_judged, sentence(on_record) + ended_at_limit};
+    }
     const std::string hold = fmt::format(fmt::runtime(held ? "roll stayed within {} of where this law settles; {}"
                                                            : "roll not held: up to {} from where this law settles; {}"),
                                          degrees_text(*f.largest_hold_error_rad), rest);
@@ -253,12 +260,17 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   return v;
 }
 
-/// A trajectory of another program that ends in the climb says nothing of the rest.
-void say_how_far_it_reaches(Verdict& v, double trajectory_end_s) {
+/// A trajectory of another program that ends in the climb says nothing of the rest, and neither does a recording.
+void say_how_far_it_reaches(Verdict& v, const std::string& end) {
   v.outcome = v.outcome == Outcome::held ? Outcome::cut_short : v.outcome;
   begin_lower(v.text);
-  v.text =
-      fmt::format("Until the trajectory ends at {} s, before apogee: {}", text::fixed(trajectory_end_s, 2), v.text);
+  v.text = fmt::format("Until {}: {}", end, v.text);
+}
+
+/// Nobody knows how such a flight went on.
+bool ends_under_control(const flight::Flight& flight, const Figures& f) {
+  return f.final_phase == core::Phase::controlling && !flight.tunnel && !flight.events.control_end_s &&
+         !flight.events.apogee_s;
 }
 
 }  // namespace
@@ -270,9 +282,12 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   Verdict v = figures.control_time_s
                   ? judge_flight(flight, figures)
                   : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};
-  v.text += outages(flight) + unmeasured(flight) + canard_faults(flight);
+  v.text += outages(flight) + missing_ticks(flight, figures) + unmeasured(flight) + canard_faults(flight);
   if (flight.trajectory_end_s) {
-    say_how_far_it_reaches(v, *flight.trajectory_end_s);
+    say_how_far_it_reaches(
+        v, fmt::format("the trajectory ends at {} s, before apogee", text::fixed(*flight.trajectory_end_s, 2)));
+  } else if (ends_under_control(flight, figures)) {
+    say_how_far_it_reaches(v, fmt::format("the record ends at {} s, under control", text::fixed(figures.end_s, 2)));
   }
   return v;
 }
