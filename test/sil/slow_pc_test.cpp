@@ -93,6 +93,9 @@ Outcome verdict(const bench::Sheet& sheet) {
   if (sheet.passed()) {
     return Outcome::passed;
   }
+  if (sheet.judgement() == bench::Judgement::none) {
+    return Outcome::void_sheet;  // a stall may leave a figure unmeasured; seed 639401611 does
+  }
   for (const bench::CanardResult& result : sheet.canards) {
     const bench::Cause expected = result.canard == 2 ? bench::Cause::reversed : bench::Cause::healthy;
     if (result.diagnosis.cause != expected) {
