@@ -2,7 +2,9 @@
 #include "flight/read_csv.hpp"
 
 #include <cmath>
+#include <string>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "flight/columns.hpp"
@@ -26,7 +28,7 @@ Flight read(const std::string& text) { return read_flight_csv(Table::parse(text,
 TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
   const Flight flight = read(
       "time_s,phase,roll_angle_deg,command_2_deg,true_roll_angle_deg\n"
-      "-0.1,armed,1,2,3\n0,launched,180,,90\n0.5,controlling,0,4,0\n9,finished,0,0,0\n");
+      "-0.1,armed,1,2,3\n0,launched,180,,90\n0.5,controlling,0,4,0\n1.1,finished,0,0,0\n");
   ASSERT_EQ(flight.rows.size(), 4U);
   EXPECT_NEAR(flight.rows[1].roll_angle_rad, 3.14159265358979, 1e-12);
   EXPECT_NEAR(flight.rows[1].truth.value().roll_angle_rad, 1.570796326794897, 1e-12);
@@ -34,9 +36,22 @@ TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
   EXPECT_NEAR(flight.rows[2].commands_rad[1].value(), text::radians(4.0), 1e-12);
   EXPECT_EQ(flight.events.detected_s, 0.0);
   EXPECT_EQ(flight.events.control_start_s, 0.5);
-  EXPECT_EQ(flight.events.control_end_s, 9.0);
+  EXPECT_EQ(flight.events.control_end_s, 1.1);
   ASSERT_EQ(flight.phase_changes.size(), 4U);
   EXPECT_FALSE(flight.phase_changes[1].reason);
+}
+
+TEST(FlightCsv, OfAPhaseThatBeganInAHoleNobodyKnowsWhen) {
+  std::string text = "time_s,phase,roll_angle_deg\n";
+  for (int tick = 0; tick < 1000; ++tick) {
+    if (tick < 400 || tick > 600) {
+      text += fmt::format("{},{},0\n", 0.001 * tick, tick < 300 ? "launched" : tick < 500 ? "controlling" : "finished");
+    }
+  }
+  const Flight flight = read(text);
+  EXPECT_EQ(flight.events.control_start_s, 0.3);
+  EXPECT_FALSE(flight.events.control_end_s);
+  ASSERT_EQ(flight.phase_changes.size(), 3U);
 }
 
 TEST(FlightCsv, RowsThatWereNotReplayedAreLeftOutAndSaidHoweverManyThereAre) {

@@ -10,8 +10,8 @@
 namespace fantail::report {
 
 /// A hand-made flight: 1 kHz from -0.5 s to 4.5 s, detected at 0.2 s, control from 0.6 s to the end of the rows (3901
-/// ticks) at apogee, disturbance -5 deg, gain 0.5, limit 9 deg, reference 0, and under control the roll angle exactly at its
-/// settle point of -10 deg.
+/// ticks) at apogee, disturbance -5 deg, gain 0.5, limit 9 deg, reference 0, and under control the roll angle exactly
+/// at its settle point of -10 deg.
 class SyntheticFlight {
  public:
   SyntheticFlight() {

@@ -162,8 +162,11 @@ class Rows {
   std::size_t last_ = 0;  ///< row of the table that gave the last of the flight
 };
 
-// What the phases of the rows tell; why they changed stands in no table.
+// What the phases of the rows tell; why they changed stands in no table. Nor does when, where it was in a hole.
 void note_phases(Flight& flight) {
+  const double usual_step_s =
+      (flight.rows.back().time_s - flight.rows.front().time_s) / static_cast<double>(flight.rows.size());
+  const double longest_step_s = std::max(0.1, 3.0 * usual_step_s);
   for (std::size_t i = 0; i < flight.rows.size(); ++i) {
     const auto [time_s, phase] = std::pair{flight.rows[i].time_s, flight.rows[i].phase};
     const core::Phase before = i == 0 ? core::Phase::safe : flight.rows[i - 1].phase;
@@ -171,7 +174,7 @@ void note_phases(Flight& flight) {
       continue;
     }
     flight.phase_changes.push_back({time_s, phase, {}});
-    if (i > 0) {  // one that was there in the first row began before it
+    if (i > 0 && time_s - flight.rows[i - 1].time_s <= longest_step_s) {  // one in the first row began before it
       if (auto* event = event_of(flight.events, phase)) {
         *event = time_s;
       }
