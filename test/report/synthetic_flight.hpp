@@ -5,6 +5,7 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "flight/flight.hpp"
+#include "report/verdict.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::report {
@@ -65,5 +66,7 @@ class SyntheticFlight {
 
   flight::Flight flight;
 };
+
+inline Verdict verdict_of(const flight::Flight& flight) { return verdict(flight, figures(flight)); }
 
 }  // namespace fantail::report

@@ -12,8 +12,6 @@
 namespace fantail::report {
 namespace {
 
-Verdict verdict_of(const flight::Flight& flight) { return verdict(flight, figures(flight)); }
-
 TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   SyntheticFlight synthetic;
   int count = 0;
@@ -124,85 +122,6 @@ TEST(Verdict, WhatHandsTurnInStillAirIsNotJudged) {
   EXPECT_FALSE(v.roll_is_judged);
   const Figures f = figures(synthetic.flight);
   EXPECT_FALSE(f.largest_hold_error_rad || f.mean_hold_error_rad || f.authority_margin_rad);
-}
-
-TEST(Verdict, WithoutALaunchThereIsNoControl) {
-  SyntheticFlight synthetic;
-  synthetic.never_controlled(-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command);
-  const Verdict v = verdict_of(synthetic.flight);
-  EXPECT_EQ(v.outcome, Outcome::no_control);
-  EXPECT_EQ(v.text, "No control: no launch was detected.");
-}
-
-TEST(Verdict, EveryOtherWayToNoControlIsNamed) {
-  flight::Flight never_armed = SyntheticFlight{}.flight;
-  never_armed.rows.clear();
-  never_armed.phase_changes.clear();
-  EXPECT_EQ(verdict_of(never_armed).text, "No control: the rocket was never armed.");
-
-  SyntheticFlight knock;
-  knock.flight.plan.guide.clearance_time = core::from_seconds(1.5F);
-  knock.never_controlled(1.7, core::Phase::armed, core::PhaseReason::guide_not_cleared_in_time);
-  EXPECT_EQ(verdict_of(knock.flight).text,
-            "No control: what looked like a launch did not clear the guide within 1.5 s (at 1.70 s).");
-
-  SyntheticFlight deaf;
-  deaf.never_controlled(0.3, core::Phase::armed, core::PhaseReason::gyro_failed_before_control);
-  EXPECT_EQ(verdict_of(deaf.flight).text, "No control: the gyro failed before control (at 0.30 s).");
-}
-
-TEST(Verdict, ControlThatAFaultEndedBeforeApogeeIsCutShort) {
-  SyntheticFlight synthetic;
-  synthetic.flight.events.apogee_s = 4.4;
-  synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
-  const Verdict v = verdict_of(synthetic.flight);
-  EXPECT_EQ(v.outcome, Outcome::cut_short);
-  EXPECT_EQ(v.text,
-            "Control ended at 3.00 s, 1.40 s before apogee: the gyro failed. After that the rocket turned by up to 0.0 "
-            "deg until apogee. Until then: roll stayed within 0.0 deg of where this law settles; canards at their "
-            "limit 0.0 % of control time, 4.0 deg to spare against the fin offset.");
-}
-
-TEST(Verdict, WhatTheRocketTurnsAfterAnEarlyEndOfControlCounts) {
-  SyntheticFlight synthetic;
-  synthetic.flight.events.apogee_s = 4.4;
-  synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
-  for (flight::Row& row : synthetic.flight.rows) {
-    row.truth->roll_angle_rad += row.time_s > 3.0 ? text::radians(100.0 * (row.time_s - 3.0)) : 0.0;
-  }
-  const Verdict v = verdict_of(synthetic.flight);
-  EXPECT_EQ(v.outcome, Outcome::not_held);
-  EXPECT_TRUE(v.text.find("turned by up to 140.0 deg until apogee") != std::string::npos) << v.text;
-}
-
-TEST(Verdict, AnApogeeThatTheAvionicsImaginedIsAnEarlyEndToo) {
-  SyntheticFlight synthetic;
-  synthetic.flight.events.apogee_s = 4.4;
-  synthetic.end_control(3.0, core::PhaseReason::apogee);
-  const Verdict v = verdict_of(synthetic.flight);
-  EXPECT_EQ(v.outcome, Outcome::cut_short);
-  EXPECT_TRUE(
-      v.text.starts_with("Control ended at 3.00 s, 1.40 s before apogee: the avionics took it for apogee. After"))
-      << v.text;
-
-  SyntheticFlight in_time;
-  in_time.flight.events.apogee_s = 4.4;
-  in_time.end_control(4.35, core::PhaseReason::apogee);
-  EXPECT_EQ(verdict_of(in_time.flight).outcome, Outcome::held);
-}
-
-TEST(Verdict, ControlThatEndsByThePlansOwnTimeIsNotCutShort) {
-  SyntheticFlight synthetic;
-  synthetic.flight.events.apogee_s = 4.4;
-  synthetic.end_control(3.0, core::PhaseReason::control_time_over);
-  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
-}
-
-TEST(Verdict, ControlThatGoesOnLongAfterApogeeIsSaid) {
-  SyntheticFlight synthetic;
-  synthetic.flight.events.apogee_s = 3.0;
-  synthetic.end_control(4.0, core::PhaseReason::control_time_over);
-  EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with(" Control went on for 1.00 s after apogee."));
 }
 
 TEST(Verdict, ASpinBeyondTheGyrosRangeIsNoMissingSensor) {

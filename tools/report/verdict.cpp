@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "flight/phase_names.hpp"
+#include "report/control_end.hpp"
 #include "report/fault_sentences.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -27,38 +27,6 @@ std::string signed_limit(double radians) {
 std::string sentence(std::string clause) {
   clause.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(clause.front())));
   return clause + ".";
-}
-
-/// To a reset after which nothing was resumed, or nothing is on record any more.
-bool was_lost(const flight::Flight& flight) {
-  if (flight.outages.empty() || flight.outages.back().resumed || flight.phase_changes.empty()) {
-    return false;
-  }
-  return !flight.outages.back().to_s || flight.phase_changes.back().phase == core::Phase::safe;
-}
-
-std::string why_no_control(const flight::Flight& flight) {
-  if (flight.phase_changes.empty()) {
-    return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
-  }
-  const flight::PhaseChange& last = flight.phase_changes.back();
-  if (!last.reason) {
-    return "the log does not say why";
-  }
-  const std::string when = text::fixed(last.time_s, 2) + " s";
-  if (was_lost(flight)) {
-    return fmt::format("the processor was reset before it, and the flight was not resumed (at {})", when);
-  }
-  switch (*last.reason) {
-    case core::PhaseReason::armed_by_switch_and_command:
-      return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
-    case core::PhaseReason::launch_detected:
-      return "the run ended before the guide was clear; launch was detected at " + when;
-    case core::PhaseReason::guide_not_cleared_in_time:
-      return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
-                         text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
-    default: return fmt::format("{} (at {})", flight::display_name(*last.reason), when);
-  }
 }
 
 std::string saturation(const Figures& f) {
@@ -178,40 +146,6 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   }
   return {Outcome::not_judged,
           sentence(fmt::format("roll not judged: {}; {}", why_not_judged(flight, f), saturation(f))) + ended_at_limit};
-}
-
-// Nobody minds the last half second: near apogee there is no flow over the canards.
-constexpr double near_apogee_s = 0.5;
-
-/// Did control end before its time? The plan's own end of control is none; apogee is one when it was imagined.
-bool ended_early(const flight::Flight& flight, const Figures& f) {
-  if (was_lost(flight)) {
-    return f.ended_before_apogee_s.value_or(2.0 * near_apogee_s) > near_apogee_s;
-  }
-  if (flight.phase_changes.empty() || flight.phase_changes.back().phase != core::Phase::finished) {
-    return false;
-  }
-  const auto reason = flight.phase_changes.back().reason;
-  if (!reason || reason == core::PhaseReason::control_time_over) {
-    return false;
-  }
-  return f.ended_before_apogee_s ? *f.ended_before_apogee_s > near_apogee_s : reason != core::PhaseReason::apogee;
-}
-
-std::string early_end(const flight::Flight& flight, const Figures& f) {
-  const flight::PhaseChange& end = flight.phase_changes.back();
-  const double end_s = was_lost(flight) ? flight.events.control_end_s.value_or(end.time_s) : end.time_s;
-  std::string text = fmt::format("Control ended at {} s", text::fixed(end_s, 2));
-  if (f.ended_before_apogee_s) {
-    text += fmt::format(", {} s before apogee", text::fixed(*f.ended_before_apogee_s, 2));
-  }
-  text += was_lost(flight)                          ? ": the processor was reset, and the flight was not resumed."
-          : end.reason == core::PhaseReason::apogee ? ": the avionics took it for apogee."
-                                                    : fmt::format(": {}.", flight::display_name(*end.reason));
-  if (f.roll_after_end_rad) {
-    text += fmt::format(" After that the rocket turned by up to {} until apogee.", degrees_text(*f.roll_after_end_rad));
-  }
-  return text;
 }
 
 void begin_lower(std::string& text) {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// How control ended, or why it never began, as the verdict says it.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "report/verdict.hpp"
+#include "synthetic_flight.hpp"
+
+namespace fantail::report {
+namespace {
+
+TEST(ControlEnd, WithoutALaunchThereIsNoControl) {
+  SyntheticFlight synthetic;
+  synthetic.never_controlled(-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::no_control);
+  EXPECT_EQ(v.text, "No control: no launch was detected.");
+}
+
+TEST(ControlEnd, EveryOtherWayToNoControlIsNamed) {
+  flight::Flight never_armed = SyntheticFlight{}.flight;
+  never_armed.rows.clear();
+  never_armed.phase_changes.clear();
+  EXPECT_EQ(verdict_of(never_armed).text, "No control: the rocket was never armed.");
+
+  SyntheticFlight knock;
+  knock.flight.plan.guide.clearance_time = core::from_seconds(1.5F);
+  knock.never_controlled(1.7, core::Phase::armed, core::PhaseReason::guide_not_cleared_in_time);
+  EXPECT_EQ(verdict_of(knock.flight).text,
+            "No control: what looked like a launch did not clear the guide within 1.5 s (at 1.70 s).");
+
+  SyntheticFlight deaf;
+  deaf.never_controlled(0.3, core::Phase::armed, core::PhaseReason::gyro_failed_before_control);
+  EXPECT_EQ(verdict_of(deaf.flight).text, "No control: the gyro failed before control (at 0.30 s).");
+}
+
+TEST(ControlEnd, ControlThatAFaultEndedBeforeApogeeIsCutShort) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::cut_short);
+  EXPECT_EQ(v.text,
+            "Control ended at 3.00 s, 1.40 s before apogee: the gyro failed. After that the rocket turned by up to 0.0 "
+            "deg until apogee. Until then: roll stayed within 0.0 deg of where this law settles; canards at their "
+            "limit 0.0 % of control time, 4.0 deg to spare against the fin offset.");
+}
+
+TEST(ControlEnd, WhatTheRocketTurnsAfterAnEarlyEndOfControlCounts) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->roll_angle_rad += row.time_s > 3.0 ? text::radians(100.0 * (row.time_s - 3.0)) : 0.0;
+  }
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_held);
+  EXPECT_TRUE(v.text.find("turned by up to 140.0 deg until apogee") != std::string::npos) << v.text;
+}
+
+TEST(ControlEnd, AnApogeeThatTheAvionicsImaginedIsAnEarlyEndToo) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::apogee);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::cut_short);
+  EXPECT_TRUE(
+      v.text.starts_with("Control ended at 3.00 s, 1.40 s before apogee: the avionics took it for apogee. After"))
+      << v.text;
+
+  SyntheticFlight in_time;
+  in_time.flight.events.apogee_s = 4.4;
+  in_time.end_control(4.35, core::PhaseReason::apogee);
+  EXPECT_EQ(verdict_of(in_time.flight).outcome, Outcome::held);
+}
+
+TEST(ControlEnd, ControlThatEndsByThePlansOwnTimeIsNotCutShort) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::control_time_over);
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
+}
+
+TEST(ControlEnd, ControlThatGoesOnLongAfterApogeeIsSaid) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 3.0;
+  synthetic.end_control(4.0, core::PhaseReason::control_time_over);
+  EXPECT_TRUE(verdict_of(synthetic.flight).text.ends_with(" Control went on for 1.00 s after apogee."));
+}
+
+}  // namespace
+}  // namespace fantail::report

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "report/control_end.hpp"
+
+#include <fmt/core.h>
+
+#include "flight/phase_names.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::report {
+namespace {
+
+/// To a reset after which nothing was resumed, or nothing is on record any more.
+bool was_lost(const flight::Flight& flight) {
+  if (flight.outages.empty() || flight.outages.back().resumed || flight.phase_changes.empty()) {
+    return false;
+  }
+  return !flight.outages.back().to_s || flight.phase_changes.back().phase == core::Phase::safe;
+}
+
+}  // namespace
+
+std::string why_no_control(const flight::Flight& flight) {
+  if (flight.phase_changes.empty()) {
+    return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
+  }
+  const flight::PhaseChange& last = flight.phase_changes.back();
+  if (!last.reason) {
+    return "the log does not say why";
+  }
+  const std::string when = text::fixed(last.time_s, 2) + " s";
+  if (was_lost(flight)) {
+    return fmt::format("the processor was reset before it, and the flight was not resumed (at {})", when);
+  }
+  switch (*last.reason) {
+    case core::PhaseReason::armed_by_switch_and_command:
+      return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
+    case core::PhaseReason::launch_detected:
+      return "the run ended before the guide was clear; launch was detected at " + when;
+    case core::PhaseReason::guide_not_cleared_in_time:
+      return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
+                         text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
+    default: return fmt::format("{} (at {})", flight::display_name(*last.reason), when);
+  }
+}
+
+bool ended_early(const flight::Flight& flight, const Figures& f) {
+  if (was_lost(flight)) {
+    return f.ended_before_apogee_s.value_or(2.0 * near_apogee_s) > near_apogee_s;
+  }
+  if (flight.phase_changes.empty() || flight.phase_changes.back().phase != core::Phase::finished) {
+    return false;
+  }
+  const auto reason = flight.phase_changes.back().reason;
+  if (!reason || reason == core::PhaseReason::control_time_over) {
+    return false;
+  }
+  return f.ended_before_apogee_s ? *f.ended_before_apogee_s > near_apogee_s : reason != core::PhaseReason::apogee;
+}
+
+std::string early_end(const flight::Flight& flight, const Figures& f) {
+  const flight::PhaseChange& end = flight.phase_changes.back();
+  const double end_s = was_lost(flight) ? flight.events.control_end_s.value_or(end.time_s) : end.time_s;
+  std::string text = fmt::format("Control ended at {} s", text::fixed(end_s, 2));
+  if (f.ended_before_apogee_s) {
+    text += fmt::format(", {} s before apogee", text::fixed(*f.ended_before_apogee_s, 2));
+  }
+  text += was_lost(flight)                          ? ": the processor was reset, and the flight was not resumed."
+          : end.reason == core::PhaseReason::apogee ? ": the avionics took it for apogee."
+                                                    : fmt::format(": {}.", flight::display_name(*end.reason));
+  if (f.roll_after_end_rad) {
+    text += fmt::format(" After that the rocket turned by up to {} deg until apogee.",
+                        text::fixed(text::degrees(*f.roll_after_end_rad), 1));
+  }
+  return text;
+}
+
+}  // namespace fantail::report
