@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 
@@ -16,11 +17,12 @@ struct ResumedFlight : testing::Test {
   Outcome run(const std::vector<std::string>& arguments) {
     return fantail(arguments, {.working_folder = folder.path()});
   }
-  void fly(const std::string& more) {
+  void fly(const std::string& more) { fly_with_fault("kind = \"reset\"\nfrom_s = 3\n" + more); }
+  void fly_with_fault(const std::string& fault) {
     folder.write("r.toml",
                  "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[disturbance]\ntimes_s = [0]\n"
-                 "angles_deg = [-4.9]\n[[faults]]\nkind = \"reset\"\nfrom_s = 3\n" +
-                     more);
+                 "angles_deg = [-4.9]\n[[faults]]\n" +
+                     fault);
     const Outcome outcome = run({"fly", "r.toml", "--out", "out"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     said = outcome.out;
@@ -92,6 +94,30 @@ TEST_F(ResumedFlight, OneThatIsNotResumedEndsWithTheReset) {
   const Outcome info = run({"log", "info", "out"});
   EXPECT_TRUE(says(info.out, "one flight"));
   EXPECT_TRUE(says(info.out, "the simulation ended or reset the processor, or the file was cut off"));
+}
+
+// Nothing resets it, so the phase is still Controlling when it goes on.
+TEST_F(ResumedFlight, OneWhoseProcessorStoodStillWasControlledUntilThen) {
+  const std::string dead = "kind = \"device\"\ndevice = \"processor\"\nbehaviour = \"dead\"\nfrom_s = 1.5\nuntil_s = ";
+  const std::string ended = "Control ended at 1.49 s, 8.87 s before apogee: ";
+  fly_with_fault(dead + "9\n");
+  EXPECT_TRUE(says(said, ended + "a timing fault, seen at 8.99 s. After that the rocket turned by up to")) << said;
+  EXPECT_TRUE(says(said, " No tick is on record from 1.486 s to 8.987 s.")) << said;
+  EXPECT_TRUE(says(said, "control lasted only 0.85 s")) << said;
+  const json::Value summary = json::parse(content(folder / "out/summary.json"));
+  EXPECT_EQ(summary["events"]["control_end_s"], 1.486);
+  EXPECT_NEAR(summary["ended_before_apogee_s"].number(), 8.874, 1e-9);
+  const std::string page = content(folder / "out/report.html");
+  EXPECT_TRUE(says(page, "<td>Control ends</td><td>with the last tick before 8.987 s</td>"));
+  EXPECT_TRUE(says(run({"report", "out", "--out", "again"}).out, ended + "a timing fault, seen at 8.99 s."));
+  // On its own clock, which begins where the log shows the first thrust.
+  const Outcome of_log = run({"report", "out/flight.ftl", "--out", "again"});
+  EXPECT_TRUE(says(of_log.out, "Control ended at 1.48 s: a timing fault, seen at 8.98 s.")) << of_log.out;
+  EXPECT_TRUE(says(of_log.out, " No tick is on record from 1.480 s to 8.981 s.")) << of_log.out;
+
+  fly_with_fault(dead + "600\n");
+  EXPECT_TRUE(says(said, ended + "the processor stood still from then on.")) << said;
+  EXPECT_TRUE(says(said, " No tick is on record from 1.486 s on.")) << said;
 }
 
 }  // namespace

@@ -16,12 +16,24 @@ std::optional<double> finite_angle(const std::optional<core::Angle>& angle) {
   return static_cast<double>(angle->radians());
 }
 
+/// What the law calls a timing fault is mostly a processor that missed ticks.
+void note_missed_ticks(Flight& flight, double time_s) {
+  constexpr double more_than_a_tick_s = 1.5e-3;
+  if (flight.last_tick_s && time_s - *flight.last_tick_s > more_than_a_tick_s) {
+    flight.outages.push_back({.from_s = *flight.last_tick_s, .to_s = time_s, .cause = {}, .resumed = false});
+  }
+}
+
 void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
   const core::Phase before = flight.phase_changes.empty() ? core::Phase::safe : flight.phase_changes.back().phase;
   if (record.phase == before) {
     return;
   }
   flight.phase_changes.push_back({time_s, record.phase, record.reason});
+  if (record.reason == core::PhaseReason::timing_fault ||
+      record.reason == core::PhaseReason::timing_fault_before_control) {
+    note_missed_ticks(flight, time_s);
+  }
   if (before == core::Phase::controlling && record.phase == core::Phase::safe) {
     flight.events.control_end_s = time_s;  // a reset after which nothing was resumed
   }
@@ -112,6 +124,7 @@ Row row(const core::TickRecord& record, double time_s) {
 
 void note_tick(Flight& flight, const core::TickRecord& record, double time_s) {
   note_phase(flight, record, time_s);
+  flight.last_tick_s = time_s;
   note_canards(flight, record, time_s);
   note_unmeasured(flight, record, time_s);
 }

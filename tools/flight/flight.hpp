@@ -126,11 +126,11 @@ struct CanardReach {
   double highest_rad = 0.0;
 };
 
-/// The processor was reset in flight: no tick is on record between these two.
+/// The processor was reset or stood still in flight: no tick is on record between these two.
 struct Outage {
   double from_s = 0.0;           ///< of the last tick before it
   std::optional<double> to_s{};  ///< of the first after it; empty: there is none
-  std::string cause;             ///< hal::ResetCause, by its name
+  std::string cause;             ///< hal::ResetCause, by its name; empty: it was not reset
   bool resumed = false;          ///< the flight went on after it
 };
 
@@ -191,6 +191,7 @@ struct Flight {
   std::optional<double> side_moment_m3;
   std::vector<Row> rows;
   Clock clock{};                               ///< that set_time_zero() has put all times by
+  std::optional<double> last_tick_s{};         ///< that note_tick() was given
   std::size_t rows_per_line = 1;               ///< flight.csv has the first of so many rows
   std::vector<TunnelReading> tunnel_readings;  ///< empty in flight
   std::vector<PathPoint> path;                 ///< empty along a straight line, in the tunnel, and of real flights
@@ -206,14 +207,15 @@ struct Flight {
 /// A tick as a row, without truth. An encoder angle that is not finite counts as missing.
 [[nodiscard]] Row row(const core::TickRecord& record, double time_s);
 
-/// Notes what can be seen from records alone: phase changes, canard verdicts, what was not measured, and the events
-/// detected, control start and control end. The other events and everything else are the caller's to fill in.
+/// Notes what can be seen from records alone: phase changes, canard verdicts, what was not measured, the outage by
+/// which a timing fault ended a flight, and the events detected, control start and control end. The other events and
+/// everything else are the caller's to fill in.
 void note_tick(Flight& flight, const core::TickRecord& record, double time_s);
 
 /// Notes a tick and appends its row.
 void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth);
 
-/// Control that a reset has ended, because nothing was resumed after it, ended when it came.
+/// Control that an outage has ended, because nothing was resumed after it, ended when it came.
 void end_control_with_outage(Flight& flight);
 
 /// Puts every time of the flight on the rows' clock, and notes the clock.

@@ -197,6 +197,7 @@ flight::Flight to_report(std::span<const Part> parts) {
     add_notes(result, part.flight, part.regeneration);
   }
   add_outages(result, parts);
+  flight::end_control_with_outage(result);
   if (const auto begin = result.tunnel ? std::nullopt : lift_off(parts.front().regeneration)) {
     result.events.liftoff_s = in_seconds(*begin);
   }

@@ -68,15 +68,20 @@ flight::TurnPoint turn_point(const sim::World& world, const core::TickRecord& re
           .tilt_rad = static_cast<double>(record.motion.tilt.radians())};
 }
 
-std::vector<flight::Outage> outages(const sim::World& world) {
-  std::vector<flight::Outage> all;
+/// Beside those that the ticks tell.
+void add_outages(flight::Flight& flight, const sim::World& world) {
+  std::vector<flight::Outage>& all = flight.outages;
   for (const sim::World::Gap& gap : world.gaps()) {
     all.push_back({.from_s = in_seconds(gap.from - sim::tick_time),
                    .to_s = in_seconds(gap.to),
                    .cause = std::string{hal::name(gap.cause)},
                    .resumed = gap.resumed});
   }
-  return all;
+  std::ranges::stable_sort(all, {}, &flight::Outage::from_s);
+  const bool ends_with_one = !all.empty() && !all.back().to_s;
+  if (world.is_down() && !ends_with_one && flight.last_tick_s) {
+    all.push_back({.from_s = *flight.last_tick_s, .to_s = {}, .cause = {}, .resumed = false});
+  }
 }
 
 std::string why_not_armed(const sim::World& world, const sim::Scenario& scenario) {
@@ -200,7 +205,7 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
       hooks.look(in_seconds(world.now()));
     }
   }
-  flight.outages = outages(world);
+  add_outages(flight, world);
   flight::end_control_with_outage(flight);
   const sim::World::Events& events = world.events();
   note_events(flight, events);

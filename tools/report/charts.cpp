@@ -36,7 +36,9 @@ std::vector<page::ShadedRange> phase_ranges(const flight::Flight& flight) {
   std::vector<page::ShadedRange> stripes;
   const flight::Row* before = nullptr;
   for (const flight::Row& row : flight.rows) {
-    if (!stripes.empty()) {
+    const bool is_after_outage =
+        std::ranges::any_of(flight.outages, [&](const auto& outage) { return outage.to_s == row.time_s; });
+    if (!stripes.empty() && (before->phase == row.phase || !is_after_outage)) {
       stripes.back().end = row.time_s;
     }
     if (before == nullptr || before->phase != row.phase) {

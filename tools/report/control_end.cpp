@@ -10,7 +10,7 @@
 namespace fantail::report {
 namespace {
 
-/// To a reset after which nothing was resumed, or nothing is on record any more.
+/// To a reset after which nothing was resumed, or to one or a standstill after which nothing is on record any more.
 bool was_lost(const flight::Flight& flight) {
   if (flight.outages.empty() || flight.outages.back().resumed || flight.phase_changes.empty()) {
     return false;
@@ -30,7 +30,9 @@ std::string why_no_control(const flight::Flight& flight) {
   }
   const std::string when = text::fixed(last.time_s, 2) + " s";
   if (was_lost(flight)) {
-    return fmt::format("the processor was reset before it, and the flight was not resumed (at {})", when);
+    return flight.outages.back().cause.empty()
+               ? fmt::format("the processor stood still from {} s on", text::fixed(flight.outages.back().from_s, 2))
+               : fmt::format("the processor was reset before it, and the flight was not resumed (at {})", when);
   }
   switch (*last.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
@@ -60,14 +62,21 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
 
 std::string early_end(const flight::Flight& flight, const Figures& f) {
   const flight::PhaseChange& end = flight.phase_changes.back();
-  const double end_s = was_lost(flight) ? flight.events.control_end_s.value_or(end.time_s) : end.time_s;
+  const double end_s = flight.events.control_end_s.value_or(end.time_s);
   std::string text = fmt::format("Control ended at {} s", text::fixed(end_s, 2));
   if (f.ended_before_apogee_s) {
     text += fmt::format(", {} s before apogee", text::fixed(*f.ended_before_apogee_s, 2));
   }
-  text += was_lost(flight)                          ? ": the processor was reset, and the flight was not resumed."
-          : end.reason == core::PhaseReason::apogee ? ": the avionics took it for apogee."
-                                                    : fmt::format(": {}.", flight::display_name(*end.reason));
+  if (was_lost(flight)) {
+    text += flight.outages.back().cause.empty() ? ": the processor stood still from then on."
+                                                : ": the processor was reset, and the flight was not resumed.";
+  } else if (end.reason == core::PhaseReason::apogee) {
+    text += ": the avionics took it for apogee.";
+  } else {
+    const bool is_seen_later = end_s < end.time_s - 0.01;
+    text += fmt::format(": {}{}.", flight::display_name(*end.reason),
+                        is_seen_later ? fmt::format(", seen at {} s", text::fixed(end.time_s, 2)) : "");
+  }
   if (f.roll_after_end_rad) {
     text += fmt::format(" After that the rocket turned by up to {} deg until apogee.",
                         text::fixed(text::degrees(*f.roll_after_end_rad), 1));

@@ -35,12 +35,13 @@ std::string unmeasured(const flight::Flight& flight) {
 std::string outages(const flight::Flight& flight) {
   std::string text;
   for (const flight::Outage& outage : flight.outages) {
-    text += fmt::format(" The processor was reset ({}): no tick is on record from {} s ", outage.cause,
-                        text::fixed(outage.from_s, 3));
+    const bool was_reset = !outage.cause.empty();
+    text += was_reset ? fmt::format(" The processor was reset ({}): no", outage.cause) : " No";
+    text += fmt::format(" tick is on record from {} s ", text::fixed(outage.from_s, 3));
     text += outage.to_s ? fmt::format("to {} s", text::fixed(*outage.to_s, 3)) : "on";
-    text += outage.resumed ? ", and then the flight was resumed."
-            : outage.to_s  ? ", and then the flight was not resumed: the avionics was Safe."
-                           : ".";
+    text += outage.resumed             ? ", and then the flight was resumed."
+            : outage.to_s && was_reset ? ", and then the flight was not resumed: the avionics was Safe."
+                                       : ".";
   }
   return text;
 }

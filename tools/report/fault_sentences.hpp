@@ -10,7 +10,7 @@ namespace fantail::report {
 
 // Sentences of a verdict, each with a space before it; empty where there is nothing to say.
 
-/// Each reset of the processor in flight, and whether the flight went on after it.
+/// Each reset and standstill of the processor in flight, and whether the flight went on after it.
 [[nodiscard]] std::string outages(const flight::Flight& flight);
 
 /// When the gyro was silent, and from when on height and speed are lower bounds.

@@ -105,7 +105,11 @@ std::string event_table(const flight::Flight& flight) {
         fmt::format("{} g along the axis, as when a parachute opens",
                     text::fixed(jolt->specific_force_m_s2 / 9.80665, 1)));
   }
-  add(e.control_end_s, "Control ends", "canards return to trim");
+  const auto ended_it = std::ranges::find(flight.outages, e.control_end_s, &flight::Outage::from_s);
+  add(e.control_end_s, "Control ends",
+      ended_it == flight.outages.end() ? "canards return to trim"
+      : ended_it->to_s                 ? fmt::format("with the last tick before {} s", fixed(*ended_it->to_s, 3))
+                                       : "with the last tick");
   if (rows.empty()) {
     return page::paragraph(flight.known.phase ? "No events." : "Not in the log.");
   }
