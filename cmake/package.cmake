@@ -35,11 +35,14 @@ analysis of wind-tunnel sessions, identification of the roll model from logs,
 and prediction of the next launch.
 
 This package has every program, the shipped rockets, scenarios and flight
-plans, the CAN database, the LCM types, and the image for the board.")
+plans, the CAN database, the LCM types, and the image for the board.
+
+It needs a processor of x86-64-v2 (SSE 4.2, POPCNT), as PCs have had since
+about 2009; on an older one it says so and ends.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PACKAGE_FILE_NAME fantail_${PROJECT_VERSION}_amd64)
 set(CPACK_GENERATOR DEB)
-set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/package/compress_manual.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/package/as_debian_has_it.cmake)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL runtime package)
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)

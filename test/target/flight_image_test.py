@@ -68,7 +68,7 @@ class FlightImage(unittest.TestCase):
         return [value for d, o, value in self.writes if d == device and o == offset]
 
     def test_says_who_it_is_and_why_it_was_reset(self):
-        self.assertRegex(self.console, r"Fantail \d+\.\d+\.\d+, git ([0-9a-f]{12}(-dirty)?|unknown)")
+        self.assertRegex(self.console, r"Fantail \d+\.\d+\.\d+, git ([0-9a-f]{12}(-dirty|-archive)?|unknown)")
         self.assertIn("reset by power-on", self.console)
 
     def test_names_every_device_that_is_not_there_and_will_not_be_armed(self):

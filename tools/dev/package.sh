@@ -3,19 +3,22 @@
 # What others install: a Debian package, and the sources as one file. Part of ./dev, which has set $root.
 
 package() {
-  local check="" epoch version
-  case "$#,${1:-}" in
-    0,) ;;
-    1,--check) check=yes ;;
+  local epoch version
+  case "$*" in
+    "" | --check | --container) ;;
     *) usage ;;
   esac
+  if [ "$*" = --container ]; then
+    exec /usr/bin/python3 -B test/package/container.py . build/bare
+  fi
   take_turn
   # shellcheck disable=SC2086
   need $package_packages
-  [ -z "$(git status --porcelain 2>&1)" ] ||
+  git rev-parse --git-dir >/dev/null || refuse "a package is of a commit, and git knows none here (see above)"
+  [ -z "$(git status --porcelain)" ] ||
     refuse "the sources differ from their commit, and a package is of one: commit, or put aside what git status lists"
   version=$(project_version)
-  epoch=$(git log -1 --format=%ct)
+  epoch=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}
   arm_build "the flight image" fantail-stm32f405
   host_build "every verb" verbs manual
   debian_documents "$version" "$epoch"
@@ -30,8 +33,22 @@ package() {
   git archive --format=tar --prefix="fantail-$version/" HEAD | gzip -9n >"build/packages/fantail-$version.tar.gz"
   (cd build/packages && sha256sum -- *.deb *.tar.gz >SHA256SUMS)
   leave_turn
-  [ -z "$check" ] || lintian --fail-on error,warning build/packages/*.deb
   (cd build/packages && du -k -- *.deb *.tar.gz | awk '{ printf "build/packages/%s  %d kB\n", $2, $1 }')
+  [ -z "$*" ] || check_package "build/packages/fantail_${version}_amd64.deb" "build/packages/fantail-$version.tar.gz"
+}
+
+# check_package DEB SOURCES: by what Debian asks of a package, in bare systems, and installed where names are unusual.
+check_package() {
+  local prefix="$root/build/a prefix für Ölbaum"
+  need lintian
+  lintian --fail-on error,warning "$1"
+  echo "package: lintian has no error and no warning: passed"
+  rm -rf "$prefix"
+  (install --prefix "$prefix")
+  (cd build && "$prefix/bin/fantail" fly --out "$prefix/out" >/dev/null && [ -s "$prefix/out/report.html" ])
+  rm -rf "$prefix"
+  echo "package: what is installed into a folder with spaces and other letters flies: passed"
+  /usr/bin/python3 -B test/package/check.py "$1" "$2" build/bare
 }
 
 project_version() {

@@ -17,7 +17,7 @@ bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
 browser_packages="chromium chromium-driver poppler-utils"
 card_packages="librsvg2-bin fonts-dejavu-core"
 playground_packages="$fly_packages clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
-package_packages="$fly_packages $firmware_packages dpkg-dev lintian"
+package_packages="$fly_packages $firmware_packages dpkg-dev"
 shell_packages="zsh fish"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.

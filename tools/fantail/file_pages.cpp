@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Usage: file_pages toml|ftl DATE FOLDER
+// Usage: file_pages toml|ftl FOLDER DATE
 // Prints fantail.toml(5) or flight.ftl(5): passages of the pages in FOLDER, which tests hold against the loaders, and
 // what the tables of plan, log and signals say.
 #include <cstdio>
@@ -103,12 +103,12 @@ std::string log_page(const Title& title, const std::string& folder) {
 int main(int argc, char** argv) {
   try {
     if (argc != 4) {
-      throw std::runtime_error{"usage: file_pages toml|ftl DATE FOLDER"};
+      throw std::runtime_error{"usage: file_pages toml|ftl FOLDER DATE"};
     }
     const bool is_toml = std::string_view{argv[1]} == "toml";
     const Title title{
-        .name = is_toml ? "fantail.toml" : "flight.ftl", .section = 5, .date = argv[2], .version = FANTAIL_VERSION};
-    fmt::print("{}", tidied(is_toml ? toml_page(title, argv[3]) : log_page(title, argv[3])));
+        .name = is_toml ? "fantail.toml" : "flight.ftl", .section = 5, .date = argv[3], .version = FANTAIL_VERSION};
+    fmt::print("{}", tidied(is_toml ? toml_page(title, argv[2]) : log_page(title, argv[2])));
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "file_pages: {}\n", error.what());
