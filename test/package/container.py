@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Usage: container.py PROJECT KEPT
-Runs the steps of PROJECT/Dockerfile in bare Debian systems, each stage in one of its own, and then the entry point. Docker is
-not needed, and not tested: only that the steps succeed one after another. An instruction that is not known here is refused."""
+"""Usage: container.py KEPT DOCKERFILE...
+Runs the steps of each in bare Debian systems, a stage in one of its own, and then the entry point; the context is the folder at
+hand. Docker is not needed, and not tested: only that the steps succeed one after another. An instruction that is not known
+here is refused."""
 import json
 import pathlib
 import shlex
@@ -12,8 +13,8 @@ import time
 
 import bare
 
-SUITES = {"debian:12-slim": "bookworm", "debian:13-slim": "trixie"}
-# What these images leave out of every package that is installed later.
+SUITES = {"debian:12": "bookworm", "debian:12-slim": "bookworm"}
+# What the slim ones leave out of every package that is installed later.
 SLIM = """path-exclude /usr/share/doc/*
 path-include /usr/share/doc/*/copyright
 path-exclude /usr/share/info/*
@@ -44,7 +45,8 @@ class Build:
         image, *name = text.split(" AS ")
         name = name[0] if name else "last"
         system = bare.System(bare.base(SUITES[image], self.kept), self.kept / ("container-" + name))
-        (system.folder / "etc/dpkg/dpkg.cfg.d/slim").write_text(SLIM, encoding="utf-8")
+        if image.endswith("-slim"):
+            (system.folder / "etc/dpkg/dpkg.cfg.d/slim").write_text(SLIM, encoding="utf-8")
         self.now = self.stages[name] = Stage(system)
 
     def do_workdir(self, text):
@@ -103,27 +105,36 @@ def timed(what, action):
     return result
 
 
-def main(project, kept):
-    refusal = bare.why_not()
-    if refusal:
-        print(f"container: not run, because {refusal}", file=sys.stderr)
-        return 69
-    build = Build(project, kept)
-    steps = list(instructions((build.project / "Dockerfile").read_text(encoding="utf-8")))
-    unknown = [word for word, _ in steps if not hasattr(build, "do_" + word.lower())]
+def steps_of(file):
+    """The instructions of a Dockerfile, all of which are known."""
+    steps = list(instructions(pathlib.Path(file).read_text(encoding="utf-8")))
+    unknown = [word for word, _ in steps if not hasattr(Build, "do_" + word.lower())]
     if unknown:
-        raise ValueError(f"the Dockerfile has instructions that are not known here: {', '.join(unknown)}")
-    for word, rest in steps:
-        timed(f"{word} {rest}", lambda word=word, rest=rest: getattr(build, "do_" + word.lower())(rest))
-    image = build.now
-    megabytes = int(bare.said("du", "-sm", image.system.folder).split()[0])
+        raise ValueError(f"{file} has instructions that are not known here: {', '.join(unknown)}")
+    return steps
+
+
+def run_entry(image):
     for words in (image.command, ["--version"], ["fly"]):
         timed(" ".join(image.entry + words), lambda words=words: image.run(*image.entry, *words))
     if not image.system.holds(image.folder + "/out/tasha3_launch2/report.html"):
         raise RuntimeError("the flight made no report")
-    print(f"container: the last stage takes {megabytes} MB", flush=True)
-    for stage in build.stages.values():
-        stage.system.remove()
+
+
+def main(kept, *files):
+    refusal = bare.why_not()
+    if refusal:
+        print(f"container: not run, because {refusal}", file=sys.stderr)
+        return 69
+    for file in files:
+        build = Build(".", kept)
+        for word, rest in steps_of(file):
+            timed(f"{word} {rest}", lambda word=word, rest=rest: getattr(build, "do_" + word.lower())(rest))
+        print(f"container: {file}: the last stage takes {bare.said('du', '-sm', build.now.system.folder).split()[0]} MB", flush=True)
+        if build.now.entry:
+            run_entry(build.now)
+        for stage in build.stages.values():
+            stage.system.remove()
     return 0
 
 

@@ -9,7 +9,7 @@ package() {
     *) usage ;;
   esac
   if [ "$*" = --container ]; then
-    exec /usr/bin/python3 -B test/package/container.py . build/bare
+    exec /usr/bin/python3 -B test/package/container.py build/bare Dockerfile .devcontainer/Dockerfile
   fi
   take_turn
   # shellcheck disable=SC2086

@@ -9,9 +9,8 @@
 namespace {
 
 constexpr std::string_view refusal =
-    "fantail: this processor lacks instructions that Fantail is compiled for (x86-64-v2, with SSE 4.2 and POPCNT, "
-    "which "
-    "PCs have had since about 2009)\n";
+    "fantail: this processor lacks instructions that Fantail is compiled for: x86-64-v2, with SSE 4.2 and POPCNT, "
+    "as PCs have had since about 2009\n";
 
 /// Before every other constructor of this program, because any other code may have such instructions.
 __attribute__((constructor(101))) void refuse_older_processor() {
