@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How control ended, or why it never began, as the verdict says it.
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -33,6 +34,29 @@ TEST(ControlEnd, EveryOtherWayToNoControlIsNamed) {
   SyntheticFlight deaf;
   deaf.never_controlled(0.3, core::Phase::armed, core::PhaseReason::gyro_failed_before_control);
   EXPECT_EQ(verdict_of(deaf.flight).text, "No control: the gyro failed before control (at 0.30 s).");
+}
+
+TEST(ControlEnd, OfATableThatHasNoControlOnlyItsRowsAreTold) {
+  SyntheticFlight table;
+  table.flight.seed.reset();
+  const auto text_of_rows = [&table](std::size_t begin, std::size_t end, std::optional<core::Phase> all) {
+    flight::Flight part = table.flight;
+    part.rows.assign(table.flight.rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                     table.flight.rows.begin() + static_cast<std::ptrdiff_t>(end));
+    part.phase_changes.clear();
+    for (flight::Row& row : part.rows) {
+      row.phase = all.value_or(row.phase);
+    }
+    if (part.rows.back().phase != core::Phase::safe) {
+      part.phase_changes = {{part.rows.back().time_s, part.rows.back().phase, std::nullopt}};
+    }
+    return verdict_of(part).text;
+  };
+  EXPECT_EQ(text_of_rows(0, 600, core::Phase::safe), "No control in the log: in every row the phase is Safe.");
+  EXPECT_EQ(text_of_rows(0, 600, {}), "No control in the log: in every row the phase is Armed.");
+  EXPECT_EQ(text_of_rows(0, 1000, {}), "No control in the log: in its last row the phase is Launched.");
+  EXPECT_EQ(text_of_rows(4000, 5000, core::Phase::finished),
+            "No control in the log: in every row the phase is Finished.");
 }
 
 TEST(ControlEnd, ControlThatAFaultEndedBeforeApogeeIsCutShort) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/control_end.hpp"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "flight/phase_names.hpp"
@@ -18,16 +20,19 @@ bool was_lost(const flight::Flight& flight) {
   return !flight.outages.back().to_s || flight.phase_changes.back().phase == core::Phase::safe;
 }
 
-}  // namespace
+/// Rows without reasons may end before control or begin after it.
+std::string no_control_in_rows(const flight::Flight& flight) {
+  const flight::Row& last = flight.rows.back();
+  const bool is_one = std::ranges::all_of(flight.rows, [&](const auto& row) { return row.phase == last.phase; });
+  return fmt::format("No control in the log: in {} row the phase is {}.", is_one ? "every" : "its last",
+                     flight::display_name(last.phase));
+}
 
 std::string why_no_control(const flight::Flight& flight) {
   if (flight.phase_changes.empty()) {
     return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
   }
   const flight::PhaseChange& last = flight.phase_changes.back();
-  if (!last.reason) {
-    return "the log does not say why";
-  }
   const std::string when = text::fixed(last.time_s, 2) + " s";
   if (was_lost(flight)) {
     return flight.outages.back().cause.empty()
@@ -44,6 +49,15 @@ std::string why_no_control(const flight::Flight& flight) {
                          text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
     default: return fmt::format("{} (at {})", flight::display_name(*last.reason), when);
   }
+}
+
+}  // namespace
+
+std::string no_control(const flight::Flight& flight) {
+  const bool is_table =
+      flight.phase_changes.empty() ? !flight.seed && flight.why_not_armed.empty() : !flight.phase_changes.back().reason;
+  return is_table && !flight.rows.empty() ? no_control_in_rows(flight)
+                                          : fmt::format("No control: {}.", why_no_control(flight));
 }
 
 bool ended_early(const flight::Flight& flight, const Figures& f) {

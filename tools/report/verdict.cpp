@@ -213,9 +213,7 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   if (!flight.known.phase) {
     return {Outcome::not_judged, "Roll not judged: the log does not say when control was active."};
   }
-  Verdict v = figures.control_time_s
-                  ? judge_flight(flight, figures)
-                  : Verdict{Outcome::no_control, fmt::format("No control: {}.", why_no_control(flight))};
+  Verdict v = figures.control_time_s ? judge_flight(flight, figures) : Verdict{Outcome::no_control, no_control(flight)};
   v.text += outages(flight) + missing_ticks(flight, figures) + unmeasured(flight) + canard_faults(flight);
   if (flight.trajectory_end_s) {
     say_how_far_it_reaches(
