@@ -15,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "report/card_text.hpp"
+
 namespace fantail::tool {
 namespace {
 
@@ -107,6 +109,14 @@ std::string png_of(const std::string& svg) {
     cannot("failed");
   }
   return png;
+}
+
+std::string note_on_letters(const flight::Flight& flight) {
+  const bool needed = report::needs_another_font(flight.scenario) || report::needs_another_font(flight.vehicle);
+  return needed
+             ? "  note    the card's names have letters that DejaVu Sans lacks: where no other font has them they are "
+               "empty boxes (the Debian package fonts-droid-fallback has Chinese, Japanese and Korean)\n"
+             : "";
 }
 
 }  // namespace fantail::tool

@@ -204,7 +204,7 @@ void fly_and_report(const FlyOptions& options) {
     show("  log     {}\n", (folder / "flight.ftl").string());
   }
   if (options.card) {
-    show("  card    {}\n", (folder / "card.png").string());
+    show("  card    {}\n{}", (folder / "card.png").string(), note_on_letters(flight));
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     show("  lcm     {}\n", sent);

@@ -12,13 +12,12 @@
 #include "page/axis.hpp"
 #include "page/page.hpp"
 #include "page/thinning.hpp"
+#include "report/card_text.hpp"
 #include "report/chart_drawer.hpp"
 #include "report/html.hpp"
 #include "report/roll_truth.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
-#include "text/printable.hpp"
-#include "text/wrapped.hpp"
 
 namespace fantail::report {
 namespace {
@@ -42,38 +41,6 @@ std::string_view colour_of(page::Tone tone) {
     case page::Tone::bad: return "#c22f2f";
     default: return "#a16207";
   }
-}
-
-std::string_view first_characters(std::string_view text, std::size_t count) {
-  std::size_t end = 0;
-  const auto inside_one = [&text](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
-  while (end < text.size() && (count > 0 || inside_one(end))) {
-    count -= inside_one(end) ? 0 : 1;
-    end += 1;
-  }
-  return text.substr(0, end);
-}
-
-/// A word wider than a line is cut there, between characters; what the most lines do not hold ends with an ellipsis.
-std::vector<std::string> in_lines(std::string_view text, std::size_t width, std::size_t most) {
-  const std::string clean = text::printable(text);
-  std::string_view words = clean;
-  std::vector<std::string> lines{""};
-  while (!words.empty()) {
-    const std::size_t space = words.find(' ');
-    const std::string_view word = first_characters(words.substr(0, space), width);
-    words.remove_prefix(std::min(words.size(), space == word.size() ? space + 1 : word.size()));
-    if (!lines.back().empty() && text::display_width(lines.back()) + 1 + text::display_width(word) > width) {
-      if (lines.size() == most) {
-        lines.back() += " \u2026";
-        return lines;
-      }
-      lines.emplace_back();
-    }
-    lines.back() += lines.back().empty() ? "" : " ";
-    lines.back() += word;
-  }
-  return lines;
 }
 
 class Plot {
@@ -178,9 +145,34 @@ std::array<std::string, 2> figure_rows(const flight::Flight& flight, const Figur
       : flight.path.empty() ? "top speed {} m/s"
                             : "top speed {} m/s over ground");
   add(rows[0], f.control_time_s, 1, "{} s under control");
-  add(rows[1], f.roll_turns, 2, "turned by {} turns under control");
+  const flight::Events& e = flight.events;
+  const std::string when =
+      e.control_start_s && e.control_end_s
+          ? fmt::format(", {} s to {} s", text::fixed(*e.control_start_s, 1), text::fixed(*e.control_end_s, 1))
+          : "";
+  add(rows[1], f.roll_turns, 2, "turned by {} turns under control" + when);
   add(rows[1], f.roll_turns_without_control, 2, "without control by {} turns");
   return rows;
+}
+
+/// A long verdict in smaller letters, because none of it is to be missed.
+std::string verdict_lines(std::string_view verdict, double& y) {
+  constexpr double most_height = 160.0;
+  constexpr double line_height = 1.29;
+  constexpr double smallest = 10.0;
+  double size = 24.0;
+  const auto lines_at = [&] { return in_lines(verdict, {size}, right - left, 12); };
+  std::vector<std::string> lines = lines_at();
+  while (size > smallest && size * line_height * static_cast<double>(lines.size()) > most_height) {
+    size -= 1.0;
+    lines = lines_at();
+  }
+  std::string out;
+  for (const std::string& line : lines) {
+    out += text_at(left, y, size, "fill=\"#1f2933\"", line);
+    y += size * line_height;
+  }
+  return out;
 }
 
 }  // namespace
@@ -191,22 +183,19 @@ std::string card_svg(const flight::Flight& flight, const Figures& figures, const
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1200\" height=\"630\" viewBox=\"0 0 1200 630\" "
       "font-family=\"DejaVu Sans, sans-serif\">\n<rect width=\"1200\" height=\"630\" fill=\"#ffffff\"/>\n";
   out += fmt::format("<rect width=\"16\" height=\"630\" fill=\"{}\"/>\n", colour);
-  out += text_at(
-      left, 62.0, 22.0, "fill=\"#586069\"",
-      in_lines(flight.vehicle.empty() ? "Fantail flight report" : "Fantail flight report \u00b7 " + flight.vehicle, 80,
-               1)
-          .front());
-  out += text_at(left, 118.0, 50.0, "fill=\"#1f2933\" font-weight=\"bold\"", in_lines(flight.scenario, 32, 1).front());
-  out += text_at(left, 168.0, 30.0, fmt::format("fill=\"{}\" font-weight=\"bold\"", colour),
-                 display_name(verdict.outcome));
+  const auto line = [&out](double y, const Letters& letters, std::string_view fill, std::string_view words) {
+    out +=
+        text_at(left, y, letters.size, fmt::format("fill=\"{}\"{}", fill, letters.bold ? " font-weight=\"bold\"" : ""),
+                in_lines(words, letters, right - left, 1).front());
+  };
+  line(62.0, {22.0}, "#586069", "Fantail flight report" + (flight.vehicle.empty() ? "" : " \u00b7 " + flight.vehicle));
+  line(118.0, {50.0, true}, "#1f2933", flight.scenario);
+  line(168.0, {30.0, true}, colour, display_name(verdict.outcome));
   double y = 206.0;
-  for (const std::string& line : in_lines(verdict.text, 84, 6)) {
-    out += text_at(left, y, 24.0, "fill=\"#1f2933\"", line);
-    y += 31.0;
-  }
+  out += verdict_lines(verdict.text, y);
   y += 6.0;
-  for (const std::string& line : figure_rows(flight, figures)) {
-    out += text_at(left, y, 20.0, "fill=\"#586069\"", line);
+  for (const std::string& words : figure_rows(flight, figures)) {
+    out += text_at(left, y, 20.0, "fill=\"#586069\"", words);
     y += 28.0;
   }
   out += roll_plot(flight, std::max(y + 10.0, 366.0));
@@ -215,8 +204,8 @@ std::string card_svg(const flight::Flight& flight, const Figures& figures, const
     origin += fmt::format(" Changed on the command line: {}.", fmt::join(flight.changes, ", "));
   }
   y = 592.0;
-  for (const std::string& line : in_lines(origin, 116, 2)) {
-    out += text_at(left, y, 16.0, "fill=\"#586069\"", line);
+  for (const std::string& words : in_lines(origin, {16.0}, right - left, 2)) {
+    out += text_at(left, y, 16.0, "fill=\"#586069\"", words);
     y += 22.0;
   }
   return out + "</svg>\n";

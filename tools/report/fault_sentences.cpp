@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,16 +33,29 @@ std::string unmeasured(const flight::Flight& flight) {
   return text;
 }
 
+namespace {
+
+std::string until_when(const flight::Outage& outage) {
+  return (outage.to_s ? fmt::format("to {} s", text::fixed(*outage.to_s, 3)) : "on") +
+         (outage.resumed                         ? ", and then the flight was resumed"
+          : outage.to_s && !outage.cause.empty() ? ", and then the flight was not resumed: the avionics was Safe"
+                                                 : "");
+}
+
+}  // namespace
+
 std::string outages(const flight::Flight& flight) {
+  constexpr std::size_t most = 4;  // of which each is told
+  const std::vector<flight::Outage>& all = flight.outages;
+  const std::size_t told = all.size() > most ? most - 1 : all.size();
   std::string text;
-  for (const flight::Outage& outage : flight.outages) {
-    const bool was_reset = !outage.cause.empty();
-    text += was_reset ? fmt::format(" The processor was reset ({}): no", outage.cause) : " No";
-    text += fmt::format(" tick is on record from {} s ", text::fixed(outage.from_s, 3));
-    text += outage.to_s ? fmt::format("to {} s", text::fixed(*outage.to_s, 3)) : "on";
-    text += outage.resumed             ? ", and then the flight was resumed."
-            : outage.to_s && was_reset ? ", and then the flight was not resumed: the avionics was Safe."
-                                       : ".";
+  for (const flight::Outage& outage : std::span{all}.first(told)) {
+    text += outage.cause.empty() ? " No" : fmt::format(" The processor was reset ({}): no", outage.cause);
+    text += fmt::format(" tick is on record from {} s {}.", text::fixed(outage.from_s, 3), until_when(outage));
+  }
+  if (told < all.size()) {
+    text += fmt::format(" That came {} more times, the last time from {} s {}.", all.size() - told,
+                        text::fixed(all.back().from_s, 3), until_when(all.back()));
   }
   return text;
 }
