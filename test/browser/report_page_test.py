@@ -128,5 +128,33 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(self.page.run("return document.querySelectorAll('.uplot').length"), 10)
 
 
+class SixDofPage(unittest.TestCase):
+    def test_on_a_telephone_the_path_has_the_width_of_the_page(self):
+        folder = PICTURES / "six_dof"
+        subprocess.run([FANTAIL, "fly", "--set", "flight.motion=six_dof", "--out", folder], check=True, stdout=subprocess.DEVNULL)
+        with browser.Browser(1280, 1043) as page:
+            page.screen(390, 844, phone=True)
+            page.open((folder / "report.html").absolute().as_uri())
+            page.wait_until("return document.querySelectorAll('.uplot').length >= 6")
+            width_px, height_px = page.run("const box = document.querySelector('.scene .path canvas').getBoundingClientRect(); return [box.width, box.height]")
+            self.assertGreater(width_px, 340)
+            self.assertGreater(height_px, 200)
+            self.assertEqual(page.complaints(), [])
+
+
+class ShortTable(unittest.TestCase):
+    def test_of_one_row_or_two_or_of_equal_values_makes_a_page_without_errors(self):
+        head = "time_s,phase,roll_angle_deg,roll_rate_deg_s,height_m,speed_m_s\n"
+        PICTURES.mkdir(parents=True, exist_ok=True)
+        with browser.Browser(1280, 1043) as page:
+            for name, times_s in (("one", [3]), ("repeated", [3, 3, 3]), ("two", [3, 3.000001]), ("equal", [0, 1, 2, 3])):
+                table = PICTURES / f"{name}_rows.csv"
+                table.write_text(head + "".join(f"{time_s},controlling,5,0,10,20\n" for time_s in times_s))
+                subprocess.run([FANTAIL, "report", table, "--out", PICTURES / name], check=True, stdout=subprocess.DEVNULL)
+                page.open((PICTURES / name / "report.html").absolute().as_uri())
+                page.wait_until("return document.querySelectorAll('.uplot').length >= 4")
+                self.assertEqual(page.complaints(), [], name)
+
+
 if __name__ == "__main__":
     browser.run_tests(PICTURES)

@@ -30,6 +30,10 @@ PlotWindow plot_window(const flight::Flight& flight) {
     const double over_s = std::max(e.control_end_s.value_or(window.begin_s), e.apogee_s.value_or(window.begin_s));
     window.end_s = std::min(window.end_s, over_s + 0.5);
   }
+  constexpr double least_s = 0.01;  // a table may have one row, and a summary events far from its rows
+  if (window.end_s - window.begin_s < least_s) {
+    window = {flight.rows.front().time_s - 0.5, flight.rows.back().time_s + 0.5};
+  }
   return window;
 }
 

@@ -168,6 +168,7 @@ std::vector<page::LiveCharts::View> views(const flight::Flight& flight) {
   if (!flight.tunnel && e.control_start_s && e.control_end_s) {
     all.push_back({"Control", *e.control_start_s - 0.1, *e.control_end_s + 0.1});
   }
+  std::erase_if(all, [](const auto& view) { return view.end_s <= view.begin_s; });  // of events in no order
   if (flight.rows.back().time_s > window.end_s) {
     all.push_back({flight.tunnel ? "All" : "With descent", window.begin_s, flight.rows.back().time_s});
   }
