@@ -56,13 +56,16 @@ TEST(Compare, ALogDiffersFromItselfByNothing) {
 }
 
 TEST(Compare, AConstantOffsetIsMeanRmsAndMaximum) {
-  const Comparison result = compare(line({0, 5, 0.01}, 0.25, 1.0), line({0, 5, 0.007}, 0.5, 1.5), {.to_s = 0.0});
-  ASSERT_EQ(result.time_s.size(), 1U);
-  EXPECT_DOUBLE_EQ(result.angle.mean_abs, 0.25);
-  EXPECT_DOUBLE_EQ(result.angle.rms, 0.25);
-  EXPECT_DOUBLE_EQ(result.angle.max_abs, 0.25);
-  EXPECT_DOUBLE_EQ(result.angle_difference_rad[0], -0.25);
-  EXPECT_DOUBLE_EQ(result.rate.mean_abs, 0.5);
+  RollLog b = line({0, 5, 0.007}, 0.5, 1.0);
+  for (double& rate_rad_s : b.roll_rate_rad_s) {
+    rate_rad_s += 0.5;
+  }
+  const Comparison result = compare(line({0, 5, 0.01}, 0.25, 1.0), b, {});
+  EXPECT_NEAR(result.angle.mean_abs, 0.25, 1e-12);
+  EXPECT_NEAR(result.angle.rms, 0.25, 1e-12);
+  EXPECT_NEAR(result.angle.max_abs, 0.25, 1e-12);
+  EXPECT_NEAR(result.angle_difference_rad[0], -0.25, 1e-12);
+  EXPECT_NEAR(result.rate.mean_abs, 0.5, 1e-12);
 }
 
 // A - B = 0.5 t over 0..4 s: mean 1, rms 2/sqrt(3), largest 2 at 4 s.
@@ -198,6 +201,11 @@ TEST(Compare, LogsWithoutOverlapAreRefused) {
                        [] { (void)compare(sine({0.1, 5, 0.5}), sine({0, 9, 0.25}), {}); });
   test::expect_refused(text::ErrorKind::bad_data, {"do not overlap"},
                        [] { (void)compare(sine({0, 5, 0.01}), sine({20, 25, 0.01}), {.find_shift = true}); });
+}
+
+TEST(Compare, OneSampleIsTooFew) {
+  test::expect_refused(text::ErrorKind::bad_data, {"only one sample is there to compare, at 5 s of A"},
+                       [] { (void)compare(sine({0, 5, 0.01}), sine({5, 9, 0.01}), {}); });
 }
 
 TEST(Compare, ASteadyRateCannotBeAligned) {

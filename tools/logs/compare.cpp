@@ -200,6 +200,11 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
                             a.name, b.name, a.time_s[extent.begin], a.time_s[extent.end - 1], result.shift_s,
                             b.time_s.front(), b.time_s.back(), options.longest_gap_s)};
   }
+  if (result.time_s.size() == 1) {
+    throw Error{ErrorKind::bad_data,
+                fmt::format("{} and {}: only one sample is there to compare, at {:g} s of A: that is too few", a.name,
+                            b.name, result.time_s.front())};
+  }
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
     result.warnings.push_back(
         fmt::format("{} of A's {} samples in the window have no counterpart in B and are left out.", lost,
