@@ -29,8 +29,16 @@ TEST(Color, IsAsTheCommandLineAsksWhateverTheSurroundings) {
 TEST(Columns, AreThoseOfTheTerminalUpToWhatCanBeRead) {
   EXPECT_EQ(readable_columns(80), 80U);
   EXPECT_EQ(readable_columns(60), 60U);
+  EXPECT_EQ(readable_columns(30), 30U);
+  EXPECT_EQ(readable_columns(10), 20U);
   EXPECT_EQ(readable_columns(300), 120U);
   EXPECT_EQ(readable_columns(0), 80U) << "one that does not know its width";
+}
+
+// Text of a file: a colour, a bell, a line that is overwritten, and the one byte that begins a sequence, too.
+TEST(Controls, OfAFileAreQuestionMarksAndColoursOfOursStay) {
+  EXPECT_EQ(without_controls("a\033[31mred\a\rb\u009b2J \u00e9\n"), "a?[31mred??b??2J \u00e9\n");
+  EXPECT_EQ(without_controls("\033[31mred\033[0m \033[2J", true), "\033[31mred\033[0m ?[2J");
 }
 
 class Painted : public testing::Test {

@@ -37,6 +37,35 @@ std::string in_a_pipe(const Words& words, const Folder& folder, const Variables&
   return fantail(words, {.working_folder = folder.path(), .prepare = surroundings(variables)}).out;
 }
 
+// Names of files and folders, and what stands in them.
+TEST(Terminal, HearsNoControlCharactersOfAnyFile) {
+  const Folder folder;
+  const std::string hostile = "a\\u001b[31mb\\u0007c\\nGo: yes\\u009b2J";
+  const std::string row = "time_s,phase,roll_angle_deg,roll_rate_deg_s\n0,safe,0,0\n1,safe,0,0\n";
+  folder.write("day/flight.csv", row);
+  folder.write("day/summary.json", "{\"scenario\": \"" + hostile + "\", \"vehicle\": \"" + hostile +
+                                       "\", \"notes\": [\"" + hostile + "\"], \"changes\": [\"" + hostile +
+                                       "\"], \"why_not_armed\": \"" + hostile + "\"}");
+  const std::string name = "x\033[31my\a\nGo: yes";
+  folder.write(name + ".csv", row);
+  folder.write(name + ".toml",
+               "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\nassumed = [\"" + hostile + "\"]\n");
+  for (const Words& words :
+       {Words{"report", "day"}, Words{"report", name + ".csv"}, Words{"report", name + ".csv", name + ".csv"},
+        Words{"compare", name + ".csv", "day"}, Words{"fly", name + ".toml"}, Words{"fly", name}, Words{name},
+        Words{"report", name}, Words{"predict", name + ".toml", "--runs", "2"},
+        Words{"campaign", name + ".toml", "--runs", "2"}, Words{"identify", name + ".csv"},
+        Words{"listen", name + ".csv"}, Words{"plan", "check", name}, Words{"airframe", name},
+        Words{"fly", "--set", name + "=1"}, Words{"log", "info", name}}) {
+    const Outcome outcome = fantail(words, {.working_folder = folder.path()});
+    for (const std::string& said : {outcome.out, outcome.err}) {
+      EXPECT_EQ(said.find_first_of("\033\a"), std::string::npos) << words[0] << ": " << said;
+      EXPECT_EQ(said.find("\u009b"), std::string::npos) << words[0] << ": " << said;
+      EXPECT_FALSE(("\n" + said).find("\nGo: yes") != std::string::npos) << words[0] << ": " << said;
+    }
+  }
+}
+
 bool has_escape(const std::string& text) { return text.find('\033') != std::string::npos; }
 
 // Columns of a line that has no colours.

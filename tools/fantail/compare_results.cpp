@@ -9,6 +9,7 @@
 #include "json/value.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -36,7 +37,7 @@ std::vector<std::string> CompareResults::objections() const {
 
 std::string compare_text(const CompareResults& results) {
   const logs::Comparison& c = results.comparison;
-  std::string text = fmt::format("A  {}\nB  {}\n\n", results.a, results.b);
+  std::string text = fmt::format("A  {}\nB  {}\n\n", text::printable(results.a), text::printable(results.b));
   text += fmt::format("{} samples, {:.3f} s to {:.3f} s of A{}\n", c.time_s.size(), c.time_s.front(), c.time_s.back(),
                       results.window.empty() ? "" : ", window " + results.window);
   text += fmt::format("B's clock shows {:+.4f} s at A's zero ({})\n", c.shift_s + 0.0,

@@ -14,6 +14,7 @@
 #include "flight/phase_names.hpp"
 #include "report/gain_margin_text.hpp"
 #include "text/degrees.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -27,10 +28,10 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
 }  // namespace
 
 void print_summary(const flight::Flight& flight, const report::Results& results) {
-  show("{} ({}), seed {}\n{}\n", flight.scenario, flight.vehicle, flight.seed.value_or(0),
-       painted_verdict(results.verdict));
+  show("{} ({}), seed {}\n{}\n", text::printable(flight.scenario), text::printable(flight.vehicle),
+       flight.seed.value_or(0), painted_verdict(results.verdict));
   if (!flight.changes.empty()) {
-    show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
+    show("Changed on the command line: {}.\n", text::printable(fmt::format("{}", fmt::join(flight.changes, ", "))));
   }
   std::vector<std::string> assumed = flight.notes;
   if (const std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
@@ -38,7 +39,7 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   }
   show("{}", assumed.empty() ? "" : "\nAssumptions and notes:\n");
   for (const std::string& sentence : assumed) {
-    show("  {}\n", sentence);
+    show("  {}\n", text::printable(sentence));
   }
   show("\n");
   const flight::Events& events = flight.events;

@@ -32,8 +32,8 @@ void guard_standard_streams() {
 }
 
 void say(std::string_view text) {
-  const std::string whole =
-      (line_is_for_now.exchange(false) ? take_away : "") + text::wrapped(text, columns_of(STDERR_FILENO));
+  const std::string whole = (line_is_for_now.exchange(false) ? take_away : "") +
+                            text::wrapped(without_controls(text), columns_of(STDERR_FILENO));
   std::fwrite(whole.data(), 1, whole.size(), stderr);
   std::fflush(stderr);
 }
@@ -43,7 +43,7 @@ void say_for_now(std::string_view line) {
     return;
   }
   // A line that the terminal breaks would stay when the next is drawn.
-  const std::string whole = take_away + std::string{line.substr(0, columns_of(STDERR_FILENO) - 1)};
+  const std::string whole = take_away + without_controls(line.substr(0, columns_of(STDERR_FILENO) - 1));
   std::fwrite(whole.data(), 1, whole.size(), stderr);
   std::fflush(stderr);
   line_is_for_now = !line.empty();

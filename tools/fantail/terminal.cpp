@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "fantail/standard_streams.hpp"
+#include "text/printable.hpp"
 #include "text/wrapped.hpp"
 
 namespace fantail::tool {
@@ -18,7 +19,10 @@ constexpr std::size_t usual_columns = 80;
 constexpr std::size_t usual_rows = 24;
 // A longer line is hard to read, a shorter one holds no option with its meaning.
 constexpr std::size_t most_columns = 120;
-constexpr std::size_t least_columns = 40;
+constexpr std::size_t least_columns = 20;
+
+// In the order of Color, and then none.
+constexpr std::array<std::string_view, 5> color_codes{"\033[32m", "\033[31m", "\033[33m", "\033[36m", "\033[0m"};
 
 ColorWish color_wish = ColorWish::automatic;
 
@@ -29,6 +33,11 @@ winsize size_of(int stream) {
 }
 
 bool is_dumb(const char* term) { return term == nullptr || *term == '\0' || std::string_view{term} == "dumb"; }
+
+bool has_color() {
+  static const bool is_terminal = ::isatty(STDOUT_FILENO) == 1;
+  return may_have_color(color_wish, is_terminal, std::getenv("NO_COLOR"), std::getenv("TERM"));
+}
 
 }  // namespace
 
@@ -61,19 +70,29 @@ void set_color(std::string_view wish) {
 }
 
 std::string painted(Color color, std::string_view text) {
-  static const bool is_terminal = ::isatty(STDOUT_FILENO) == 1;
-  if (text.empty() || !may_have_color(color_wish, is_terminal, std::getenv("NO_COLOR"), std::getenv("TERM"))) {
+  if (text.empty() || !has_color()) {
     return std::string{text};
   }
-  // In the order of the names.
-  constexpr std::array codes{32, 31, 33, 36};
-  return fmt::format("\033[{}m{}\033[0m", codes[static_cast<std::size_t>(color)], text);
+  return fmt::format("{}{}{}", color_codes[static_cast<std::size_t>(color)], text, color_codes.back());
 }
 
-void show_text(std::string_view text) {
+std::string without_controls(std::string_view text, bool with_colors) {
+  std::string result;
+  while (!text.empty()) {
+    const bool is_color =
+        with_colors && std::ranges::any_of(color_codes, [&](const auto code) { return text.starts_with(code); });
+    const std::size_t kept = is_color ? text.find('m') + 1 : text[0] == '\n' ? 1 : text::printable_character(text);
+    result += kept == 0 ? std::string_view{"?"} : text.substr(0, kept);
+    text.remove_prefix(std::max<std::size_t>(kept, 1));
+  }
+  return result;
+}
+
+void show_text(std::string_view all) {
+  const std::string text = without_controls(all, has_color());
   const std::size_t columns = output_columns();
   say_for_now("");  // it may stand on the same terminal
-  fmt::print("{}", columns == text::any_width ? std::string{text} : text::wrapped(text, columns));
+  fmt::print("{}", columns == text::any_width ? text : text::wrapped(text, columns));
 }
 
 }  // namespace fantail::tool

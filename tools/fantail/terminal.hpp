@@ -36,6 +36,10 @@ void set_color(std::string_view wish);
 
 /// The text in a colour where standard output may have colours, else as it is. For words that say the same without.
 [[nodiscard]] std::string painted(Color color, std::string_view text);
+/// Lines as they may go to a terminal: a control character becomes a question mark, if it is of no colour that
+/// painted() gave.
+[[nodiscard]] std::string without_controls(std::string_view text, bool with_colors = false);
+
 /// Prints what a person reads to standard output, whole lines: wrapped where that is a terminal. What a program reads
 /// is not for it.
 void show_text(std::string_view text);

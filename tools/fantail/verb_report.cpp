@@ -24,6 +24,7 @@
 #include "report/results.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
+#include "text/printable.hpp"
 #include "text/shell_word.hpp"
 
 namespace fantail::tool {
@@ -62,16 +63,17 @@ void report_one(const ReportOptions& options) {
     fmt::print("{}", results.summary);
     return;
   }
-  show("{}\n{}\n", flight.scenario, painted_verdict(results.verdict));
+  show("{}\n{}\n", text::printable(flight.scenario), painted_verdict(results.verdict));
   if (!flight.changes.empty()) {
     show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
   }
   for (const std::string& note : flight.notes) {
     show("  {}\n", note);
   }
-  show("\n  report  {}\n  data    {}\n", (folder / "report.html").string(), (folder / "flight.csv").string());
+  const std::string where = text::printable(folder.string());
+  show("\n  report  {0}/report.html\n  data    {0}/flight.csv\n", where);
   if (options.card) {
-    show("  card    {}\n", (folder / "card.png").string());
+    show("  card    {}/card.png\n{}", where, note_on_letters(flight));
   }
 }
 
@@ -107,8 +109,8 @@ void report_two(const ReportOptions& options) {
   if (options.json) {
     fmt::print("{}", compare_json(results));
   } else {
-    show("{}\n  report  {}\n  data    {}\n", compare_text(results), (folder / "report.html").string(),
-         (folder / "differences.csv").string());
+    show("{0}\n  report  {1}/report.html\n  data    {1}/differences.csv\n", compare_text(results),
+         text::printable(folder.string()));
   }
 }
 

@@ -4,11 +4,14 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "json/value.hpp"
 #include "report/summary_json.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::report {
 namespace {
@@ -41,7 +44,18 @@ const Json& member(const Json& object, const char* name) {
 
 std::string text(const Json& object, const char* name) {
   const Json& value = member(object, name);
-  return value.is_text() ? value.text() : std::string{};
+  return value.is_text() ? text::printable(value.text()) : std::string{};
+}
+
+/// Of a list, the texts.
+std::vector<std::string> texts(const Json& object, const char* name) {
+  std::vector<std::string> all;
+  for (const Json& value : member(object, name)) {
+    if (value.is_text()) {
+      all.push_back(text::printable(value.text()));
+    }
+  }
+  return all;
 }
 
 std::optional<double> number(const Json& object, const char* name) {
@@ -60,16 +74,6 @@ std::optional<Enum> named(const std::string& word, std::size_t count) {
   return {};
 }
 
-std::vector<std::string> changes(const Json& summary) {
-  std::vector<std::string> all;
-  for (const Json& change : member(summary, "changes")) {
-    if (change.is_text()) {
-      all.push_back(change.text());
-    }
-  }
-  return all;
-}
-
 std::optional<flight::FlownAirframe> airframe(const Json& summary) {
   const auto inertia_kg_m2 = number(summary, "roll_inertia_kg_m2");
   const auto area_m2 = number(summary, "reference_area_m2");
@@ -80,7 +84,7 @@ std::optional<flight::FlownAirframe> airframe(const Json& summary) {
                                .vehicle_file = text(summary, "vehicle_file"),
                                .roll_inertia_kg_m2 = *inertia_kg_m2,
                                .reference_area_m2 = *area_m2,
-                               .changes = changes(summary)};
+                               .changes = texts(summary, "changes")};
 }
 
 void read_events(flight::Events& events, const Json& json) {
@@ -211,11 +215,9 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
                            .angle_rad = text::radians(number(imposed, "angle_deg").value_or(0.0)),
                            .rate_rad_s = text::radians(number(imposed, "rate_deg_s").value_or(0.0))};
   }
-  flight.changes = changes(summary);
-  for (const Json& note : member(summary, "notes")) {
-    if (note.is_text()) {
-      flight.notes.push_back(note.text());
-    }
+  flight.changes = texts(summary, "changes");
+  for (std::string& note : texts(summary, "notes")) {
+    flight.notes.push_back(std::move(note));
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "text/printable.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace fantail::text {
@@ -13,8 +12,9 @@ struct Form {
 };
 constexpr Form forms[]{{0x80, 0x00, 0}, {0xE0, 0xC0, 0x80}, {0xF0, 0xE0, 0x800}, {0xF8, 0xF0, 0x10000}};
 
-// Length of the character that the text begins with; 0 when it is none to print.
-std::size_t character(std::string_view text) {
+}  // namespace
+
+std::size_t printable_character(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   for (std::size_t length = 1; length <= 4; ++length) {
     const Form& form = forms[length - 1];
@@ -39,8 +39,6 @@ std::size_t character(std::string_view text) {
   return 0;
 }
 
-}  // namespace
-
 std::string printable(std::string_view text) {
   // Whoever gives a word of 4000 characters need not read it whole, twice.
   constexpr std::size_t longest = 3000;
@@ -51,7 +49,7 @@ std::string printable(std::string_view text) {
   }
   std::string result;
   while (!text.empty()) {
-    const std::size_t length = character(text);
+    const std::size_t length = printable_character(text);
     result += length == 0 ? std::string_view{"?"} : text.substr(0, length);
     text.remove_prefix(length == 0 ? 1 : length);
   }
