@@ -43,7 +43,7 @@ Flight& flight_of(LogFile& file, std::size_t index) {
 nb::list recorded_events(const Flight& flight) {
   nb::list all;
   for (const protocol::LogEvent& event : flight.events) {
-    all.append(nb::make_tuple(seconds(event.time), flight_log::event_text(event)));
+    all.append(nb::make_tuple(seconds(event.time), flight_log::event_text(event, flight.first_time)));
   }
   return all;
 }

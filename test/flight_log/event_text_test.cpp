@@ -9,7 +9,18 @@ namespace fantail::flight_log {
 namespace {
 
 std::string of_board(std::uint32_t bits) {
-  return event_text({.kind = protocol::LogEventKind::board_faults, .number = bits});
+  return event_text({.kind = protocol::LogEventKind::board_faults, .number = bits}, {});
+}
+
+// The recorder says the phase of its first tick, which may be minutes old.
+TEST(EventText, APhaseThatTheFirstTickShowsBeganBeforeTheLog) {
+  protocol::LogEvent event{.time = core::Microseconds{5000},
+                           .kind = protocol::LogEventKind::phase,
+                           .value = static_cast<std::uint8_t>(core::Phase::armed),
+                           .detail = static_cast<std::uint8_t>(core::PhaseReason::armed_by_switch_and_command)};
+  EXPECT_EQ(event_text(event, core::Microseconds{5000}),
+            "Armed: already when the log begins (armed by switch and command)");
+  EXPECT_EQ(event_text(event, core::Microseconds{4000}), "Armed: armed by switch and command");
 }
 
 TEST(EventText, NamesEveryFaultOfTheBoard) {

@@ -99,7 +99,7 @@ void check_flight(const flight_log::Flight& flight) {
   check_replay(flight);
   require(is_sentence(flight_log::integrity_text(flight)));
   for (const protocol::LogEvent& event : flight.events) {
-    require(is_sentence(flight_log::event_text(event)));
+    require(is_sentence(flight_log::event_text(event, flight.first_time)));
   }
   const auto loop = flight_log::loop_times(flight);
   require(!loop || (loop->mean_us <= loop->longest_us && loop->p99_us <= loop->longest_us));

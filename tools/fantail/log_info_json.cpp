@@ -85,8 +85,9 @@ Json health(const FlightInfo& info) {
 Json events(const FlightInfo& info) {
   Json list = Json::array();
   for (const protocol::LogEvent& event : info.flight.events) {
-    Json one{
-        {"time_s", info.seconds(event.time)}, {"kind", name(event.kind)}, {"words", flight_log::event_text(event)}};
+    Json one{{"time_s", info.seconds(event.time)},
+             {"kind", name(event.kind)},
+             {"words", flight_log::event_text(event, info.flight.first_time)}};
     if (event.kind == protocol::LogEventKind::phase) {
       one["phase"] = name(static_cast<core::Phase>(event.value));
       one["reason"] = name(static_cast<core::PhaseReason>(event.detail));

@@ -59,7 +59,8 @@ std::string event_list(const FlightInfo& info) {
   const auto& events = info.flight.events;
   std::string text = events.empty() ? "" : "\n  time / s   what happened\n";
   for (std::size_t i = 0; i < std::min(events.size(), most_events_shown); ++i) {
-    text += fmt::format("  {:>9.3f}  {}\n", info.seconds(events[i].time), flight_log::event_text(events[i]));
+    text += fmt::format("  {:>9.3f}  {}\n", info.seconds(events[i].time),
+                        flight_log::event_text(events[i], info.flight.first_time));
   }
   if (events.size() > most_events_shown) {
     text += fmt::format("  and {} more, which --json lists\n", events.size() - most_events_shown);

@@ -37,6 +37,14 @@ std::string_view display_name(core::PhaseReason reason) {
   return "unknown";
 }
 
+std::string why_it_began(std::optional<core::PhaseReason> reason, bool is_there_when_log_begins) {
+  const std::string why{reason ? display_name(*reason) : ""};
+  if (!is_there_when_log_begins) {
+    return why;
+  }
+  return "already when the log begins" + (why.empty() ? "" : fmt::format(" ({})", why));
+}
+
 std::string imposed_roll_sentence(const Flight& flight) {
   if (!flight.imposed_roll) {
     return {};

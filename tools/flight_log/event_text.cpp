@@ -66,7 +66,7 @@ std::string ordinal(std::uint32_t number) {
 
 }  // namespace
 
-std::string event_text(const protocol::LogEvent& event) {
+std::string event_text(const protocol::LogEvent& event, core::Microseconds log_begins) {
   using Kind = protocol::LogEventKind;
   switch (event.kind) {
     case Kind::recording_began:
@@ -78,7 +78,7 @@ std::string event_text(const protocol::LogEvent& event) {
       return fmt::format("recording ended: {}", text(static_cast<protocol::LogEnd>(event.value)));
     case Kind::phase:
       return fmt::format("{}: {}", flight::display_name(static_cast<core::Phase>(event.value)),
-                         flight::display_name(static_cast<core::PhaseReason>(event.detail)));
+                         flight::why_it_began(static_cast<core::PhaseReason>(event.detail), event.time <= log_begins));
     case Kind::canard_verdict:
       return fmt::format("canard {} {}", event.index + 1, name(static_cast<core::CanardVerdict>(event.value)));
     case Kind::gyro_state: return sensor("gyro", event.value);

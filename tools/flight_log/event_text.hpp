@@ -7,7 +7,7 @@
 
 namespace fantail::flight_log {
 
-/// "Controlling: guide clear and fast enough", "canard 2 stalled".
-[[nodiscard]] std::string event_text(const protocol::LogEvent& event);
+/// "Controlling: guide clear and fast enough", "canard 2 stalled". `log_begins`: Flight::first_time of its log.
+[[nodiscard]] std::string event_text(const protocol::LogEvent& event, core::Microseconds log_begins);
 
 }  // namespace fantail::flight_log

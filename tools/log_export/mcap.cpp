@@ -141,7 +141,7 @@ class McapFile {
         text(next, true, fmt::format("{} records are missing before this", flight.gaps[next_gap_++].count));
       } else if (next == event) {
         const protocol::LogEvent& there = flight.events[next_event_++];
-        text(next, is_warning(there), flight_log::event_text(there));
+        text(next, is_warning(there), flight_log::event_text(there, flight.first_time));
       } else {
         ++next_health_;
         if (source_.inside(next)) {

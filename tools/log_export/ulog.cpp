@@ -193,7 +193,7 @@ class File {
       const protocol::LogEvent& event = flight.events[next_event_];
       if (source_.inside(event.time)) {
         writer_.text(is_warning(event) ? UlogLevel::warning : UlogLevel::info, us(event.time),
-                     flight_log::event_text(event));
+                     flight_log::event_text(event, flight.first_time));
       }
     }
     for (; next_health_ < flight.health.size() && flight.health[next_health_].time <= until; ++next_health_) {

@@ -24,6 +24,13 @@ namespace {
 using text::fixed;
 using Rows = std::vector<std::vector<page::Cell>>;
 
+/// So that the events of control are farther apart than its rows.
+bool rows_are_sparse(const flight::Flight& flight, const Figures& f) {
+  const flight::Events& e = flight.events;
+  return f.control_time_s && e.control_start_s && e.control_end_s &&
+         *e.control_end_s - *e.control_start_s - *f.control_time_s > 0.005;
+}
+
 std::string figure_list(const flight::Flight& flight, const Figures& f, bool roll_is_judged) {
   std::vector<page::Figure> list;
   const auto add = [&list](std::string label, const std::optional<double>& value, int decimals, std::string unit,
@@ -41,7 +48,8 @@ std::string figure_list(const flight::Flight& flight, const Figures& f, bool rol
   }
   add("Control starts", flight.events.control_start_s, 3, "s",
       f.control_start_height_m ? "at " + fixed(*f.control_start_height_m, 2) + " m" : "");
-  add("Time under control", f.control_time_s, 2, "s");
+  add("Time under control", f.control_time_s, 2, "s",
+      rows_are_sparse(flight, f) ? "from its first row to its last" : "");
   add("Largest hold error", roll_is_judged ? text::in_degrees(f.largest_hold_error_rad) : std::nullopt, 1, "deg",
       f.mean_hold_error_rad ? "mean " + fixed(text::degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
   add("Saturated", f.saturated_fraction ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1, "%",
@@ -76,7 +84,7 @@ std::vector<page::Cell> row(double time_s, std::string_view what, std::string_vi
 }
 
 std::string table(std::string what, std::string meaning, const Rows& rows) {
-  const std::array<page::Column, 3> columns{{{"Time, s", true}, {std::move(what)}, {std::move(meaning)}}};
+  const std::array<page::Column, 3> columns{{{"Time / s", true}, {std::move(what)}, {std::move(meaning)}}};
   return page::table(columns, rows);
 }
 
@@ -122,12 +130,9 @@ std::string phase_table(const flight::Flight& flight) {
   }
   Rows rows;
   for (const flight::PhaseChange& change : flight.phase_changes) {
-    std::string reason{change.reason ? flight::display_name(*change.reason) : ""};
-    if (!flight.rows.empty() && change.time_s <= flight.rows.front().time_s) {
-      // A recording begins shortly before detection, when the rocket has long been armed.
-      reason = "already when the log begins" + (reason.empty() ? "" : fmt::format(" ({})", reason));
-    }
-    rows.push_back(row(change.time_s, flight::display_name(change.phase), reason));
+    const bool is_first = !flight.rows.empty() && change.time_s <= flight.rows.front().time_s;
+    rows.push_back(
+        row(change.time_s, flight::display_name(change.phase), flight::why_it_began(change.reason, is_first)));
   }
   return table("Phase", "Reason", rows);
 }
