@@ -156,7 +156,7 @@ std::string overlay_html(const CompareResults& results, const logs::RollLog& a, 
   for (const Quantity& quantity :
        {Quantity{"Roll command", "roll command", "deg", &logs::RollLog::command_rad, per_radian},
         Quantity{"Canards", "mean of the encoders", "deg", &logs::RollLog::canard_rad, per_radian},
-        Quantity{"Speed", "speed", "m/s", &logs::RollLog::speed_m_s, 1.0},
+        Quantity{"Speed, as the avionics estimated it", "speed", "m/s", &logs::RollLog::speed_m_s, 1.0},
         Quantity{"Height", "height", "m", &logs::RollLog::height_m, 1.0}}) {
     page.body_html += section_of(quantity, results, a, b);
   }

@@ -259,7 +259,7 @@
     for (const chart of charts.splice(0)) chart?.destroy();
     data.plots.forEach((plot, i) => {
       if (plot.more && more.hidden) return charts.push(null);
-      const height = plot.height * (!document.documentElement.matches(".on-paper") ? 1 : plot.wide ? .65 : .7);
+      const height = plot.height * (!document.documentElement.matches(".on-paper") ? 1 : plot.wide ? .52 : .7);
       charts.push(new uPlot(chartOptions(plot, holders[i].clientWidth, height), unpacked.get(plot), holders[i]));
       charts[i].root.querySelector(".u-wrap").role = "img";
     });

@@ -57,7 +57,8 @@ function fantailScene(data, number, show) {
     const wind = data.path.wind?.words ?? "no wind";
     const draw = fantailPath(canvas, data.path);
     return {
-      box: element("figure", {}, element("figcaption", {}, element("span", {textContent: "Height"}), metres, element("span", {textContent: wind})), canvas),
+      box: element("figure", {className: "path"},
+        element("figcaption", {}, element("span", {textContent: "Height"}), metres, element("span", {textContent: wind})), canvas),
       draw() {
         metres.textContent = height(time);
         draw((time - data.begin) / data.step);

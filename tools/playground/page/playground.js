@@ -8,7 +8,7 @@
 
   const usual = "tasha3_launch2";
   let wanted = {scenario: usual, settings: new Map()};
-  let columnNames = [], built = "", flight = null, flown = 0, slowest = 0;
+  let columnNames = [], built = "", surroundings = "", flight = null, flown = 0, slowest = 0;
   let at = null, playing = !matchMedia("(prefers-reduced-motion: reduce)").matches, begun = 0;
 
   const turn = Math.PI / 180;
@@ -68,7 +68,9 @@
     if (message.controls) {
       if (message.of !== wanted.scenario || message.controls.refusal) return undefined;
       built = message.of;
-      controls.build(JSON.parse(message.controls.answer));
+      const answer = JSON.parse(message.controls.answer);
+      surroundings = answer.surroundings;
+      controls.build(answer);
       return controls.show(wanted.settings);
     }
     return show(message.flown, message.asked);
@@ -103,6 +105,9 @@
     return [Math.max(time[0], events.control_start_s == null && events.liftoff_s == null ? time[0] : -1), end];
   }
 
+  // As the report has it (report::top_speed_name).
+  const speedName = (summary) => surroundings !== "flight" ? "largest air speed" : summary.at_apogee == null ? "top speed" : "top speed over ground";
+
   function showWords(summary) {
     $("outcome").textContent = names[summary.outcome] ?? summary.outcome;
     $("verdict").textContent = summary.verdict;
@@ -113,7 +118,7 @@
       ["left of their authority", fixed(summary.authority_margin_deg, 1, "deg")],
       ["least phase margin", fixed(Number.isFinite(margin) ? margin : null, 0, "deg")],
       ["control starts at", fixed(summary.events.control_start_s, 2, "s")],
-      [summary.at_apogee == null ? "top speed" : "top speed over ground", fixed(summary.max_speed_m_s, 1, "m/s")],
+      [speedName(summary), fixed(summary.max_speed_m_s, 1, "m/s")],
       ["apogee", fixed(summary.apogee_m, 0, "m")],
     ];
     $("figures").replaceChildren(...figures.map(([name, value]) => {
