@@ -47,7 +47,7 @@ def older(deb):
         control.write_text(control.read_text(encoding="utf-8").replace("Version: ", "Version: 0.0~"), encoding="utf-8")
         (folder / "usr/share/fantail/no_longer").write_text("")
         made = deb.with_name("older.deb")
-        bare.said("dpkg-deb", "--root-owner-group", "-b", folder, made)
+        bare.said("dpkg-deb", "--root-owner-group", "-Znone", "-b", folder, made)
     return made
 
 
