@@ -71,11 +71,15 @@ class System:
     def run(self, *words, user="root", folder="/", environment=None, check=True, **options):
         enter = ('mount --make-rprivate / && mount -t proc proc "$0/proc" && user=$1 folder=$2 && shift 2 && '
                  'exec chroot --userspec="$user" "$0" /usr/bin/env -C "$folder" -i "$@"')
-        variables = ALWAYS | ({"PATH": PATH, "LC_ALL": "C.UTF-8", "DEBIAN_FRONTEND": "noninteractive"} if environment is None else environment)
-        return subprocess.run(
-            ["unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", enter, self.folder, user, folder,
-             *(f"{name}={value}" for name, value in variables.items()), *words],
-            check=check, text=True, stdin=subprocess.DEVNULL, **options)
+        if environment is None:
+            environment = {"PATH": PATH, "LC_ALL": "C.UTF-8", "DEBIAN_FRONTEND": "noninteractive"}
+        variables = (f"{name}={value}" for name, value in (ALWAYS | environment).items())
+        done = subprocess.run(
+            ["unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", enter, self.folder, user, folder, *variables, *words],
+            check=False, text=True, stdin=subprocess.DEVNULL, **options)
+        if check and done.returncode:
+            raise RuntimeError(f"{' '.join(words)} ended with {done.returncode}\n{done.stdout or ''}{done.stderr or ''}")
+        return done
 
     def put(self, file, place):
         shutil.copy(file, self.folder / place.lstrip("/"))

@@ -9,6 +9,8 @@ package() {
     *) usage ;;
   esac
   if [ "$*" = --container ]; then
+    [ "$(id -u)" -eq 0 ] || refuse "the steps are run in bare Debian systems, which only root may enter: sudo ./dev package --container"
+    need python3 debootstrap
     exec /usr/bin/python3 -B test/package/container.py build/bare Dockerfile .devcontainer/Dockerfile
   fi
   take_turn
