@@ -80,6 +80,7 @@ quick() {
   call 0 package --help # what the words do takes minutes and root
   grep -qe '--check' said && grep -qe '--container' said || { echo "FAILED: what does package take? $(cat said)" && exit 1; }
   call 64 release
+  call 64 docs here
   call 64 prove no_such_proof
   grep -q 'no proof no_such_proof' said || { echo "FAILED: the proof that is none was not named: $(cat said)" && exit 1; }
   call 0 prove --list

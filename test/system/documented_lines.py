@@ -79,11 +79,12 @@ def main():
     parser.add_argument("--section", action="append")
     parser.add_argument("--in", dest="folder")
     words = parser.parse_args()
+    words.project, words.fantail = words.project.absolute(), pathlib.Path(words.fantail).absolute()
     text = (words.project / words.page).read_text(encoding="utf-8")
     steps = list(steps_of("".join(sections_of(text, words.section)) if words.section else text))
     with tempfile.TemporaryDirectory(prefix="documented_lines.") as temporary:
         os.chdir(words.folder or temporary)
-        pathlib.Path("docs").symlink_to(words.project.absolute() / "docs")  # readers are in the folder of the project
+        pathlib.Path("docs").symlink_to(words.project / "docs")  # readers are in the folder of the project
         count = failures = 0
         for kind, what, content in steps:
             if kind == "file":

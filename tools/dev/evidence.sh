@@ -18,7 +18,7 @@ gates() {
   [ $# -eq 0 ] || usage
   local failed="" begun gate
   begun=$(date +%s)
-  for gate in repository trace "prove --resume" coverage "mutate --sample 300"; do
+  for gate in repository docs trace "prove --resume" coverage "mutate --sample 300"; do
     # shellcheck disable=SC2086 # a list of words
     ./dev $gate || {
       echo "dev: gates: ./dev $gate ended with $?" >&2
