@@ -57,18 +57,18 @@ def run(project, fantail, line, promised):
     verbs = subprocess.run([project / "dev", "help"], capture_output=True, text=True, check=True).stdout
     if not re.search(rf"^\./dev {words[0]} ", verbs, re.MULTILINE):
         return f"./dev knows no {words[0]}"
-    done = subprocess.run([fantail, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          check=False)
+    done = subprocess.run([fantail, *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    said = done.stdout or done.stderr  # beside a result, progress, which depends on the time
     code = re.search(r"#.*exit code (\d+)", line)
     if done.returncode != int(code[1] if code else 0):
-        return f"exit code {done.returncode}\n{done.stdout}"
+        return f"exit code {done.returncode}\n{done.stdout}{done.stderr}"
     # Every page that is named must be there.
-    for page in re.findall(r"^  (?:report|page) +(\S.*)$", done.stdout, re.MULTILINE):
+    for page in re.findall(r"^  (?:report|page) +(\S.*)$", said, re.MULTILINE):
         if not os.path.getsize(page):
             return f"no {page}"
-    printed = [one.rstrip() for one in done.stdout.splitlines() if one.strip()]
+    printed = [one.rstrip() for one in said.splitlines() if one.strip()]
     wrong = differs(promised, printed) if promised else None
-    return f"it does not print: {wrong}\n{done.stdout}" if wrong else None
+    return f"it does not print: {wrong}\n{said}" if wrong else None
 
 
 def main():

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""Usage: documentation_test.py PROJECT
+
+Is what looks at the manual able to find something? A made project with one page and a made program, and a made site.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROJECT = pathlib.Path(sys.argv.pop(1)).absolute()
+DEV = """#!/bin/sh
+echo './dev fly SCENARIO   fly'
+"""
+FANTAIL = """#!/bin/sh
+case "$*" in
+  "--complete ") printf 'words\\nfly\\tFly\\n' ;;
+  --complete*--set*) printf 'words\\nbody.mass_kg=\\tkg\\n' ;;
+  --complete*--) printf 'words\\n--out\\tFolder\\n--set\\tOne value\\n' ;;
+  --complete*) printf 'words\\n' ;;
+  *bad*) echo 'no such thing' >&2; exit 66 ;;
+  *) printf 'first\\nsecond\\nthird\\n'; echo progress >&2 ;;
+esac
+"""
+FOUR = "```\n./dev fly\n...\nthird\n./dev fly a\nfirst\n...\n./dev fly b\n./dev fly bad # exit code 66\nno such thing\n```\n"
+
+
+class Manual(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (self.folder / "docs").mkdir()
+        for name, text in (("dev", DEV), ("fantail", FANTAIL)):
+            (self.folder / name).write_text(text, encoding="utf-8")
+            (self.folder / name).chmod(0o755)
+
+    def said(self, script, text, *words):
+        (self.folder / "page.md").write_text(text, encoding="utf-8")
+        done = subprocess.run([sys.executable, "-B", PROJECT / script, *words], capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout
+
+    def lines(self, text):
+        return self.said("test/system/documented_lines.py", text, self.folder, self.folder / "fantail", "page.md")
+
+    def options(self, text):
+        return self.said("test/system/documented_options.py", "`./dev fly` " * 300 + text, self.folder, self.folder / "fantail")
+
+    def test_lines_that_print_what_they_say(self):
+        self.assertEqual(self.lines(FOUR), (0, "page.md: 4 commands, 0 failed\n"))
+
+    def test_a_line_that_is_not_printed_or_not_there(self):
+        for wrong in (FOUR.replace("third", "fourth"), FOUR.replace("first\n...", "first"), FOUR.replace("first\n...", "second\n...")):
+            code, said = self.lines(wrong)
+            self.assertEqual((code, said.count("it does not print")), (1, 1))
+
+    def test_an_exit_code_that_is_not_kept_and_too_few_lines(self):
+        self.assertIn("exit code 66", self.lines(FOUR.replace(" # exit code 66", ""))[1])
+        self.assertEqual(self.lines("```\n./dev fly\n```\n")[0], 1)
+
+    def test_verbs_options_and_keys(self):
+        self.assertEqual(self.options("`./dev fly x --out y --set body.mass_kg=3`")[0], 0)
+        for wrong, said in (("`./dev soar x`", "no verb soar"), ("```\n./dev fly \\\n  --ot y\n```\n", "no --ot"),
+                            ("`fantail fly --set body.mass=3`", "cannot set body.mass")):
+            code, printed = self.options("\n\n" + wrong + "\n")
+            self.assertEqual(code, 1)
+            self.assertIn(said, printed)
+
+    def test_links_of_a_site(self):
+        def checked(link):
+            (self.folder / "a.html").write_text(f'<p id="here"></p>{link}', encoding="utf-8")
+            return self.said("tools/docs/check_site.py", "", self.folder)
+
+        for good in ('<a href="#here">', '<a href="a.html#here">', '<a href="https://example.org/x">', '<img src="data:,">'):
+            self.assertEqual(checked(good), (0, ""))
+        for wrong, said in (('<a href="#there">', "no such place"), ('<a href="b.html">', "no such file"), ('<a href="/a.html">', "not from this folder"),
+                            ('<script src="https://example.org/x.js">', "fetched from a network"), ('<a href="https://x">', "no address")):
+            code, printed = checked(wrong)
+            self.assertEqual(code, 1)
+            self.assertIn(said, printed)
+
+
+unittest.main()
