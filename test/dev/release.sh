@@ -132,6 +132,9 @@ cd "$here"
 expect 69 'below "## Unreleased" of CHANGELOG.md stands nothing' 0.3.0
 unreleased Newer.
 expect 69 "there is a tag v0.2.0 already" 0.2.0
+git tag v0.9.0
+git tag v0.10.0
+expect 64 "0.9.1 is not greater than 0.10.0, the last version" 0.9.1
 git tag v1.0.0
 expect 64 "0.3.0 is not greater than 1.0.0, the last version" 0.3.0
 expect 0 "build/release/1.0.1-dry-run:" 1.0.1 --dry-run
