@@ -142,6 +142,12 @@ def main():
             pathlib.Path("bad.json").write_text(json.dumps({**json.loads(pathlib.Path("build/figures/soak.json").read_text()), "passed": False}))
             assert figures.main(["docs/figures/y.md", "Soak", "./dev soak", "bad.json"]) == 1
             assert "**not passed**" in pathlib.Path("docs/figures/y.md").read_text()
+            for verdict, passed in (("passed", 0), ("NOT PASSED", 1)):  # what ./dev repository writes
+                pathlib.Path("checked.txt").write_text(f"licences\tpassed\nforms\t{verdict}\n")
+                subprocess.run([sys.executable, TOOLS / "repository.py", "checked.txt", "12", "checked.json"], check=True)
+                assert figures.main(["docs/figures/z.md", "Gates", "./dev gates", "checked.json"]) == passed
+                page = pathlib.Path("docs/figures/z.md").read_text()
+                assert "`./dev repository`, 12 s: " in page and f"| forms | {verdict} |" in page, page
 
 
 main()

@@ -9,7 +9,6 @@ actionlint=github.com/rhysd/actionlint/cmd/actionlint@v1.7.7 # the newest that t
 repository() {
   [ $# -eq 0 ] || usage
   local failed="" version begun
-  begun=$(date +%s)
   take_turn
   # shellcheck disable=SC2086
   need $repository_packages
@@ -19,6 +18,7 @@ repository() {
   python_of test/repository build/repository-venv
   actionlint_of build/actionlint || refuse "actionlint could not be installed: Go could not fetch or compile $actionlint (see above)"
   leave_turn
+  begun=$(date +%s)
   mkdir -p build/figures
   rm -f build/figures/repository.json
   : >build/figures/repository.txt
