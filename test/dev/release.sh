@@ -43,6 +43,7 @@ python_of() {
   chmod +x "$2/bin/pyspdxtools"
 }
 package() {
+  [ ! -e "$root/../../moves" ] || git -C "$root/../../.." commit -q --allow-empty -m Meanwhile
   version=$(project_version)
   mkdir -p build/packages build/arm
   for file in "packages/fantail_${version}_amd64.deb" "packages/fantail-$version.tar.gz" arm/fantail-stm32f405.elf arm/fantail-stm32f405.hex \
@@ -95,8 +96,16 @@ git checkout -q main
 # A step that fails leaves nothing.
 : >build/no_wheel
 expect 70 "0.2.0 was not made" 0.2.0
-[ ! -e build/release/0.2.0 ] || fail "files of a release that was not made were left behind"
+[ ! -e build/release/0.2.0 ] && [ ! -e build/release/new ] || fail "files of a release that was not made were left behind"
 rm build/no_wheel
+
+# Nor does one behind whose back somebody has committed.
+: >build/moves
+code=0
+./dev release 0.2.0 >"$work/said" 2>&1 || code=$?
+[ "$code" = 69 ] && grep -q "could not be put on main" "$work/said" || fail "exit code $code of a release whose main has moved:"
+[ -z "$(git tag)" ] && [ "$(git log -1 --format=%s)" = Meanwhile ] || fail "a release whose main has moved was put there"
+rm build/moves
 
 # Whole.
 ./dev release 0.2.0 >"$work/said" 2>&1 || fail "no release was made:"

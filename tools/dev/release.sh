@@ -6,7 +6,7 @@ release_packages="$package_packages git ca-certificates python3-venv python3-dev
 
 # release VERSION [--dry-run]
 release() {
-  local version="" dry="" word tree=build/release/tree out branch
+  local version="" dry="" word tree=build/release/tree out new="$root/build/release/new" branch
   for word in "$@"; do
     case "$version,$word" in
       *,--dry-run) dry=-dry-run ;;
@@ -28,13 +28,14 @@ release() {
   need $release_packages
   python_of test/release build/release-venv
   out=$root/build/release/$version$dry
-  rm -rf "$tree" "$out"
-  mkdir -p "$out"
+  rm -rf "$tree" "$out" "$new"
+  mkdir -p "$new"
   release_in_clone || {
-    rm -rf "$out"
+    rm -rf "$new"
     echo "dev: release: $version was not made; see the reasons above. Here nothing was committed or tagged; what was tried is in $tree" >&2
     exit 70
   }
+  mv "$new" "$out"
   if [ -z "$dry" ]; then
     git fetch -q --no-tags "$tree" "refs/tags/v$version:refs/tags/v$version" && git merge -q --ff-only "v$version" || {
       ! git tag -d "v$version" >/dev/null 2>&1 || echo "dev: release: the tag v$version was taken back" >&2
@@ -47,7 +48,7 @@ release() {
   (cd "$out" && du -k -- * | awk '{ printf "  %s  %d kB\n", $2, $1 }')
 }
 
-# In the clone: the commit and its tag, and every file of it.
+# In the clone: the commit and its tag, and every file of it, in $new.
 release_in_clone() (
   name=$(git config user.name) && email=$(git config user.email) || name="" # else from the environment, as git var has found
   git clone -q . "$tree" && cd "$tree" || exit
@@ -65,10 +66,10 @@ release_in_clone() (
   sources=build/packages/fantail-$version.tar.gz
   wheel=$(echo build/wheels/fantail-"$version"-*.whl)
   image=build/arm/fantail-stm32f405
-  cp "$deb" "$sources" "$wheel" "$image.elf" "$image.hex" "$image.bin" "$image.map" "$out" &&
-    /usr/bin/python3 -B tools/dev/sbom.py "$out/sbom.spdx.json" "$version" "$commit" "$SOURCE_DATE_EPOCH" \
+  cp "$deb" "$sources" "$wheel" "$image.elf" "$image.hex" "$image.bin" "$image.map" "$new" &&
+    /usr/bin/python3 -B tools/dev/sbom.py "$new/sbom.spdx.json" "$version" "$commit" "$SOURCE_DATE_EPOCH" \
       "$deb" "$wheel" "$image.elf" "$sources" &&
-    "$root/build/release-venv/bin/pyspdxtools" -i "$out/sbom.spdx.json" &&
-    /usr/bin/python3 -B tools/dev/release.py page "$version" "$date" "$commit" "$out" &&
-    (cd "$out" && sha256sum -- * >"$root/build/release/SHA256SUMS" && mv "$root/build/release/SHA256SUMS" .)
+    "$root/build/release-venv/bin/pyspdxtools" -i "$new/sbom.spdx.json" &&
+    /usr/bin/python3 -B tools/dev/release.py page "$version" "$date" "$commit" "$new" &&
+    (cd "$new" && sha256sum -- * >../SHA256SUMS && mv ../SHA256SUMS .)
 )
