@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "flight_log/made_flight.hpp"
+#include "logs/one_flight.hpp"
 #include "logs/refused.hpp"
 #include "logs/roll_log.hpp"
 #include "system/folder.hpp"
@@ -156,7 +157,24 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
     expect_refused(ErrorKind::bad_data, words, [&] { (void)read_flight(folder_.path() / "mixed"); });
     expect_refused(ErrorKind::bad_data, words, [&] { (void)read_roll_log(folder_.path() / "mixed", {}, {}); });
   };
-  refused({"mixed: its files are of two flights", "under control at 1.000 s", "starts at 1.300 s"});
+  refused({"mixed: its files are of two flights", "come under control at 1.000 s", "it was at 1.300 s"});
+  folder_.write("mixed/flight.csv",
+                "time_s,phase,roll_angle_deg,roll_rate_deg_s\n0,launched,1,0\n1,controlling,1,0\n2,controlling,3,0\n"
+                "3,finished,3,0\n");
+  const auto control = [&](const char* said) {
+    folder_.write("mixed/summary.json",
+                  R"({"events":{"control_start_s":1,"control_end_s":3)" + std::string{said} + "}");
+  };
+  control(R"(},"control_time_s":1,"roll_turns":0.0056)");
+  EXPECT_EQ(read_flight(folder_.path() / "mixed").rows.size(), 4U);
+  control(R"(},"control_time_s":1,"roll_turns":0.5)");
+  refused({"mixed: its files are of two flights", "turns by 0.006 turns", "it was 0.500"});
+  control(R"(},"control_time_s":1.5,"roll_turns":0.5)");  // of more rows
+  EXPECT_EQ(read_flight(folder_.path() / "mixed").rows.size(), 4U);
+  folder_.write("mixed/summary.json", R"({"events":{"control_start_s":1,"control_end_s":2.0}})");
+  EXPECT_EQ(read_flight(folder_.path() / "mixed").rows.size(), 4U);
+  folder_.write("mixed/summary.json", R"({"events":{"control_start_s":1,"control_end_s":1.9}})");
+  refused({"mixed: its files are of two flights", "leave control at 3.000 s", "it was at 1.900 s"});
   folder_.write("mixed/flight.ftl", as_text(made_.bytes));
   const auto summary = [&](const std::string& sha256) {
     folder_.write("mixed/summary.json", R"({"log_sha256":")" + sha256 + R"("})");
@@ -168,6 +186,26 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
                  [&] { (void)flown_plan(folder_.path() / "mixed/flight.csv"); });
   summary(text::sha256(made_.bytes));
   EXPECT_TRUE(read_flight(folder_.path() / "mixed").known.plan);
+}
+
+TEST_F(FlightFile, WithoutASummaryATableThatIsLongerUnderControlThanTheLogIsRefused) {
+  flight_log::Flight log;
+  const auto change = [&log](core::Phase phase, double time_s) {
+    log.events.push_back({.time = std::chrono::duration_cast<core::Microseconds>(std::chrono::duration<double>{time_s}),
+                          .kind = protocol::LogEventKind::phase,
+                          .value = static_cast<std::uint8_t>(phase)});
+  };
+  change(core::Phase::controlling, 100.0);
+  change(core::Phase::finished, 102.0);
+  flight::Flight rows;
+  rows.events = {.control_start_s = 1.0, .control_end_s = 3.0};
+  expect_rows_of_log(rows, log, "day");
+  rows.events.control_end_s = 3.2;
+  expect_refused(ErrorKind::bad_data,
+                 {"day: its files are of two flights: control lasts 2.20 s", "2.00 s in flight.ftl"},
+                 [&] { expect_rows_of_log(rows, log, "day"); });
+  rows.events.control_end_s.reset();  // of a part
+  expect_rows_of_log(rows, log, "day");
 }
 
 TEST_F(FlightFile, ASummaryThatIsNoneIsRefused) {

@@ -22,6 +22,7 @@ TEST(ControlEnd, WithoutALaunchThereIsNoControl) {
 TEST(ControlEnd, EveryOtherWayToNoControlIsNamed) {
   flight::Flight never_armed = SyntheticFlight{}.flight;
   never_armed.rows.clear();
+  never_armed.events = {};
   never_armed.phase_changes.clear();
   EXPECT_EQ(verdict_of(never_armed).text, "No control: the rocket was never armed.");
 
@@ -44,6 +45,7 @@ TEST(ControlEnd, OfATableThatHasNoControlOnlyItsRowsAreTold) {
     part.rows.assign(table.flight.rows.begin() + static_cast<std::ptrdiff_t>(begin),
                      table.flight.rows.begin() + static_cast<std::ptrdiff_t>(end));
     part.phase_changes.clear();
+    part.events = {};
     for (flight::Row& row : part.rows) {
       row.phase = all.value_or(row.phase);
     }

@@ -180,12 +180,12 @@ TEST(Figures, TopSpeedAndApogeeAreThoseOfTheFlightAndNotTheLargestOfTheRowsThatA
     return figures_without([=](double time_s) { return time_s > from_s + 1e-9 && time_s < to_s - 1e-9; });
   };
   const Figures whole = between(9.0, 9.0);
-  EXPECT_TRUE(whole.max_speed_m_s == 50.0 && whole.apogee_m == 400.0 && whole.holes.empty());
+  EXPECT_TRUE(whole.max_speed_m_s == 50.0 && whole.apogee_m == 400.0 && whole.roll.holes.empty());
   const Figures coasting = between(2.5, 3.5);
   EXPECT_TRUE(coasting.max_speed_m_s == 50.0 && coasting.apogee_m == 400.0);
-  ASSERT_EQ(coasting.holes.size(), 1U);
-  EXPECT_NEAR(coasting.holes[0].from_s, 2.5, 1e-9);
-  EXPECT_NEAR(coasting.holes[0].to_s, 3.5, 1e-9);
+  ASSERT_EQ(coasting.roll.holes.size(), 1U);
+  EXPECT_NEAR(coasting.roll.holes[0].from_s, 2.5, 1e-9);
+  EXPECT_NEAR(coasting.roll.holes[0].to_s, 3.5, 1e-9);
   const Figures boosting = between(0.5, 1.5);
   EXPECT_TRUE(boosting.max_speed_m_s == 50.0);
   EXPECT_FALSE(between(1.6, 2.3).max_speed_m_s);
@@ -194,6 +194,17 @@ TEST(Figures, TopSpeedAndApogeeAreThoseOfTheFlightAndNotTheLargestOfTheRowsThatA
   EXPECT_FALSE(figures_without([](double time_s) { return time_s > 1.5; }).max_speed_m_s);
   EXPECT_FALSE(figures_without([](double time_s) { return time_s > 3.5; }).apogee_m);
   EXPECT_FALSE(figures_without([](double time_s) { return time_s < 2.5; }).max_speed_m_s);
+  EXPECT_FALSE(
+      figures_without([](double time_s) { return std::abs(time_s - std::round(time_s)) > 1e-6; }).max_speed_m_s);
+}
+
+TEST(Figures, OnThePadNoTopSpeedIsKnownOfAFlightThatWentOn) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.burnout_s = 3.0;
+  std::erase_if(synthetic.flight.rows, [](const flight::Row& row) { return row.time_s > 0.0; });
+  EXPECT_FALSE(figures(synthetic.flight).max_speed_m_s);
+  synthetic.flight.events.burnout_s.reset();
+  EXPECT_EQ(figures(synthetic.flight).max_speed_m_s, 0.0);
 }
 
 TEST(Figures, ATableThatHasARowEveryFifthOfASecondHasNoHolesForThat) {
@@ -201,7 +212,7 @@ TEST(Figures, ATableThatHasARowEveryFifthOfASecondHasNoHolesForThat) {
     const double steps = time_s / 0.2;
     return std::abs(steps - std::round(steps)) > 1e-6;
   });
-  EXPECT_TRUE(thin.holes.empty());
+  EXPECT_TRUE(thin.roll.holes.empty() && thin.roll.is_thin());
   EXPECT_TRUE(thin.max_speed_m_s && thin.apogee_m);
 }
 

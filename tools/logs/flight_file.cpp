@@ -29,6 +29,10 @@ void add_plan(flight::Flight& flight, const std::filesystem::path& folder) {
     flight.plan = *plan;
     flight.known.plan = true;
     flight.tunnel = flight.plan.run.start == core::Start::tunnel;
+    const flight_log::LogFile log = flight_log::read_log_file(folder / "flight.ftl");
+    if (!is_there(folder / "summary.json") && log.flights.size() == 1) {
+      expect_rows_of_log(flight, log.flights.front(), folder);
+    }
   }
 }
 
@@ -124,7 +128,7 @@ flight::Flight read_flight(const std::filesystem::path& path) {
     flight.scenario = path.filename().string();
     return flight;
   }
-  expect_rows_of_summary(flight.rows, path);
+  expect_rows_of_summary(flight, path);
   report::add_summary(flight, path / "summary.json");
   if (flight.scenario.empty()) {  // no summary, or one that names none
     flight.scenario = std::filesystem::absolute(file).lexically_normal().parent_path().filename().string();

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "logs/one_flight.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include "report/figures.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -29,6 +33,27 @@ constexpr double rounding_s = 0.002;
                   folder.string(), difference)};
 }
 
+struct Change {
+  bool is_there = false;  ///< between two rows, and when it is said to be
+  std::optional<double> elsewhere_s{};
+};
+
+/// The rows come under control, or leave it, and one time that this is said to have been.
+Change find_change(const std::vector<flight::Row>& rows, bool begins, const std::optional<double>& said_s) {
+  Change change;
+  for (std::size_t i = 1; said_s && !change.is_there && i < rows.size(); ++i) {
+    const bool is_before = rows[i - 1].phase == core::Phase::controlling;
+    if (is_before != begins && (rows[i].phase == core::Phase::controlling) == begins) {
+      change.elsewhere_s = rows[i].time_s;
+      change.is_there = *said_s > rows[i - 1].time_s - rounding_s && *said_s < rows[i].time_s + rounding_s;
+    }
+  }
+  if (change.is_there) {
+    change.elsewhere_s.reset();
+  }
+  return change;
+}
+
 }  // namespace
 
 void expect_log_of_summary(const std::filesystem::path& folder) {
@@ -43,25 +68,46 @@ void expect_log_of_summary(const std::filesystem::path& folder) {
   }
 }
 
-void expect_rows_of_summary(const std::vector<flight::Row>& rows, const std::filesystem::path& folder) {
-  const std::optional<double> said_s = report::summary_events(folder / "summary.json").control_start_s;
-  if (!said_s) {
+void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::path& folder) {
+  const report::SummaryOfControl said = report::summary_of_control(folder / "summary.json");
+  const Change begins = find_change(rows.rows, true, said.start_s);
+  const Change ends = find_change(rows.rows, false, said.end_s);
+  for (const auto& [change, said_s, what] :
+       {std::tuple{begins, said.start_s, "come under"}, {ends, said.end_s, "leave"}}) {
+    if (change.elsewhere_s) {
+      refuse(folder, fmt::format("the rows of flight.csv {} control at {} s, and by summary.json it was at {} s", what,
+                                 text::fixed(*change.elsewhere_s, 3), text::fixed(*said_s, 3)));
+    }
+  }
+  const report::Figures figures = report::figures(rows);
+  // Of all rows under control, and none but they.
+  if (begins.is_there && ends.is_there && said.time_s && figures.control_time_s && figures.roll_turns &&
+      said.roll_turns && std::abs(*said.time_s - *figures.control_time_s) < rounding_s &&
+      std::abs(*said.roll_turns - *figures.roll_turns) > 0.001) {
+    refuse(folder, fmt::format("under control flight.csv turns by {} turns, and by summary.json it was {}",
+                               text::fixed(*figures.roll_turns, 3), text::fixed(*said.roll_turns, 3)));
+  }
+}
+
+void expect_rows_of_log(const flight::Flight& rows, const flight_log::Flight& log,
+                        const std::filesystem::path& folder) {
+  std::optional<core::Microseconds> begin;
+  std::optional<core::Microseconds> end;
+  for (const protocol::LogEvent& event : log.events) {
+    if (event.kind == protocol::LogEventKind::phase) {
+      auto& time = static_cast<core::Phase>(event.value) == core::Phase::controlling ? begin : end;
+      time = event.time;
+    }
+  }
+  const flight::Events& events = rows.events;
+  if (!begin || !end || !events.control_start_s || !events.control_end_s || *end < *begin) {
     return;
   }
-  std::optional<double> begin_s;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (rows[i].phase != core::Phase::controlling || rows[i - 1].phase == core::Phase::controlling) {
-      continue;
-    }
-    begin_s = rows[i].time_s;
-    if (*said_s > rows[i - 1].time_s - rounding_s && *said_s < rows[i].time_s + rounding_s) {
-      return;
-    }
-  }
-  if (begin_s) {
-    refuse(folder, fmt::format("the rows of flight.csv come under control at {} s, and by summary.json control starts "
-                               "at {} s",
-                               text::fixed(*begin_s, 3), text::fixed(*said_s, 3)));
+  const double logged_s = 1e-6 * static_cast<double>((*end - *begin).count());
+  const double rows_s = *events.control_end_s - *events.control_start_s;
+  if (std::abs(logged_s - rows_s) > 0.05 + 2.0 * report::figures(rows).roll.usual_step_s) {
+    refuse(folder, fmt::format("control lasts {} s in flight.csv, and {} s in flight.ftl", text::fixed(rows_s, 2),
+                               text::fixed(logged_s, 2)));
   }
 }
 

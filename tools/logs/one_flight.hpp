@@ -2,9 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "flight/flight.hpp"
+#include "flight_log/flight_log.hpp"
 
 namespace fantail::logs {
 
@@ -14,7 +14,11 @@ namespace fantail::logs {
 /// The folder's flight.ftl is the log that summary.json was written with.
 void expect_log_of_summary(const std::filesystem::path& folder);
 
-/// The rows of the folder's flight.csv come under control when summary.json says so.
-void expect_rows_of_summary(const std::vector<flight::Row>& rows, const std::filesystem::path& folder);
+/// The rows of the folder's flight.csv begin and end control when summary.json says so, and turn as far in between.
+/// They may be a part of the flight's.
+void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::path& folder);
+
+/// Its table, without summary.json, is as long under control as its log.
+void expect_rows_of_log(const flight::Flight& rows, const flight_log::Flight& log, const std::filesystem::path& folder);
 
 }  // namespace fantail::logs

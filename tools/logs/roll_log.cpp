@@ -145,7 +145,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
     flight.notes.insert(flight.notes.begin(), said);
   }
   if (file != path) {
-    expect_rows_of_summary(flight.rows, path);
+    expect_rows_of_summary(flight, path);
     const flight::Events events = report::summary_events(path / "summary.json");
     flight.events.burnout_s = events.burnout_s;
     flight.events.apogee_s = events.apogee_s;

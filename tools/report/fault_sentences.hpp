@@ -4,7 +4,6 @@
 #include <string>
 
 #include "flight/flight.hpp"
-#include "report/figures.hpp"
 
 namespace fantail::report {
 
@@ -18,11 +17,5 @@ namespace fantail::report {
 
 /// The first finding of the monitor about each canard, how long it lasted, and what became of it.
 [[nodiscard]] std::string canard_faults(const flight::Flight& flight);
-
-/// " No tick is on record from 3.00 s to 5.00 s." and where the record ends before control or apogee; not of resets.
-[[nodiscard]] std::string missing_ticks(const flight::Flight& flight, const Figures& figures);
-
-/// Is a part of the time under control not on record, for another reason than a reset?
-[[nodiscard]] bool misses_control(const flight::Flight& flight, const Figures& figures);
 
 }  // namespace fantail::report

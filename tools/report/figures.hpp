@@ -3,22 +3,13 @@
 
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
+#include "report/extent.hpp"
 #include "report/side_deflection.hpp"
 
 namespace fantail::report {
-
-/// Between two ticks that follow each other in the rows, and much farther apart than the others: what is between is
-/// lost.
-struct Hole {
-  double from_s = 0.0;
-  double to_s = 0.0;
-
-  friend bool operator==(const Hole&, const Hole&) = default;
-};
 
 /// The numbers of one flight. Empty: the flight has no such figure (no control, no truth, a tunnel run, ...).
 ///
@@ -51,10 +42,9 @@ struct Figures {
   std::optional<double> roll_after_end_rad;     ///< largest |roll angle - that at the end of control| until apogee
   std::optional<Oscillation> oscillation;
   std::optional<SideDeflection> side_deflection;
-  double begin_s = 0.0;       ///< of the first row
-  double end_s = 0.0;         ///< of the last
-  std::vector<Hole> holes{};  ///< in between
-  bool in_still_air = false;  ///< in a tunnel whose fan stands, or on a gimbal, at every tick
+  Extent roll{};                      ///< when the roll angle is known
+  bool begins_under_control = false;  ///< the first row is, so nobody knows since when
+  bool in_still_air = false;          ///< in a tunnel whose fan stands, or on a gimbal, at every tick
   core::Phase final_phase = core::Phase::safe;
 
   friend bool operator==(const Figures&, const Figures&) = default;

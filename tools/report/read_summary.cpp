@@ -166,6 +166,15 @@ flight::Unmeasured summary_unmeasured(const std::filesystem::path& file) {
   return unmeasured;
 }
 
+SummaryOfControl summary_of_control(const std::filesystem::path& file) {
+  const Json summary = read(file);
+  const Json& events = member(summary, "events");
+  return {.start_s = number(events, "control_start_s"),
+          .end_s = number(events, "control_end_s"),
+          .time_s = number(summary, "control_time_s"),
+          .roll_turns = number(summary, "roll_turns")};
+}
+
 std::optional<std::string> summary_log_sha256(const std::filesystem::path& file) {
   const std::string sha256 = text(read(file), "log_sha256");
   return sha256.empty() ? std::nullopt : std::optional{sha256};

@@ -15,8 +15,6 @@ constexpr double settling_time_in_tunnel_s = 2.0;
 constexpr double lasting_saturation_s = 0.5;
 // Rows are a millisecond apart and their times are rounded to the microsecond.
 constexpr double clock_tolerance_s = 1e-6;
-// A step between rows that is no hole, however dense the others are: nothing turns or climbs far in it.
-constexpr double longest_step_s = 0.1;
 
 // The truth where it is known.
 double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
@@ -42,18 +40,7 @@ void keep_farthest_from_zero(std::optional<double>& kept, double value) {
   }
 }
 
-/// Whatever is no number counts as nothing.
 void keep_error(std::optional<double>& kept, double error_rad) { kept = std::max(kept.value_or(0.0), error_rad); }
-
-/// Is there a row near this time?
-bool is_on_record(const Figures& f, double time_s) {
-  return time_s > f.begin_s - longest_step_s && time_s < f.end_s + longest_step_s &&
-         std::ranges::none_of(
-             f.holes,
-             [time_s](const Hole& hole) {
-               return time_s > hole.from_s + longest_step_s && time_s < hole.to_s - longest_step_s;
-             });
-}
 
 /// In wind the rows' true speed is the one through the air, along the rocket's axis.
 double top_speed_over_ground_m_s(const std::vector<flight::PathPoint>& path) {
@@ -71,9 +58,11 @@ void TrueZero::add(const flight::Row& row) {
     return;
   }
   if (row.phase == begins_with_ && phase_ != begins_with_) {
+    is_known_ = last_s_ && row.time_s - *last_s_ <= RunningExtent::shortest_hole_s;
     rad_ = row.truth && std::isfinite(row.truth->roll_angle_rad) ? row.truth->roll_angle_rad : 0.0;
   }
   phase_ = row.phase;
+  last_s_ = row.time_s;
 }
 
 RunningFigures::RunningFigures(bool tunnel)
@@ -82,20 +71,13 @@ RunningFigures::RunningFigures(bool tunnel)
       oscillation_{settling_time_s_} {}
 
 void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
-  if (rows_ == 0) {
-    first_s_ = row.time_s;
-  } else if (row.time_s - last_s_ > longest_step_s) {
-    steps_.push_back({.from_s = last_s_, .to_s = row.time_s});
-  }
+  begins_under_control_ = begins_under_control_ || (rows_ == 0 && row.phase == core::Phase::controlling);
   rows_ += 1;
-  last_s_ = row.time_s;
   phase_ = row.phase;
-  last_speed_m_s_ = speed_m_s(row);
-  if (!largest_speed_m_s_ || last_speed_m_s_ > *largest_speed_m_s_) {
-    largest_speed_at_s_ = row.time_s;
+  if (std::isfinite(roll_angle_rad(row))) {
+    roll_.add(row.time_s);
   }
-  keep_largest(largest_speed_m_s_, last_speed_m_s_);
-  keep_largest(largest_height_m_, height_m(row));
+  add_motion(row);
   in_still_air_ = in_still_air_ && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s;
   zero_.add(row);
   const bool is_control = row.phase == core::Phase::controlling;
@@ -111,11 +93,27 @@ void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   }
 }
 
+void RunningFigures::add_motion(const flight::Row& row) {
+  if (const std::optional<double> speed = known(speed_m_s(row))) {
+    speed_.add(row.time_s);
+    last_speed_m_s_ = *speed;
+    if (!largest_speed_m_s_ || *speed > *largest_speed_m_s_) {
+      largest_speed_at_s_ = row.time_s;
+      largest_speed_m_s_ = *speed;
+    }
+  }
+  if (std::isfinite(height_m(row))) {
+    height_.add(row.time_s);
+  }
+  keep_largest(largest_height_m_, height_m(row));
+}
+
 void RunningFigures::begin_control(const flight::Row& row) {
   stage_ = Stage::under_control;
   start_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .height_m = height_m(row)};
   reference_rad_ = row.reference_rad;
   settles_at_s_ = row.time_s + settling_time_s_;
+  last_roll_s_ = row.time_s;
 }
 
 void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight& flight) {
@@ -133,10 +131,18 @@ void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight
 }
 
 void RunningFigures::judge_hold(const flight::Row& row, const flight::Flight& flight) {
-  if (row.reference_rad != reference_rad_) {
+  const double roll_rad = zero_.is_known() && row.truth && std::isfinite(row.truth->roll_angle_rad)
+                              ? row.truth->roll_angle_rad - zero_.rad()
+                              : row.roll_angle_rad;
+  if (!std::isfinite(roll_rad)) {
+    return;
+  }
+  // In a hole the reference may have changed, and back.
+  if (row.reference_rad != reference_rad_ || row.time_s - last_roll_s_ > RunningExtent::longest_step_s) {
     reference_rad_ = row.reference_rad;
     settles_at_s_ = row.time_s + settling_time_s_;
   }
+  last_roll_s_ = row.time_s;
   if (row.time_s < settles_at_s_ - clock_tolerance_s) {
     return;
   }
@@ -144,9 +150,10 @@ void RunningFigures::judge_hold(const flight::Row& row, const flight::Flight& fl
   if (!settle_point) {
     return;
   }
-  const double roll_rad =
-      std::isfinite(row.truth->roll_angle_rad) ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad;
   const double error_rad = std::abs(roll_rad - *settle_point);
+  if (!std::isfinite(error_rad)) {
+    return;
+  }
   keep_error(largest_error_rad_, error_rad);
   sum_of_errors_rad_ += error_rad;
   settled_ += 1;
@@ -171,6 +178,9 @@ void RunningFigures::judge_saturation(const flight::Row& row) {
 
 void RunningFigures::look_after_control(const flight::Row& row, const flight::Flight& flight) {
   const double rolled_rad = std::abs(roll_angle_rad(row) - end_.roll_angle_rad);
+  if (!std::isfinite(rolled_rad)) {
+    return;
+  }
   if (!first_rolled_rad_) {
     keep_error(first_rolled_rad_, rolled_rad);
   }
@@ -223,28 +233,20 @@ void RunningFigures::tell_end(Figures& f, const flight::Flight& flight) const {
   }
 }
 
-void RunningFigures::tell_extent(Figures& f, const flight::Clock& clock) const {
-  f.begin_s = clock(first_s_);
-  f.end_s = clock(last_s_);
-  const double usual_step_s = rows_ > 1 ? (last_s_ - first_s_) / static_cast<double>(rows_ - 1) : 0.0;
-  for (const Hole& step : steps_) {
-    if (step.to_s - step.from_s > 3.0 * usual_step_s) {
-      f.holes.push_back({.from_s = clock(step.from_s), .to_s = clock(step.to_s)});
-    }
-  }
-}
-
-bool RunningFigures::top_speed_is_known(const Figures& f, const flight::Flight& flight,
-                                        const flight::Clock& clock) const {
-  if (flight.tunnel || !largest_speed_m_s_) {
-    return true;  // the air's, which nothing accelerates
+bool RunningFigures::top_speed_is_known(const flight::Flight& flight, const flight::Clock& clock) const {
+  const Extent speed = speed_.extent(clock);
+  if (flight.tunnel) {  // the air's: at any time it may have been faster
+    return speed.holes.empty() && speed.covers(flight.events.control_end_s.value_or(speed.end_s));
   }
   // A rocket accelerates, and then it slows down: at an edge of what is missing it may have been faster within.
   const double at_s = clock(largest_speed_at_s_);
-  const bool begins_late = at_s == f.begin_s && f.begin_s > longest_step_s && last_speed_m_s_ < *largest_speed_m_s_;
-  const bool ends_early = at_s == f.end_s && rows_ > 1;
-  return !begins_late && !ends_early &&
-         std::ranges::none_of(f.holes, [at_s](const Hole& hole) { return hole.from_s == at_s || hole.to_s == at_s; });
+  const bool begins_late =
+      at_s == speed.begin_s && at_s > RunningExtent::shortest_hole_s && last_speed_m_s_ < largest_speed_m_s_;
+  const bool ends_early =
+      (at_s == speed.end_s && at_s > speed.begin_s) || !speed.covers(flight.events.burnout_s.value_or(speed.end_s));
+  return !begins_late && !ends_early && std::ranges::none_of(speed.holes, [at_s](const Hole& hole) {
+    return hole.from_s == at_s || hole.to_s == at_s;
+  });
 }
 
 Figures RunningFigures::figures(const flight::Flight& flight, const flight::Clock& clock) const {
@@ -253,13 +255,14 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
     return f;
   }
   f.final_phase = phase_;
-  tell_extent(f, clock);
+  f.roll = roll_.extent(clock);
+  f.begins_under_control = begins_under_control_;
   if (!flight.path.empty()) {
     f.max_speed_m_s = top_speed_over_ground_m_s(flight.path);
-  } else if (top_speed_is_known(f, flight, clock)) {
+  } else if (top_speed_is_known(flight, clock)) {
     f.max_speed_m_s = largest_speed_m_s_;
   }
-  if (!flight.tunnel && flight.events.apogee_s && is_on_record(f, *flight.events.apogee_s)) {
+  if (!flight.tunnel && flight.events.apogee_s && height_.extent(clock).covers(*flight.events.apogee_s)) {
     f.apogee_m = largest_height_m_;
   }
   f.in_still_air = flight.tunnel && in_still_air_;

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
+#include "report/extent.hpp"
 #include "report/figures.hpp"
 
 namespace fantail::report {
@@ -24,9 +24,14 @@ class TrueZero {
   /// 0 where nobody knows it.
   [[nodiscard]] double rad() const { return rad_; }
 
+  /// False where that moment is not on record; rad() is then that of the first row behind it.
+  [[nodiscard]] bool is_known() const { return is_known_; }
+
  private:
   core::Phase begins_with_;
   core::Phase phase_ = core::Phase::safe;
+  std::optional<double> last_s_{};
+  bool is_known_ = true;
   double rad_ = 0.0;
 };
 
@@ -65,28 +70,28 @@ class RunningFigures {
     double command_rad = 0.0;              ///< at that one
   };
 
+  void add_motion(const flight::Row& row);
   void begin_control(const flight::Row& row);
   void add_controlled(const flight::Row& row, const flight::Flight& flight);
   void judge_hold(const flight::Row& row, const flight::Flight& flight);
   void judge_saturation(const flight::Row& row);
   void look_after_control(const flight::Row& row, const flight::Flight& flight);
-  void tell_extent(Figures& f, const flight::Clock& clock) const;
   void tell_authority(Figures& f, const flight::Flight& flight) const;
   void tell_saturation(Figures& f, const flight::Flight& flight, const flight::Clock& clock) const;
   void tell_end(Figures& f, const flight::Flight& flight) const;
 
   /// Is it a figure of the flight, or only of the rows that are left of it?
-  [[nodiscard]] bool top_speed_is_known(const Figures& f, const flight::Flight& flight,
-                                        const flight::Clock& clock) const;
+  [[nodiscard]] bool top_speed_is_known(const flight::Flight& flight, const flight::Clock& clock) const;
 
   std::size_t rows_ = 0;
-  double first_s_ = 0.0;
-  double last_s_ = 0.0;
-  std::vector<Hole> steps_{};  ///< between rows, that may be holes
+  RunningExtent roll_{};
+  RunningExtent speed_{};
+  RunningExtent height_{};
   core::Phase phase_ = core::Phase::safe;
   std::optional<double> largest_speed_m_s_{};
   double largest_speed_at_s_ = 0.0;
   double last_speed_m_s_ = 0.0;
+  bool begins_under_control_ = false;
   std::optional<double> largest_height_m_{};
   bool in_still_air_ = true;
   TrueZero zero_;
@@ -98,6 +103,7 @@ class RunningFigures {
   End end_{};
   double reference_rad_ = 0.0;
   double settles_at_s_ = 0.0;
+  double last_roll_s_ = 0.0;  ///< of the last row under control with a roll angle
   std::optional<double> largest_error_rad_{};
   double sum_of_errors_rad_ = 0.0;
   std::size_t settled_ = 0;

@@ -23,6 +23,15 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file);
 [[nodiscard]] flight::Events summary_events(const std::filesystem::path& file);
 [[nodiscard]] flight::Unmeasured summary_unmeasured(const std::filesystem::path& file);
 
+/// What it says of the time under control. Empty: it does not.
+struct SummaryOfControl {
+  std::optional<double> start_s{};
+  std::optional<double> end_s{};
+  std::optional<double> time_s{};
+  std::optional<double> roll_turns{};
+};
+[[nodiscard]] SummaryOfControl summary_of_control(const std::filesystem::path& file);
+
 /// SHA-256 of the flight.ftl that was written with it; empty without the file, and where there was no log.
 [[nodiscard]] std::optional<std::string> summary_log_sha256(const std::filesystem::path& file);
 

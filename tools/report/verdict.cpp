@@ -10,6 +10,7 @@
 
 #include "report/control_end.hpp"
 #include "report/fault_sentences.hpp"
+#include "report/unknown_roll.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -44,9 +45,10 @@ std::string saturation_and_margin(const Figures& f) {
   return text;
 }
 
-std::string at_limit(const Figures& f) {
-  return fmt::format("canards commanded to their limit ({}) from {} s to the end of control",
-                     signed_limit(f.command_at_end_rad), text::fixed(*f.at_limit_since_s, 2));
+std::string at_limit(const flight::Flight& flight, const Figures& f) {
+  return fmt::format("canards commanded to their limit ({}) from {} s to the end of {}",
+                     signed_limit(f.command_at_end_rad), text::fixed(*f.at_limit_since_s, 2),
+                     ends_under_control(flight, f) ? "the record" : "control");
 }
 
 std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
@@ -62,6 +64,9 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   }
   if (controller.proportional_gain == 0.0F) {
     return "without proportional gain nothing holds an angle";
+  }
+  if (misses_control(flight, f)) {
+    return std::string{roll_is_unknown};
   }
   if (!f.largest_disturbance_rad) {
     return "the fin offset, and with it where roll should settle, is unknown";
@@ -121,22 +126,21 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     const std::string off = not_following(flight);
     const std::string offset = fmt::format("the fin offset of {}", degrees_text(*f.offset_at_limit_rad));
     const std::string cause =
-        off.empty() ? fmt::format("{}: {} is beyond what they can balance; roll not held", at_limit(f), offset)
+        off.empty() ? fmt::format("{}: {} is beyond what they can balance; roll not held", at_limit(flight, f), offset)
                     : fmt::format("{}: {}, and {} is, with that, beyond what they can balance; roll not held",
-                                  at_limit(f), off, offset);
+                                  at_limit(flight, f), off, offset);
     return {Outcome::not_held, fmt::format("{} {}", sentence(cause), sentence(rest))};
   }
-  const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(f))) : "";
+  const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(flight, f))) : "";
   if (f.largest_hold_error_rad) {
     const bool held = *f.largest_hold_error_rad <= held_error_rad;
     if (const std::string why = held ? why_nothing_settles(flight, f) : ""; !why.empty()) {
       return {Outcome::not_judged, sentence("roll not judged: " + why)};
     }
     if (held && misses_control(flight, f)) {
-      const std::string on_record = fmt::format(
-          "roll not judged: ticks under control are missing; in the others it stayed within {} of where this law "
-          "settles; {}",
-          degrees_text(*f.largest_hold_error_rad), rest);
+      const std::string on_record =
+          fmt::format("roll not judged: {}; where it is, it stayed within {} of where this law settles; {}",
+                      roll_is_unknown, degrees_text(*f.largest_hold_error_rad), rest);
       return {Outcome::not_judged, sentence(on_record) + ended_at_limit};
     }
     const std::string hold = fmt::format(fmt::runtime(held ? "roll stayed within {} of where this law settles; {}"
@@ -201,25 +205,24 @@ void say_how_far_it_reaches(Verdict& v, const std::string& end) {
   v.text = fmt::format("Until {}: {}", end, v.text);
 }
 
-/// Nobody knows how such a flight went on.
-bool ends_under_control(const flight::Flight& flight, const Figures& f) {
-  return f.final_phase == core::Phase::controlling && !flight.tunnel && !flight.events.control_end_s &&
-         !flight.events.apogee_s;
-}
-
 }  // namespace
 
 Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   if (!flight.known.phase) {
     return {Outcome::not_judged, "Roll not judged: the log does not say when control was active."};
   }
+  if (!figures.control_time_s && flight.events.control_start_s) {
+    return {Outcome::not_judged,
+            fmt::format("Roll not judged: no tick under control is on record.{}", unknown_roll(flight, figures))};
+  }
   Verdict v = figures.control_time_s ? judge_flight(flight, figures) : Verdict{Outcome::no_control, no_control(flight)};
-  v.text += outages(flight) + missing_ticks(flight, figures) + unmeasured(flight) + canard_faults(flight);
+  v.text += outages(flight) + unknown_roll(flight, figures) + unmeasured(flight) + canard_faults(flight);
   if (flight.trajectory_end_s) {
     say_how_far_it_reaches(
         v, fmt::format("the trajectory ends at {} s, before apogee", text::fixed(*flight.trajectory_end_s, 2)));
-  } else if (ends_under_control(flight, figures)) {
-    say_how_far_it_reaches(v, fmt::format("the record ends at {} s, under control", text::fixed(figures.end_s, 2)));
+  } else if (ends_under_control(flight, figures) && !flight.events.control_end_s) {
+    say_how_far_it_reaches(v,
+                           fmt::format("the record ends at {} s, under control", text::fixed(figures.roll.end_s, 2)));
   }
   return v;
 }
