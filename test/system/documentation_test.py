@@ -73,8 +73,9 @@ class Manual(unittest.TestCase):
 
         for good in ('<a href="#here">', '<a href="a.html#here">', '<a href="https://example.org/x">', '<img src="data:,">'):
             self.assertEqual(checked(good), (0, ""))
-        for wrong, said in (('<a href="#there">', "no such place"), ('<a href="b.html">', "no such file"), ('<a href="/a.html">', "not from this folder"),
-                            ('<script src="https://example.org/x.js">', "fetched from a network"), ('<a href="https://x">', "no address")):
+        for wrong, said in (('<a href="#there">', "no such place"), ('<a href="b.html">', "no such file"),
+                            ('<a href="/a.html">', "not from this folder"), ('<a href="https://x">', "no address"),
+                            ('<script src="https://example.org/x.js">', "fetched from a network")):
             code, printed = checked(wrong)
             self.assertEqual(code, 1)
             self.assertIn(said, printed)

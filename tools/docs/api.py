@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pages on the headers of flight law and device interfaces, of what Doxygen has read of them: one a header, in the order of its lines."""
+"""Pages on the headers of flight law and device interfaces, of what Doxygen has read of them: one a header, in its order."""
 
 import re
 import sys
@@ -99,8 +99,10 @@ class Api:
         return [self.heading(depth, name, name), "", "```cpp", code, "```", "", self.said(member, header), ""]
 
     def compound(self, compound, title, header):
-        lines = [self.heading("##", f"{compound.get('kind')} {title.split('::', 1)[-1]}", title.split("::")[-1]), "", self.said(compound, header), ""]
-        members = [one for one in compound.findall("sectiondef/memberdef") if one.get("prot") == "public" and not one.findtext("name").startswith("~")]
+        heading = self.heading("##", f"{compound.get('kind')} {title.split('::', 1)[-1]}", title.split("::")[-1])
+        lines = [heading, "", self.said(compound, header), ""]
+        members = [one for one in compound.findall("sectiondef/memberdef")
+                   if one.get("prot") == "public" and not one.findtext("name").startswith("~")]
         fields = [[f"`{one.findtext('name')}`", self.text(one.find("type"), header),
                    f"`{plain(one.find('initializer')).removeprefix('= ')}`" if plain(one.find("initializer")) else "",
                    self.said(one, header, True)] for one in members if one.get("kind") == "variable"]
@@ -136,5 +138,6 @@ def pages(folder):
     api = Api(folder)
     texts = {"api/index.md": api.index()}
     texts.update((f"api/{header.removesuffix('.hpp')}.md", api.page(header)) for header in api.headers)
-    print(f"docs: {len(api.headers)} headers; {api.commented} of {api.shown} types, functions and values have a comment", file=sys.stderr)
+    print(f"docs: {len(api.headers)} headers; {api.commented} of {api.shown} types, functions and values have a comment",
+          file=sys.stderr)
     return texts

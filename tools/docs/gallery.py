@@ -20,14 +20,18 @@ ENTRIES = [
     ("Hands on a gimbal", "What the avionics makes of being turned about all three axes.", "fly gimbal"),
     ("Two flights on one page", "With the law as published, and with integral action.",
      "fly tasha3_launch2_integral", "report out/tasha3_launch2 out/tasha3_launch2_integral"),
-    ("Two logs, compared", "How far the rocket's own belief is from the truth.", "compare out/tasha3_launch2 out/tasha3_launch2 --b true --window control"),
-    ("What if", "A recorded flight through the flight law again, with another gain.", "replay out/tasha3_launch2 --set controller.proportional_gain=0.3"),
-    ("The roll model from a log", "Damping, torque and fin offset, with how sure they are.", "identify out/tasha3_launch2 --window 0.9:8"),
+    ("Two logs, compared", "How far the rocket's own belief is from the truth.",
+     "compare out/tasha3_launch2 out/tasha3_launch2 --b true --window control"),
+    ("What if", "A recorded flight through the flight law again, with another gain.",
+     "replay out/tasha3_launch2 --set controller.proportional_gain=0.3"),
+    ("The roll model from a log", "Damping, torque and fin offset, with how sure they are.",
+     "identify out/tasha3_launch2 --window 0.9:8"),
     ("Steps in the tunnel", "Sixteen steps of 45 degrees, each identified.", "fly tunnel_steps",
      "tunnel steps out/tunnel_steps --vehicle tasha3_launch2 --speed 22 --out out/steps"),
-    ("Stability in the tunnel", "Static margin of a rocket that swings on its pins.", "fly tunnel_stability", "tunnel stability out/tunnel_stability"),
+    ("Stability in the tunnel", "Static margin of a rocket that swings on its pins.",
+     "fly tunnel_stability", "tunnel stability out/tunnel_stability"),
     ("No go", "The first launch, had its offset been measured before.", "predict tasha3_launch1"),
-    ("A campaign", "How often the roll holds over all that is not known, and what decides it.", "campaign tasha3_launch2 --runs 400"),
+    ("A campaign", "How often the roll holds over all that is not known, and what decides it.", "campaign tasha3_launch2 --runs 200"),
     ("Every device broken", "The processor, broken in every phase: does the rocket do what was stated beforehand?",
      "campaign faults tasha3_launch2 --device processor"),
     ("Gains, searched and flown", "Beside the old ones.", "tune tasha3_launch2 --flights 40"),
@@ -37,10 +41,12 @@ ENTRIES = [
 ]
 # Pages that need more than a build of the site has: the commands that make them, and where they are then.
 MADE = [
-    ("The sheet of the bench", "A canard that turns the wrong way round, found before the launch. This sheet is kept in the repository.",
+    ("The sheet of the bench",
+     "A canard that turns the wrong way round, found before the launch. This sheet was not made now, but is kept in the repository.",
      "docs/sheets/bench_canard3_reversed.html",
-     "with-vcan sh -c './dev node bench_canard3_reversed --can vcan0 & ./dev bench limits --can vcan0 --wait 60 --vehicle tasha3_bench --out out/reversed'"),
-    ("The playground", "Control code and simulator in your browser: turn the sliders.", "docs/playground.html", "playground"),
+     "with-vcan sh -c './dev node bench_canard3_reversed --can vcan0 & ./dev bench limits --can vcan0 --wait 60 --vehicle tasha3_bench "
+     "--out out/reversed'"),
+    ("The playground", "Control code and simulator in your browser: turn the sliders. This page was made before the site.", "docs/playground.html", "playground"),
 ]
 PICTURE = re.compile(r"<!-- picture: (\S+) (.*?) -->")
 
@@ -73,8 +79,9 @@ def gallery(project, fantail, album, work):
             name = re.sub(r"\W+", "_", title.lower())
             cards.append(card(title, meaning, album.add(project / html, name, title, "docs/gallery.md"), commands))
     (album.pages / "docs/gallery.md").write_text(
-        "---\nhide: [toc]\n---\n\n# Gallery\n\nPages that Fantail writes, each made by the command below its picture while this site was built. Press a picture to "
-        'open the page itself: one file each, which needs no network.\n\n<div class="shots" markdown>\n\n' + "".join(cards) + "</div>\n",
+        "---\nhide: [toc]\n---\n\n# Gallery\n\nPages that Fantail writes, each with the command that writes it, which was run while this "
+        "site was built, except where the text says otherwise. Press a picture to open the page itself, which needs no network.\n\n"
+        '<div class="shots" markdown>\n\n' + "".join(cards) + "</div>\n",
         encoding="utf-8")
     return len(cards)
 
@@ -83,7 +90,8 @@ def tutorial(project, fantail, album, work, file):
     """Runs the lines of a tutorial, and puts the pictures of what they have written into its page."""
     print(f"docs: {file.stem}: its lines", file=sys.stderr)
     work.mkdir(parents=True)
-    lines = [sys.executable, "-B", project / "test/system/documented_lines.py", project, fantail, file.relative_to(project), "--in", work]
+    script = project / "test/system/documented_lines.py"
+    lines = [sys.executable, "-B", script, project, fantail, file.relative_to(project), "--in", work]
     if subprocess.run(lines, check=False, stdout=sys.stderr).returncode:
         raise SystemExit(f"dev: docs: {file.name}: its lines do not do what it says; see above")
     page = album.pages / file.relative_to(project)
@@ -106,7 +114,8 @@ def main():
     shutil.rmtree(work, ignore_errors=True)
     (work / "gallery").mkdir(parents=True)
     with pictures.Album(pages) as album:
-        count = sum(tutorial(project, fantail, album, work / file.stem, file) for file in sorted((project / "docs/tutorials").glob("*.md")))
+        tutorials = sorted((project / "docs/tutorials").glob("*.md"))
+        count = sum(tutorial(project, fantail, album, work / file.stem, file) for file in tutorials)
         count += gallery(project, fantail, album, work / "gallery")
     print(f"docs: pictures of {count} pages", file=sys.stderr)
 

@@ -52,5 +52,6 @@ class Album:
         shown = []
         for theme in ("light", "dark"):
             self.picture(place / f"{theme}.webp", theme == "dark")
-            shown.append(f"[![{alt}]({there}/{theme}.webp#only-{theme}){{ .shot loading=lazy width={WIDTH} height={HEIGHT} }}]({there}/page.html)")
+            picture = f"![{alt}]({there}/{theme}.webp#only-{theme}){{ .shot loading=lazy width={WIDTH} height={HEIGHT} }}"
+            shown.append(f"[{picture}]({there}/page.html)")
         return "".join(shown)

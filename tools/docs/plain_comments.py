@@ -8,6 +8,7 @@ import re
 import sys
 
 lines = open(sys.argv[1], encoding="utf-8").read().split("\n")
+DECLARES = re.compile(r"\s*(struct|class|enum|using|template|inline|constexpr|\[\[|[\w:<>]+&? \w+[\s({;=])")
 PLAIN = re.compile(r"(\s*)//(?!/)( .*)")
 documents = False  # does the line below a comment declare something, or go on with such a comment?
 for i in reversed(range(len(lines))):
@@ -16,5 +17,5 @@ for i in reversed(range(len(lines))):
             lines[i] = f"{match[1]}///{match[2]}"
     else:
         lines[i] = re.sub(r"([;,])(\s+)//(?!/) ", r"\1\2///< ", lines[i])
-        documents = re.match(r"\s*(struct|class|enum|using|template|inline|constexpr|\[\[|[\w:<>]+&? \w+[\s({;=])", lines[i]) is not None
+        documents = DECLARES.match(lines[i]) is not None
 print("\n".join(lines), end="")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Usage: stage.py PROJECT XML PAGES
 
-Puts together what MkDocs reads: the manual as it is, where it is, with its pictures and sheets; notebooks as pages; pages on the headers,
-of what Doxygen has written into XML; and a page for each source that a page links to, because a browser shows no line of a .cpp.
+Puts together what MkDocs reads: the manual as it is, where it is, with its pictures and sheets; notebooks as pages; pages on the
+headers, of what Doxygen has written into XML; and a page for each source that a page links to, because a browser shows no line of a .cpp.
 """
 
 import os
@@ -23,7 +23,8 @@ SHOWN = {".png", ".webp", ".svg", ".html"}
 def of_commands(block):
     """A block of commands and what they print, as tutorials have it: its lines are long and wrap, and the commands are marked."""
     commands = [str(number) for number, line in enumerate(block.splitlines()[1:], 1) if line.startswith("./dev ")]
-    return block.replace("```", f'``` {{ .text .wrap hl_lines="{" ".join(commands)}" }}', 1) if block.startswith("```\n./dev ") else block
+    marked = f'``` {{ .text .wrap hl_lines="{" ".join(commands)}" }}'
+    return block.replace("```", marked, 1) if block.startswith("```\n./dev ") else block
 
 
 class Stage:
