@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/card.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -138,6 +139,22 @@ TEST(Card, NoNameAndNoVerdictRunsOffIt) {
   EXPECT_LE(width("WWWWWWWWWW", {10.0}), 100.0 * 1.1);
   EXPECT_GE(width("WWWWWWWWWW", {10.0}), 98.9);  // 0.989 em each in the font itself
   EXPECT_GE(width("WWWWWWWWWW", {10.0, true}), 110.3);
+}
+
+TEST(Card, DrawsNoLineOverATimeOfWhichNothingIsOnRecord) {
+  SyntheticFlight synthetic;
+  const auto pieces = [&synthetic] {
+    const std::string card = card_of(synthetic.flight);
+    const std::size_t end = card.find("\" fill=\"none\"");
+    const std::size_t begin = card.rfind("d=\"", end);
+    return std::count(card.begin() + static_cast<std::ptrdiff_t>(begin),
+                      card.begin() + static_cast<std::ptrdiff_t>(end), 'M');
+  };
+  std::erase_if(synthetic.flight.rows, [](const flight::Row& row) { return row.time_s > 1.0 && row.time_s < 3.0; });
+  EXPECT_EQ(pieces(), 1);
+  const auto after = std::ranges::upper_bound(synthetic.flight.rows, 2.0, {}, &flight::Row::time_s);
+  synthetic.flight.outages = {{.from_s = 1.0, .to_s = after->time_s, .cause = {}, .resumed = false}};
+  EXPECT_EQ(pieces(), 2);
 }
 
 TEST(Card, KnowsWhichLettersItsFontLacks) {

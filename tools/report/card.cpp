@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -110,6 +111,9 @@ std::string roll_plot(const flight::Flight& flight, double top) {
   };
   const bool is_true = knows_true_roll(flight.rows);
   for (const flight::Row& row : flight.rows) {
+    if (std::ranges::find(flight.outages, row.time_s, &flight::Outage::to_s) != flight.outages.end()) {
+      add(flown, row.time_s, std::numeric_limits<double>::quiet_NaN());  // nobody knows how it turned meanwhile
+    }
     add(flown, row.time_s, roll_deg(row, is_true));
   }
   for (const flight::FreeRollPoint& point : flight.without_control) {
