@@ -7,6 +7,7 @@ namespace fantail::live {
 
 // The files of assets/, compiled in by embed.cmake.
 extern const std::string_view panel_html;  ///< with {names} in place of what panel.cpp puts there
+extern const std::string_view end_html;    ///< with which both pages end
 extern const std::string_view panel_css;
 extern const std::string_view panel_js;
 extern const std::string_view sheet_html;

@@ -15,7 +15,8 @@ namespace fantail::live {
 
 namespace {
 
-// One page: its HTML with {names} in it, and the style and script that it has beside those of every live page.
+// One page: its HTML with {names} in it up to where it ends as every live page does, and the style and script that it
+// has beside those of every live page.
 struct Frame {
   std::string_view html;
   std::string_view css;
@@ -33,8 +34,9 @@ std::string filled(const Frame& frame, const PanelWords& words) {
        {"{uplot}", std::string{page::uplot_js}},
        {"{js}", std::string{page::plot_frame_js}.append(live_js).append(frame.js)}}};
   // One pass: what is put in is not looked at again.
+  const std::string html = std::string{frame.html}.append(end_html);
   std::string page;
-  std::string_view rest = frame.html;
+  std::string_view rest = html;
   while (!rest.empty()) {
     std::size_t at = std::string_view::npos;
     const std::pair<std::string_view, std::string>* next = nullptr;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -71,8 +70,13 @@ class Plot {
     std::string path;
     bool pen_down = false;
     const std::vector<std::vector<double>> columns{curve.roll_deg};
+    const std::vector<std::size_t> gaps = page::gaps(curve.time_s);  // over which nobody knows how it turned
+    auto gap = gaps.begin();
     for (const std::size_t i : page::keep_extremes(columns, 500)) {
       const bool known = std::isfinite(curve.roll_deg[i]);
+      for (; gap != gaps.end() && *gap <= i; ++gap) {
+        pen_down = false;
+      }
       if (known) {
         path += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', x(curve.time_s[i]), y(shown(curve.roll_deg[i])));
       }
@@ -111,9 +115,6 @@ std::string roll_plot(const flight::Flight& flight, double top) {
   };
   const bool is_true = knows_true_roll(flight.rows);
   for (const flight::Row& row : flight.rows) {
-    if (std::ranges::find(flight.outages, row.time_s, &flight::Outage::to_s) != flight.outages.end()) {
-      add(flown, row.time_s, std::numeric_limits<double>::quiet_NaN());  // nobody knows how it turned meanwhile
-    }
     add(flown, row.time_s, roll_deg(row, is_true));
   }
   for (const flight::FreeRollPoint& point : flight.without_control) {
