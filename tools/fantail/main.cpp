@@ -22,6 +22,7 @@
 #include "input/messages.hpp"
 #include "manual/command.hpp"
 #include "manual/completion.hpp"
+#include "text/printable.hpp"
 
 namespace {
 
@@ -101,7 +102,7 @@ ExitCode help() {
 }
 
 ExitCode refuse(const std::string& complaint) {
-  say("fantail: " + complaint + " (see --help)\n");
+  say("fantail: " + fantail::text::printable(complaint) + " (see --help)\n");
   return ExitCode::usage;
 }
 

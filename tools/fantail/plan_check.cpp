@@ -17,6 +17,7 @@
 #include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/printable.hpp"
 #include "text/shell_word.hpp"
 
 namespace fantail::tool {
@@ -212,19 +213,20 @@ void check_plan(const PlanCheck& asked) {
     fmt::print("{}\n", json_of(found, loop).dump());
     return;
   }
-  show("{}: every field is known and within its range: the firmware takes this plan\n", found.file);
+  const std::string file = text::printable(found.file);
+  show("{}: every field is known and within its range: the firmware takes this plan\n", file);
   if (const std::vector<std::string> weaker = weaker_than_shipped(found.plan); !weaker.empty()) {
     show(
         "{}: warning: launches may be imagined more easily than by the shipped plan of two accelerometers, of which "
         "the safety case has its figures:\n",
-        found.file);
+        file);
     for (const std::string& what : weaker) {
       show("  {}\n", what);
     }
     show("  measure it: fantail campaign detection --plan {}\n", text::shell_word(found.file));
   }
   if (!loop.sentence.empty()) {
-    show("{}: {}{}\n", found.file, loop.warns ? "warning: " : "", loop.sentence);
+    show("{}: {}{}\n", file, loop.warns ? "warning: " : "", text::printable(loop.sentence));
   }
 }
 

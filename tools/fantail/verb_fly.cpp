@@ -29,6 +29,7 @@
 #include "hil/wire.hpp"
 #include "report/card.hpp"
 #include "report/results.hpp"
+#include "text/printable.hpp"
 #include "text/shell_word.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -196,15 +197,16 @@ void fly_and_report(const FlyOptions& options) {
     return;
   }
   print_summary(flight, results);
-  show("\n  report  {}\n", (folder / "report.html").string());
+  const std::string where = text::printable(folder.string());
+  show("\n  report  {}/report.html\n", where);
   for (const std::string& name : written) {
-    show("{}", name.ends_with(".csv") ? fmt::format("  data    {}\n", (folder / name).string()) : "");
+    show("{}", name.ends_with(".csv") ? fmt::format("  data    {}/{}\n", where, name) : "");
   }
   if (!flight.log.empty()) {
-    show("  log     {}\n", (folder / "flight.ftl").string());
+    show("  log     {}/flight.ftl\n", where);
   }
   if (options.card) {
-    show("  card    {}\n{}", (folder / "card.png").string(), note_on_letters(flight));
+    show("  card    {}/card.png\n{}", where, note_on_letters(flight));
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     show("  lcm     {}\n", sent);
