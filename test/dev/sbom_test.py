@@ -63,6 +63,8 @@ class BillOfMaterials(unittest.TestCase):
         self.assertEqual(packages["SPDXRef-debian-libc6"]["licenseDeclared"], "NOASSERTION")
         self.assertIn({"spdxElementId": "SPDXRef-made-x.deb", "relationshipType": "CONTAINS",
                        "relatedSpdxElement": f"SPDXRef-debian-{FMT_PACKAGE}"}, bill["relationships"])
+        self.assertIn({"spdxElementId": f"SPDXRef-debian-{FMT_PACKAGE}", "relationshipType": "DYNAMIC_LINK",
+                       "relatedSpdxElement": "SPDXRef-debian-libc6"}, bill["relationships"])
 
     def test_names_what_is_vendored_in_a_page(self):
         shutil.copy(PROGRAM.with_name("fantail-report"), self.tree / "usr/bin")

@@ -23,7 +23,8 @@ import built_from
 OURS = {"licenseConcluded": "MIT", "licenseDeclared": "MIT", "copyrightText": "2026 The Fantail authors"}
 NOTE = ("DYNAMIC_LINK is what an ELF file names as needed. STATIC_LINK is a package or vendored folder of which the build read files "
         "for this one: headers, those of a precompiled header included, or members of an archive; so more may be named than has left "
-        "code in it, and not less. The licence of a Debian package is what Debian says of its source. DEPENDS_ON is what the wheel asks pip for. What a library here loads itself is not followed.")
+        "code in it, and not less. The licence of a Debian package is what Debian says of its source. DEPENDS_ON is what the wheel asks pip for. What a library loads is "
+        "followed where it is carried along, and no further.")
 
 
 def identifier(*words):
@@ -123,6 +124,7 @@ class Bill:
             carried = built_from.library_paths().get(file.name)
             if carried and carried in (packages := built_from.debian_packages([carried])):
                 self.relate(archive, "CONTAINS", self.debian(packages[carried]))
+                self.linked(self.debian(packages[carried]), file)
                 continue
             program = self.made_here(file, "APPLICATION", f"{self.packages[archive]['name']}/{file.relative_to(folder)}")
             self.relate(archive, "CONTAINS", program)
