@@ -83,6 +83,26 @@ TEST(Flight, TicksTellPhaseChangesEventsAndCanardVerdicts) {
   EXPECT_EQ(flight.canard_verdict_changes[1].verdict, core::CanardVerdict::healthy);
 }
 
+// The first tick after it is the one that calls it a timing fault.
+TEST(Flight, ControlThatAStandstillEndedEndedWithTheLastTickBeforeIt) {
+  Flight flight;
+  core::TickRecord record;
+  const auto tick = [&](double time_s, core::Phase phase, core::PhaseReason reason) {
+    record.phase = phase;
+    record.reason = reason;
+    note_tick(flight, record, time_s);
+  };
+  tick(0.6, core::Phase::controlling, core::PhaseReason::guide_clear);
+  tick(0.601, core::Phase::controlling, core::PhaseReason::guide_clear);
+  tick(9.0, core::Phase::finished, core::PhaseReason::timing_fault);
+  end_control_with_outage(flight);
+  ASSERT_EQ(flight.outages.size(), 1U);
+  EXPECT_EQ(flight.outages[0].from_s, 0.601);
+  EXPECT_EQ(flight.outages[0].to_s, 9.0);
+  EXPECT_EQ(flight.events.control_end_s, 0.601);
+  EXPECT_EQ(flight.phase_changes.back().time_s, 9.0) << "when it was seen";
+}
+
 // u_d = 3 degrees and kp = 0.5: 6 degrees off; where the fins take 40 % back, 10.
 TEST(Flight, TheLawSettlesWhereTheCanardsWithWhatTheFinsLeaveBalanceTheOffset) {
   Flight flight;
