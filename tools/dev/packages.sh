@@ -18,7 +18,7 @@ browser_packages="chromium chromium-driver poppler-utils"
 card_packages="librsvg2-bin fonts-dejavu-core"
 playground_packages="$fly_packages clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
 docs_packages="$fly_packages doxygen chromium chromium-driver python3-venv"
-package_packages="$fly_packages $firmware_packages dpkg-dev"
+package_packages="$fly_packages $firmware_packages dpkg-dev file"
 shell_packages="zsh fish"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
