@@ -12,9 +12,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export HOME="$work/home" PATH="$build:$PATH" FANTAIL_DATA="$source"
 export COMPLETIONS="$source/tools/manual/completions" COMPLETE_LINE
-mkdir -p "$HOME" "$work/here/flights"
+mkdir -p "$HOME" "$work/here/flights" "$work/here/my flights"
 cd "$work/here"
-touch flown.ftl
+touch -- flown.ftl "my flights/first.ftl" "$HOME/at_home.ftl" --odd.ftl 'two
+lines.ftl'
 
 # offers LINE WORD...: these words, or only others with a ! ahead of them, are among what the shell offers at the end of LINE.
 offers() {
@@ -51,3 +52,27 @@ case $shell in bash) before='' ;; *) before=reference.kind= ;; esac
 offers 'fantail fly --set reference.kind=' "${before}hold" "${before}steps" "${before}square_wave"
 case $shell in bash) before='' ;; *) before=--color= ;; esac
 offers 'fantail fly --color=a' "${before}auto" "${before}always" "!${before}never"
+# Behind a -- stand arguments alone.
+offers 'fantail replay -- --o' !--out
+# A program that is not there answers nothing, and nobody complains.
+COMPLETE_LINE='no_such_folder/fantail repl'
+"$shell" $alone "$tests/complete.$shell" >"$work/offered" 2>&1 || true
+[ -z "$(tr -d '[:space:]' <"$work/offered")" ] || { echo "FAILED: $shell without the program:" && cat "$work/offered" && exit 1; }
+case $shell in
+  bash)
+    offers 'fantail replay t' 'two?lines.ftl' !lines.ftl
+    # With = taken out of what bash takes words apart at, it replaces the whole word.
+    export COMPLETE_BREAKS=': '
+    offers 'fantail fly --color=a' --color=auto --color=always
+    offers 'fantail fly --set reference.kind=h' reference.kind=hold
+    offers 'fantail fly --set=controller.canard_l' --set=controller.canard_limit_deg=
+    offers 'fantail fly --out=f' --out=flights
+    ;;
+  fish)
+    offers 'fantail replay my\ flights/' 'my flights/first.ftl'
+    offers 'fantail replay "my f' 'my flights'
+    offers 'fantail fly --out "my f' 'my flights'
+    offers 'fantail replay ~/at' '~/at_home.ftl'
+    offers 'fantail replay -- --o' --odd.ftl
+    ;;
+esac

@@ -56,6 +56,15 @@ TEST(Completion, OffersOneMoreOfAnArgumentThatIsRepeated) {
   EXPECT_EQ(completion(command, std::vector<std::string>{"plan", "first", "s"}), "files\nsecond\n");
 }
 
+TEST(Completion, OffersNeitherOptionsNorVerbsBehindABareDoubleDash) {
+  EXPECT_EQ(of({"plan", "--", "--o"}), "files\n");
+  EXPECT_EQ(of({"plan", "--", "--color=n"}), "files\n");
+  EXPECT_EQ(of({"plan", "--", "f"}), "files\nfirst\n");
+  EXPECT_EQ(of({"plan", "--", "--odd", ""}), "words\n") << "it takes one argument";
+  EXPECT_EQ(of({"--", "w"}), "words\n");
+  EXPECT_EQ(of({"plan", "--out", "--", "--o"}), "words\n--out\n") << "that is the name of a folder";
+}
+
 TEST(Completion, SaysThatAFolderIsWanted) {
   EXPECT_EQ(of({"plan", "--out", "x"}), "folders\n");
   EXPECT_EQ(of({"plan", "--out=x"}), "folders\n");

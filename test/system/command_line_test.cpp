@@ -121,6 +121,17 @@ TEST(CommandLine, AnUnknownOptionLeadsToTheNearest) {
   EXPECT_NE(far.err.find("unknown option --frobnicate; allowed: "), std::string::npos) << far.err;
 }
 
+TEST(CommandLine, NoWordBehindABareDoubleDashIsAnOptionOrAVerb) {
+  const Outcome file = fantail({"report", "--", "--odd.csv"});
+  EXPECT_NE(file.err.find("--odd.csv: no such file"), std::string::npos) << file.err;
+  const Outcome surplus = fantail({"fly", "--", "--odd", "--sed"});
+  EXPECT_EQ(surplus.exit_code, 64);
+  EXPECT_NE(surplus.err.find("\"--sed\" is one word too many for fly"), std::string::npos) << surplus.err;
+  const Outcome verb = fantail({"plan", "--", "check"});
+  EXPECT_EQ(verb.exit_code, 64);
+  EXPECT_NE(verb.err.find("\"check\" is no verb behind a bare --"), std::string::npos) << verb.err;
+}
+
 TEST(CommandLine, AFolderIsNoScenario) {
   const Folder folder;
   std::filesystem::create_directory(folder.path() / "tasha3_launch1_mine");

@@ -38,9 +38,13 @@ const CLI::App& innermost(const CLI::App& app) {
 }
 
 std::string complaint_about_surplus(const CLI::App& verb, const std::vector<std::string>& surplus) {
-  const auto option = std::ranges::find_if(surplus, [](const std::string& word) { return word.starts_with('-'); });
-  if (option == surplus.end()) {
-    return "\"" + surplus.front() + "\" is one word too many for " + verb.get_name();
+  // No word behind a bare -- is an option.
+  const auto dashes = std::ranges::find(surplus, "--");
+  const auto option =
+      std::find_if(surplus.begin(), dashes, [](const std::string& word) { return word.starts_with('-'); });
+  if (option == dashes) {
+    const std::string& word = dashes == surplus.begin() ? surplus.at(1) : surplus.front();
+    return '"' + word + "\" is one word too many for " + verb.get_name();
   }
   const std::string word = option->substr(0, option->find('='));
   std::vector<std::string> names;
@@ -76,6 +80,9 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
     return "a verb is missing; allowed: " + list;
   }
   const std::string& word = left_over.front();
+  if (std::ranges::find(verbs, word) != verbs.end()) {
+    return '"' + word + "\" is no verb behind a bare --";
+  }
   if (word.starts_with('-')) {
     return "unknown option " + word + "; a verb comes first: " + list;
   }

@@ -30,6 +30,7 @@ struct Place {
   const Command* command;
   const Option* option = nullptr;  ///< the word is its value
   std::size_t arguments = 0;       ///< that stand before it
+  bool behind_dashes = false;      ///< of a bare --: neither option nor verb
 };
 
 Place place_of_last(const Command& command, std::span<const std::string> words) {
@@ -37,6 +38,10 @@ Place place_of_last(const Command& command, std::span<const std::string> words) 
   for (const std::string& word : words.first(words.size() - 1)) {
     if (place.option != nullptr) {
       place.option = nullptr;
+    } else if (place.behind_dashes) {
+      place.arguments += 1;
+    } else if (word == "--") {
+      place.behind_dashes = true;
     } else if (word.starts_with('-')) {
       const Option* option = find_option(*place.command, word);  // none for --name=value
       place.option = option != nullptr && !option->value.empty() ? option : nullptr;
@@ -87,14 +92,15 @@ class Answer {
 std::string completion(const Command& command, std::span<const std::string> words) {
   const std::string_view begun = words.back();
   const Place place = place_of_last(command, words);
+  const bool is_option = begun.starts_with('-') && !place.behind_dashes;
   Answer answer{begun};
   if (place.option != nullptr) {
     answer.add_values(*place.option);
-  } else if (const std::size_t equals = begun.find('='); begun.starts_with('-') && equals != std::string_view::npos) {
+  } else if (const std::size_t equals = begun.find('='); is_option && equals != std::string_view::npos) {
     if (const Option* option = find_option(*place.command, begun.substr(0, equals))) {
       answer.add_values(*option, begun.substr(0, equals + 1));
     }
-  } else if (begun.starts_with('-')) {
+  } else if (is_option) {
     for (const Option& option : place.command->options) {
       for (const std::string& name : option.names) {
         answer.add(name, option.meaning);
@@ -102,7 +108,7 @@ std::string completion(const Command& command, std::span<const std::string> word
     }
   } else {
     for (const Command& inner : place.command->commands) {
-      if (place.arguments == 0) {
+      if (place.arguments == 0 && !place.behind_dashes) {
         answer.add(own_name(inner), inner.meaning);
       }
     }

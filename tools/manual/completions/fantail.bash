@@ -19,7 +19,8 @@ _fantail() {
   done
 
   local begun=${words[${#words[@]} - 1]}
-  local kept=${begun%"${begun##*[=:]}"} # the part that bash leaves where it is
+  local breaks=${COMP_WORDBREAKS//[^=:]/} kept='' # the part that bash leaves where it is
+  [[ -z $breaks ]] || kept=${begun%"${begun##*[$breaks]}"}
   local answer word
   mapfile -t answer < <("${words[0]/#\~/$HOME}" --complete "${words[@]:1}" 2>/dev/null)
   COMPREPLY=()
@@ -28,17 +29,22 @@ _fantail() {
     COMPREPLY+=("${word#"$kept"}")
     [[ $word != *[=:] ]] || compopt -o nospace
   done
-  case ${answer[0]} in
-    # What bash does itself where it found nothing: a name in quotes.
-    files)
-      compopt -o filenames -o default
-      mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "${begun#"$kept"}")
-      ;;
-    folders)
-      compopt -o filenames -o dirnames
-      mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -d -- "${begun#"$kept"}")
-      ;;
+  # What bash does itself where it found nothing: a name in quotes.
+  local kind usual
+  case ${answer[0]-} in
+    files) kind=-f usual=default ;;
+    folders) kind=-d usual=dirnames ;;
+    *) return ;;
   esac
+  compopt -o filenames -o "$usual"
+  local option='' names
+  [[ $begun != --*=* ]] || option=${begun%%=*}=
+  # A mark ahead of each name, because there may be a line break in it.
+  mapfile -t -d $'\1' names < <(compgen -P $'\1' "$kind" -- "${begun#"$option"}")
+  for word in "${names[@]:1}"; do
+    word=$option${word%$'\n'}
+    COMPREPLY+=("${word#"$kept"}")
+  done
 }
 
 complete -F _fantail fantail
