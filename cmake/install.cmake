@@ -10,6 +10,9 @@ include(CMakePackageConfigHelpers)
 install(TARGETS fantail RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 get_property(verbs GLOBAL PROPERTY FANTAIL_VERBS)
 install(TARGETS ${verbs} RUNTIME DESTINATION libexec/fantail COMPONENT runtime)
+install(PROGRAMS tools/with_vcan DESTINATION libexec/fantail COMPONENT runtime)
+install(PROGRAMS tools/vcan/guest_init tools/vcan/inside DESTINATION libexec/fantail/vcan COMPONENT runtime)
+install(FILES tools/vcan/guest tools/vcan/native tools/vcan/wide_ptrace.c DESTINATION libexec/fantail/vcan COMPONENT runtime)
 
 # The folders keep their places, because scenarios name vehicles and plans by them.
 set(data ${CMAKE_INSTALL_DATADIR}/fantail)

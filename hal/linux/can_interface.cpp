@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -18,8 +19,13 @@
 namespace fantail::hal::on_linux {
 namespace {
 
-constexpr const char* without_hardware =
-    "without hardware: tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up";
+constexpr const char* with_vcan =
+    "with_vcan COMMAND (in tools/ of the sources, in libexec/fantail/ of an installation)";
+
+std::string without_hardware() {
+  return std::string{"without hardware: "} + with_vcan +
+         ", or sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up";
+}
 
 bool is_virtual(const std::string& name) { return name.starts_with("vcan") || name.starts_with("vxcan"); }
 
@@ -78,12 +84,12 @@ Interface usable_interface(const std::string& name) {
   }
   const auto found = find_interface(name);
   if (!found) {
-    throw CanError{name + ": no such interface" + others() +
-                   "; with a 1 Mbit/s adapter: " + set_up(is_virtual(name) ? "can0" : name) + "; " + without_hardware};
+    throw CanError{name + ": no such interface" + others() + "; with a 1 Mbit/s adapter: " +
+                   set_up(is_virtual(name) ? "can0" : name) + "; " + without_hardware()};
   }
   if (!found->can) {
     throw CanError{name + ": not a CAN interface" + others() + "; with a 1 Mbit/s adapter: " + set_up("can0") + "; " +
-                   without_hardware};
+                   without_hardware()};
   }
   if (!found->up) {
     throw CanError{name + ": the interface is down; " + set_up(name)};
@@ -93,11 +99,11 @@ Interface usable_interface(const std::string& name) {
 
 std::string socket_trouble(const std::string& name, int error) {
   if (error == EAFNOSUPPORT || error == EPROTONOSUPPORT) {
-    return name + ": this kernel has no CAN; try sudo modprobe can_raw; " + without_hardware;
+    return name + ": this kernel has no CAN; try sudo modprobe can_raw; " + without_hardware();
   }
   if (error == EPERM || error == EACCES) {
     return name + ": no permission to open a CAN socket (a container or a sandbox forbids it); try it outside, or " +
-           "tools/with_vcan COMMAND";
+           with_vcan;
   }
   return name + ": no CAN socket: " + std::generic_category().message(error);
 }

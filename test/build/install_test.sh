@@ -45,6 +45,10 @@ code=0
 [ "$code" = 69 ] && grep -q 'fantail-plan cannot be started: Permission denied' said || fail "no program: $code, $(cat said)"
 chmod a+x "$prefix/libexec/fantail/fantail-plan"
 [ -s "$prefix/share/fantail/canard_bus.dbc" ] || fail "no CAN database"
+# What the verbs on a bus name where there is none.
+code=0
+"$prefix/libexec/fantail/with_vcan" --timeout 60 sh -c 'exit 3' 2>said || code=$?
+[ "$code" = 3 ] || [ "$code" = 77 ] || fail "the installed with_vcan: exit code $code, $(cat said)"
 [ -s "$prefix/share/fantail/lcm/state_t.lcm" ] || fail "no LCM types"
 
 cmake -S "$source/test/build/consumer" -B consumer -G Ninja -D CMAKE_PREFIX_PATH="$prefix" -D CMAKE_CXX_COMPILER="${CXX:-c++}" >configure.log ||

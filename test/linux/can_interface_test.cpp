@@ -158,8 +158,8 @@ TEST_F(LinuxCanInterface, AWrongNameIsAnsweredWithWhatToDo) {
   EXPECT_EQ(
       trouble("can7"),
       "can7: no such interface; CAN interfaces here: vcan0, vcan1; with a 1 Mbit/s adapter: sudo ip link set can7 up "
-      "type can bitrate 1000000; without hardware: tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && "
-      "sudo ip link set vcan0 up");
+      "type can bitrate 1000000; without hardware: with_vcan COMMAND (in tools/ of the sources, in libexec/fantail/ of "
+      "an installation), or sudo ip link add vcan0 type vcan && sudo ip link set vcan0 up");
 }
 
 TEST_F(LinuxCanInterface, AnInterfaceThatIsNotCanIsRefused) {

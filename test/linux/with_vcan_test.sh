@@ -22,7 +22,7 @@ code=$?
 [ "$code" -ne 77 ] || { cat "$work/error" && exit 77; }
 expect "a command that succeeds" 0 "$code"
 
-"$with_vcan" --help | grep -q '^tools/with_vcan candump'
+"$with_vcan" --help | grep -q '^with_vcan candump'
 expect "--help has examples" 0 $?
 "$with_vcan" 2>/dev/null
 expect "no command is a usage error" 64 $?

@@ -20,7 +20,8 @@ TEST_P(EachVerbOnTheBus, SaysWhatToDoWhenThereIsNoBus) {
   words.insert(words.end(), {"--can", nowhere});
   Refusal({}, words, 74,
           {nowhere + ": ",
-           "tools/with_vcan COMMAND, or sudo ip link add vcan0 type vcan && sudo ip link set "
+           "with_vcan COMMAND (in tools/ of the sources, in libexec/fantail/ of an installation), or sudo ip link add "
+           "vcan0 type vcan && sudo ip link set "
            "vcan0 up"});
 }
 

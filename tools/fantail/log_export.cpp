@@ -184,7 +184,7 @@ struct ExportOptions {
 };
 
 std::string objection_to_file(const std::string& text) {
-  return text.empty() || text.back() == '/' ? '"' + text + "\" is not the name of a file" : "";
+  return text.back() == '/' ? '"' + text + "\" is not the name of a file" : "";
 }
 
 std::filesystem::path output_file(const ExportOptions& options, const ExportFormat& format) {
@@ -284,16 +284,16 @@ void add_log_export(const Verb& log) {
       .one_word_each_time()
       .value_name("A,B,C");
   verb.option("--from", options->window.from_s, "Begin, s on the clock of time_s").check(objection_to_time);
-  verb.option("--until", options->window.until_s, "End, s on the clock of time_s (--to is the format)")
-      .check(objection_to_time);
+  verb.option("--until", options->window.until_s, "End, likewise (--to is the format)").check(objection_to_time);
   add_flight_choice(verb, options->flight);
   verb.examples(
       "Examples:\n"
       "  fantail log export out/tasha3_launch2 --to ulog      for PlotJuggler: out/export/tasha3_launch2.ulg\n"
       "  fantail log export flown.ftl --to csv --fields time_s,roll_angle_deg,rate_x_count --from 0 --until 12\n"
       "                                                       a table of your own, raw counts of the gyro in it\n"
-      "  fantail log export flown.ftl --to candump --out - | cantools decode firmware/protocol/canard_bus.dbc\n"
-      "                                                       what the bus carried in flight, in words");
+      "  fantail log export flown.ftl --to candump --out - | cantools decode canard_bus.dbc\n"
+      "                                                       what the bus carried, in words; canard_bus.dbc is in\n"
+      "                                                       PREFIX/share/fantail or the sources' firmware/protocol");
   verb.action([options] { export_log(*options); });
 }
 

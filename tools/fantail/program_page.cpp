@@ -27,7 +27,10 @@ std::string program_page(const Command& program, const std::string& date) {
   page += heading("FILES");
   page += item(italic("PREFIX/share/fantail"),
                roff("Shipped scenarios, vehicles, motors and plans; the CAN database; the LCM message types."));
-  page += item(italic("PREFIX/libexec/fantail"), roff("The program of each verb."));
+  page += item(
+      italic("PREFIX/libexec/fantail"),
+      sentence("The program of each verb; and `with_vcan`, which runs a command beside two virtual CAN buses, also "
+               "where the kernel has no CAN."));
   return tidied(page + see_also({"fantail-fly(1)", "fantail.toml(5)", "flight.ftl(5)"}));
 }
 
