@@ -14,8 +14,8 @@ struct Identity {
   std::string_view sensors{};
 };
 
-/// Of the sources that this program was built from: 12 digits, and "-dirty" when they had been changed since, or "-archive"
-/// when they are from an archive of that commit, where nobody knows; "unknown" outside of both.
+/// Of the sources that this program was built from: 12 digits, and "-dirty" when they had been changed since, or
+/// "-archive" when they are from an archive of that commit, where nobody knows; "unknown" outside of both.
 [[nodiscard]] std::string_view git_hash();
 
 /// As the project has it.
