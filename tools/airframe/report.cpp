@@ -52,7 +52,7 @@ constexpr const char* method =
 
 std::string text(const sim::Vehicle& vehicle, const Summary& summary, std::size_t columns) {
   std::string out = fmt::format("{}: {}\n{}\n\n", vehicle.name, size(vehicle), summary.sentence);
-  ::fantail::text::Table table{{{""}, {"from shape"}, {"range", 1}, {"file"}, {"unit"}}};
+  ::fantail::text::Table table{{{""}, {"from shape"}, {"range"}, {"file", 1}, {"unit"}}};
   const auto row = [&table](const std::string& what, const std::string& computed, const std::string& range,
                             const std::string& in_file, const std::string& unit) {
     table.row({fmt::format("  {:<42}", what), fmt::format(" {:>10}", computed), fmt::format(" {:>19}", range),

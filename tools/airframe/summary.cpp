@@ -109,7 +109,7 @@ void add_roll(Summary& summary, const sim::Vehicle& vehicle) {
     }
   }
   if (b.hinge_moment_m3) {
-    summary.lines.push_back({"hinge moment of a canard, 100 m/s, 10 deg",
+    summary.lines.push_back({"hinge moment, 100 m/s, 10 deg",
                              "N m",
                              scaled(*b.hinge_moment_m3, 0.5 * 1.225 * 100.0 * 100.0 * text::radians(10.0)),
                              {},

@@ -17,7 +17,7 @@ import notebook
 import source_page
 
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
-SHOWN = {".png", ".webp", ".svg", ".html"}
+SHOWN = {".png", ".webp", ".svg", ".html", ".ork"}
 
 
 def of_commands(block):

@@ -43,7 +43,7 @@ constexpr const char* examples =
     "  fantail fly                          the second launch of Tasha III, with a report\n"
     "  fantail fly tunnel_steps --json      the wind-tunnel runs, for a script\n"
     "  fantail plan show tasha3_launch2     every number a rocket is loaded with\n"
-    "  fantail predict tasha3_launch1       what a tunnel would have said of it: no go, and why\n"
+    "  fantail predict tasha3_launch1       in hindsight, by the offsets of its own log: no go\n"
     "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n";
 
 std::string list_of_exit_codes() {
