@@ -25,8 +25,15 @@ TEST(UnknownScenario, IsRefusedWithTheShippedNamesAndASuggestion) {
   Refusal({}, {"fly", "tasha_launch2"}, 66,
           {"unknown scenario \"tasha_launch2\"", "did you mean tasha3_launch2?", names_of_scenarios});
   Refusal({}, {"fly", "wholly-other"}, 66, {"unknown scenario \"wholly-other\"", names_of_scenarios});
-  Refusal({}, {"fly", ""}, 66, {"unknown scenario \"\"", names_of_scenarios});
-  Refusal({}, {"campaign", "hardover", ""}, 66, {"unknown scenario \"\"", names_of_scenarios});
+}
+
+TEST(EmptyWord, IsRefusedWhereverItStands) {
+  Refusal({}, {"fly", ""}, 64, {"SCENARIO: it is empty"});
+  Refusal({}, {"fly", "--image", ""}, 64, {"--image: it is empty"});
+  Refusal({}, {"campaign", "hardover", ""}, 64, {"SCENARIO: it is empty"});
+  Refusal({}, {"log", "export", "", "--to", "csv"}, 64, {"LOG: it is empty"});
+  Refusal({}, {"identify", ""}, 64, {"it is empty"});
+  Refusal({}, {"bench", "limits", "--can", ""}, 64, {"--can: it is empty"});
 }
 
 TEST(UnknownPlan, IsRefusedWithTheShippedNamesAndASuggestion) {
@@ -37,6 +44,9 @@ TEST(MissingPath, IsRefused) {
   Refusal({}, {"fly", "no/such.toml"}, 66, {"no/such.toml"});
   Refusal({}, {"plan", "show", "./none"}, 66, {"./none"});
   Refusal({{"folder.toml/file", ""}}, {"fly", "folder.toml"}, 66, {"folder.toml"});
+  Refusal({}, {"fly", "/dev/null"}, 66, {"/dev/null: not a regular file"});
+  Refusal({}, {"identify", "/nonexistent"}, 66, {"/nonexistent: no such file"});
+  Refusal({}, {"tunnel", "stability", "/nonexistent"}, 66, {"/nonexistent: no such file"});
 }
 
 TEST(MissingPart, IsRefusedWhereItIsNamed) {

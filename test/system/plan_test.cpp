@@ -87,8 +87,8 @@ TEST(PlanShow, ShowsTheDefaultOfEveryFieldWhenNoPlanIsNamed) {
 
 TEST(PlanShow, TakesAnEmptyNameForAMistakeNotForNoName) {
   const Outcome outcome = fantail({"plan", "show", ""});
-  EXPECT_EQ(outcome.exit_code, 66);
-  EXPECT_NE(outcome.err.find("unknown flight plan \"\""), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.exit_code, 64);
+  EXPECT_NE(outcome.err.find("PLAN: it is empty"), std::string::npos) << outcome.err;
 }
 
 TEST(PlanCompile, NamesTheBlockAfterThePlanWhenNothingIsSaid) {

@@ -75,6 +75,8 @@ NamedAirframe named_airframe(const AirframeOptions& options, const std::filesyst
     result.airframe = airframe_of(*flown);
     result.vehicle = flown->vehicle;
     result.name = flown->vehicle_file + " (summary.json)";
+  } else if (!std::filesystem::exists(log)) {
+    throw text::Error{text::ErrorKind::no_such_input, log.string() + ": no such file"};
   } else {
     refuse_unknown();
   }

@@ -224,8 +224,7 @@ void fill_detection(const Verb& verb) {
           "--out", options->out,
           "Folder for detection.html, summary.json and parts.jsonl [out/campaign/detection, with what was changed in "
           "the name]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text").excludes(event);
   verb.examples(
       "Armed, and in hands, dropped, on the road, shaken, beside another launch: how often does it believe that it "

@@ -173,9 +173,9 @@ void fill_faults(const Verb& verb) {
   auto options = std::make_shared<FaultsOptions>();
   add_scenario_options(verb, options->scenario);
   auto device = verb.option("--device", options->device, "Only the faults of this device, as --list has them [all]");
-  device.value_name("NAME").check(objection_to_nothing);
+  device.value_name("NAME");
   auto fault = verb.option("--fault", options->fault, "Only this fault, likewise [all]");
-  fault.value_name("NAME").check(objection_to_nothing);
+  fault.value_name("NAME");
   auto phase = verb.option("--phase", options->phase, "Only faults that begin in this phase [all]");
   phase.one_of({"pad", "armed", "launched", "controlling", "after_control"});
   verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets").range(1, 10000).show_default();
@@ -186,15 +186,14 @@ void fill_faults(const Verb& verb) {
   verb.flag("--whole", options->whole, "Every onset: --every 1").excludes(every);
   verb.option("--seeds", options->seeds, "Fly each onset with so many seeds").range(1, 10000).show_default();
   auto cell = verb.option("--cell", options->cell, "Fly one run again: of this cell, DEVICE/FAULT/PHASE");
-  cell.value_name("CELL").check(objection_to_nothing).excludes(device).excludes(fault).excludes(phase);
+  cell.value_name("CELL").excludes(device).excludes(fault).excludes(phase);
   verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
   verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 256);
   verb.option(
           "--out", options->out,
           "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "
           "changed in the name]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   auto json = verb.flag("--json", options->json, "Print summary.json instead of the text; of one run, what it came to");
   auto list = verb.flag("--list", options->list, "Say which devices and faults there are, and fly nothing");
   list.excludes(json).excludes(device).excludes(fault).excludes(phase).excludes(cell);

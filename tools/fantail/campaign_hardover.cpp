@@ -109,8 +109,7 @@ void fill_hardover(const Verb& verb) {
   verb.option("--threads", options->study.threads, "How many to fly at once [as many as the machine can]")
       .range(1, 1024);
   verb.option("--out", options->out, "Folder for hardover.html and hardover.json [out/hardover/SCENARIO]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.flag("--json", options->json, "Print hardover.json instead of the text");
   verb.examples(
       "Flies in six degrees of freedom, whatever the scenario says.\n"

@@ -43,8 +43,7 @@ std::string complaint_about_surplus(const CLI::App& verb, const std::vector<std:
   const auto option =
       std::find_if(surplus.begin(), dashes, [](const std::string& word) { return word.starts_with('-'); });
   if (option == dashes) {
-    const std::string& word = dashes == surplus.begin() ? surplus.at(1) : surplus.front();
-    return '"' + word + "\" is one word too many for " + verb.get_name();
+    return '"' + surplus[dashes == surplus.begin() ? 1 : 0] + "\" is one word too many for " + verb.get_name();
   }
   const std::string word = option->substr(0, option->find('='));
   std::vector<std::string> names;
@@ -75,11 +74,10 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   if (verbs.empty() || dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) {
     return error.what();
   }
-  const std::vector<std::string> left_over = program.remaining(true);
-  if (left_over.empty()) {
+  if (surplus.empty()) {
     return "a verb is missing; allowed: " + list;
   }
-  const std::string& word = left_over.front();
+  const std::string& word = surplus.front();
   if (std::ranges::find(verbs, word) != verbs.end()) {
     return '"' + word + "\" is no verb behind a bare --";
   }
@@ -254,9 +252,11 @@ Verb Verb::verb(const std::string& name, const std::string& meaning) const {
 
 void Verb::needs_verb() const { app_->require_subcommand(1); }
 
+// Whoever leaves a word out asks for what is usual; whoever gives an empty one has made a mistake.
 template <typename T>
 Option Verb::option(const std::string& names, T& value, const std::string& meaning) const {
-  return Option{app_->add_option(names, value, meaning)};
+  return Option{app_->add_option(names, value, meaning)}.check(
+      [](const std::string& text) { return std::string{text.empty() ? "it is empty" : ""}; });
 }
 
 template Option Verb::option(const std::string&, std::string&, const std::string&) const;
@@ -296,9 +296,5 @@ Objection within(double low, double high) {
 std::string objection_to_time(const std::string& text) {
   return text::number(text) ? "" : '"' + text + "\" is not a number of seconds";
 }
-
-std::string objection_to_nothing(const std::string& text) { return text.empty() ? "it is empty" : ""; }
-
-std::string objection_to_folder(const std::string& text) { return text.empty() ? "the name of a folder is empty" : ""; }
 
 }  // namespace fantail::tool

@@ -59,8 +59,8 @@ class Verb {
   [[nodiscard]] Verb verb(const std::string& name, const std::string& meaning) const;
   void needs_verb() const;
 
-  /// Names are "--out" or "-o,--out"; a name without dashes is an argument by its place. T: std::string, double, int,
-  /// unsigned, std::size_t, optionals of these, and std::vector<std::string>.
+  /// Names are "--out" or "-o,--out"; a name without dashes is an argument by its place. An empty word is refused. T:
+  /// std::string, double, int, unsigned, std::size_t, optionals of these, and std::vector<std::string>.
   template <typename T>
   Option option(const std::string& names, T& value, const std::string& meaning) const;
   Option flag(const std::string& name, bool& value, const std::string& meaning) const;
@@ -88,8 +88,5 @@ void read_command_line(const std::string& name, const std::string& meaning, void
 /// Both ends included. The library's own range would take "nan".
 [[nodiscard]] Objection within(double low, double high);
 [[nodiscard]] std::string objection_to_time(const std::string& text);
-/// Whoever leaves a word out asks for what is usual; whoever gives an empty one has made a mistake.
-[[nodiscard]] std::string objection_to_nothing(const std::string& text);
-[[nodiscard]] std::string objection_to_folder(const std::string& text);
 
 }  // namespace fantail::tool

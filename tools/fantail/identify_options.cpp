@@ -157,8 +157,7 @@ void add_identify_options(const Verb& verb, IdentifyOptions& options) {
   verb.option("--out", options.out,
               "Folder for report.html, model.csv and identification.json [out/identify/DATA, with "
               "several A+B]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
 }
 
 bool wants_flown_plan(const IdentifyOptions& o) {

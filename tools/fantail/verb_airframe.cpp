@@ -67,8 +67,7 @@ void fill(const Verb& verb) {
       .one_word_each_time();
   verb.option("--out", options->out,
               "Folder for airframe.html and airframe.json [out/airframe/VEHICLE, with the changes' names behind it]")
-      .offers(folders)
-      .check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
+      .offers(folders);
   verb.flag("--json", options->json, "Print airframe.json instead of the text");
   verb.examples(
       "Examples:\n"

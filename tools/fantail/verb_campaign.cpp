@@ -195,8 +195,7 @@ void fill_merge(const Verb& verb) {
       .required();
   verb.option("--out", options->out, "Folder for the whole: the same bytes as of the campaign flown as one")
       .offers(folders)
-      .required()
-      .check(objection_to_folder);
+      .required();
   verb.examples(
       "Then the same command as of the shards, without --shard and with --out of the whole, flies nothing and writes "
       "the "
@@ -236,8 +235,7 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for runs.csv.gz, campaign.json, summary.json, campaign.html and the worst runs "
               "[out/campaign/SCENARIO, with what was changed in the name]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "A campaign that was interrupted goes on when the same command is given again.\n"

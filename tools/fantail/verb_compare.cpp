@@ -178,7 +178,6 @@ void fill(const Verb& verb) {
       .check(objection_to_requirement);
   verb.option("--out", options->out, "Folder for compare.html, compare.json and differences.csv")
       .offers(folders)
-      .check(objection_to_folder)
       .show_default();
   verb.flag("--json", options->json, "Print compare.json instead of the text");
   verb.examples(

@@ -239,8 +239,7 @@ void fill(const Verb& verb) {
           "on the gimbal or on pins, turning.csv, and how it would have rolled without control, without_control.csv "
           "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES; of a campaign, run_NUMBER in its "
           "folder]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   add_flight_computer_options(verb, options->computer);
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
   add_page_options(verb, options->page);

@@ -149,7 +149,6 @@ void fill(const Verb& verb) {
   verb.option("--columns", options->columns,
               "QUANTITY=[-][SCALE*]COLUMN:UNIT for time, axial (or axial_from_rest, zero on the pad), second_axial, "
               "lateral_y, lateral_z, roll_rate, pitch_rate, yaw_rate, height, speed; x points to the nose")
-      .check(objection_to_nothing)
       .value_name("QUANTITY=COLUMN:UNIT,...");
   verb.option("--map", options->map,
               fmt::format("A logger's columns, [the one that fits]: {}; --columns goes before it", names_of_maps()))
@@ -157,10 +156,8 @@ void fill(const Verb& verb) {
       .value_name("MAP");
   verb.option("--barometer", options->barometer, "A file of its own that has the height")
       .offers(files)
-      .check(objection_to_nothing)
       .value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns, "Its time, height and speed, as in --columns")
-      .check(objection_to_nothing)
       .value_name("QUANTITY=COLUMN:UNIT,...");
   verb.option("--plan", options->plan, "The flight plan: a shipped name or a path")
       .offers(shipped(input::Shipped::plan))
@@ -177,8 +174,7 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for listen.html and listen.json [out/listen/LOG, where that has the page of another file "
               "out/listen/LOG_2, ...]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.flag("--json", options->json, "Print listen.json instead of the text");
   verb.examples(
       "Examples:\n"

@@ -255,8 +255,7 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO, with what was changed "
               "in the name]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.flag("--json", options->json, "Print predict.json instead of the text");
   verb.examples(
       "Exit code 0: go; 1: no go.\n"

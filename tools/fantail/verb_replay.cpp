@@ -147,8 +147,7 @@ void fill(const Verb& verb) {
       .one_word_each_time();
   add_flight_choice(verb, options->flight);
   verb.option("--out", options->out, "With --set: folder for what_if.html and what_if.csv [out/replay/NAME]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(
       "Exit code 0: every output byte of every tick that could be replayed is as recorded; 1: one differs.\n"

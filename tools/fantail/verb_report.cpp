@@ -122,8 +122,7 @@ void fill(const Verb& verb) {
   auto b = verb.option("B", options->b, "A second flight to draw over it: the same kinds of file").offers(files);
   verb.option("--out", options->out,
               "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.option("--from", options->from_s, "Of two flights: start on A's clock, s").check(objection_to_time).needs(b);
   verb.option("--to", options->to_s, "Of two flights: end on A's clock, s").check(objection_to_time).needs(b);
   auto align = verb.option("--align", options->align,

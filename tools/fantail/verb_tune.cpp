@@ -197,8 +197,7 @@ void fill(const Verb& verb) {
   verb.flag("--force", options->force, "Replace a plan file that is there");
   verb.option("--out", options->out,
               "Folder for tune.html and tune.json [out/tune/SCENARIO, with what was changed in the name]")
-      .offers(folders)
-      .check(objection_to_folder);
+      .offers(folders);
   verb.flag("--json", options->json, "Print tune.json instead of the text");
   verb.examples(
       "Exit code 0: a plan was written; 1: no gains were found, or the new plan loses flights, and none was.\n"

@@ -9,9 +9,7 @@
 namespace fantail::tool {
 
 void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string& default_folder) {
-  verb.option("--out", output.out, "Folder for the results [" + default_folder + "]")
-      .offers(folders)
-      .check([](const std::string& text) { return std::string{text.empty() ? "the name of a folder is empty" : ""}; });
+  verb.option("--out", output.out, "Folder for the results [" + default_folder + "]").offers(folders);
   verb.flag("--json", output.json, "Print the JSON instead of the text");
 }
 

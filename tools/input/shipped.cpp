@@ -120,6 +120,9 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
   if (std::filesystem::is_regular_file(name_or_path + std::string{place.extension}, ignored)) {
     return name_or_path + std::string{place.extension};
   }
+  if (std::filesystem::exists(name_or_path, ignored)) {
+    throw text::Error{text::ErrorKind::no_such_input, name_or_path + ": not a regular file"};
+  }
   const std::vector<std::string> names = shipped_names(kind);
   if (looks_like_path(name_or_path)) {
     const auto near = near_file(name_or_path, place.extension);
