@@ -73,6 +73,16 @@ TEST(CommandPage, HasASectionForEachVerbOfTheCommand) {
   EXPECT_THAT(text, Not(HasSubstr("\\fBfantail bench\\fR [")));
 }
 
+TEST(CommandPage, KeepsACommandOfItsExamplesAsLinesThatAShellTakes) {
+  const std::string text = page({.name = "fantail fly",
+                                 .meaning = "Fly",
+                                 .notes = "Examples:\n  fantail fly  once\n"
+                                          "  fantail fly --to " +
+                                          std::string(40, 'x') + " --from " + std::string(40, 'y') + "\n"});
+  EXPECT_THAT(text, HasSubstr(".nf\n\\fBfantail fly\\fR\n.fi\n.RS 4\nonce\n.RE\n"));
+  EXPECT_THAT(text, HasSubstr("\\fBfantail fly \\-\\-to " + std::string(40, 'x') + " \\e\\fR\n\\fB    \\-\\-from yyy"));
+}
+
 TEST(CommandPage, ListsExitCodesBelowWhatTheCommandSaysOfThem) {
   const std::string text = page({.name = "fantail fly", .meaning = "Fly", .notes = "Exit code 0: go."});
   EXPECT_THAT(text, HasSubstr(".SH EXIT STATUS\n.PP\nExit code 0: go.\n.TP\n\\fB0\\fR\ndone\n"));

@@ -18,7 +18,7 @@ TEST(Notes, TakeAnExampleAndItsMeaningApart) {
 TEST(Notes, PutACommandOfTwoLinesTogetherAndFindItsMeaningBelow) {
   const Notes notes = notes_of(
       "Examples:\n"
-      "  fantail identify run7.csv --speed 22\n"
+      "  fantail identify run7.csv --speed 22 \\\n"
       "      --window 0:5        for a script\n"
       "  fantail identify flight1\n"
       "                                          another logger's run\n");

@@ -2,17 +2,15 @@
 #include "fantail/examples.hpp"
 
 #include <algorithm>
-#include <initializer_list>
-#include <iterator>
 #include <vector>
 
+#include "manual/command_lines.hpp"
 #include "text/wrapped.hpp"
 
 namespace fantail::tool {
 namespace {
 
 constexpr std::string_view command_indent = "  ";
-constexpr std::string_view next_indent = "      ";
 constexpr std::string_view meaning_indent = "    ";
 constexpr std::string_view goes_on = " \\";
 
@@ -24,50 +22,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;
-}
-
-/// Before every blank that one of these begins with; what is quoted stays together.
-std::vector<std::string_view> split(std::string_view text, std::initializer_list<std::string_view> before) {
-  std::vector<std::string_view> parts;
-  bool quoted = false;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    quoted = quoted != (text[i] == '\'' || text[i] == '"');
-    const auto is_next = [&](std::string_view what) { return text.substr(i).starts_with(what); };
-    if (!quoted && std::ranges::any_of(before, is_next)) {
-      parts.push_back(text.substr(begin, i - begin));
-      begin = i + 1;
-    }
-  }
-  parts.push_back(text.substr(begin));
-  return parts;
-}
-
-/// Options with their values, where a line can hold them.
-std::vector<std::string_view> parts_of(std::string_view command, std::size_t columns) {
-  std::vector<std::string_view> parts;
-  for (const std::string_view part : split(command, {" --", " | "})) {
-    const bool fits = next_indent.size() + part.size() + goes_on.size() <= columns;
-    std::ranges::copy(fits ? std::vector{part} : split(part, {" "}), std::back_inserter(parts));
-  }
-  return parts;
-}
-
-std::string command_text(std::string_view command, std::size_t columns) {
-  std::string whole;
-  std::string line;
-  for (const std::string_view part : parts_of(command, columns)) {
-    if (!line.empty() && line.size() + 1 + part.size() + goes_on.size() > columns) {
-      whole += line;
-      whole += goes_on;
-      whole += '\n';
-      line = next_indent;
-    } else {
-      line += line.empty() ? command_indent : " ";
-    }
-    line += part;
-  }
-  return whole + line + "\n";
 }
 
 class Example {
@@ -85,7 +39,7 @@ class Example {
 
   /// And forgets it.
   std::string text(std::size_t columns) {
-    std::string all = command_.empty() ? "" : command_text(command_, columns);
+    std::string all = command_.empty() ? "" : manual::command_lines(command_, command_indent, columns);
     all += meaning_.empty() ? "" : text::wrapped(meaning_ + "\n", columns);
     *this = {};
     return all;

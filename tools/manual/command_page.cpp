@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "manual/command_lines.hpp"
 #include "manual/notes.hpp"
 
 namespace fantail::manual {
@@ -133,7 +134,12 @@ std::string options(const Command& command, const Command& whole) {
 std::string examples(const Notes& notes) {
   std::string text;
   for (const Example& example : notes.examples) {
-    text += paragraph(bold(example.command));
+    // A line as it is, so that it can be copied: a page of 80 columns has 70 of them left.
+    text += ".PP\n.nf\n";
+    for (std::string rest = command_lines(example.command, "", 70); !rest.empty(); rest.erase(0, rest.find('\n') + 1)) {
+      text += bold(rest.substr(0, rest.find('\n'))) + "\n";
+    }
+    text += ".fi\n";
     if (!example.meaning.empty()) {
       text += ".RS 4\n" + sentence(example.meaning) + "\n.RE\n";
     }

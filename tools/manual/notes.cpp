@@ -23,7 +23,11 @@ void add_example(Notes& notes, std::string_view line, std::size_t spaces) {
   }
   const std::size_t gap = std::min(line.find("  "), line.size());
   const std::size_t meaning = std::min(line.find_first_not_of(' ', gap), line.size());
-  append(notes.examples.back().command, line.substr(0, gap));
+  std::string& command = notes.examples.back().command;
+  if (command.ends_with(" \\")) {  // it goes on here
+    command.resize(command.size() - 2);
+  }
+  append(command, line.substr(0, gap));
   if (meaning < line.size()) {
     append(notes.examples.back().meaning, line.substr(meaning));
   }
