@@ -53,6 +53,7 @@ TEST_F(ResumedFlight, ItsLogHoldsTwoPartsThatBothReplayExactlyAndAreReportedAsOn
   EXPECT_TRUE(says(info.out, "2 flights"));
   EXPECT_TRUE(says(info.out, "breaks off: the processor was reset, and flight 2 is the rest of it")) << info.out;
   EXPECT_TRUE(says(info.out, "the flight was resumed after a reset (watchdog), for the first time"));
+  EXPECT_TRUE(says(info.out, "seconds from lift-off")) << info.out;
   for (const char* const part : {"1", "2"}) {
     const Outcome replay = run({"replay", "out", "--flight", part});
     EXPECT_EQ(replay.exit_code, 0);
@@ -64,6 +65,13 @@ TEST_F(ResumedFlight, ItsLogHoldsTwoPartsThatBothReplayExactlyAndAreReportedAsOn
                    "The processor was reset (watchdog): no tick is on record from 2.978 s to 3.092 s, and "
                    "then the flight was resumed."))
       << report.out;
+}
+
+TEST_F(ResumedFlight, EachPartOfItsLogSaysWhatItsTimesCountFrom) {
+  fly_with_fault("kind = \"reset\"\nfrom_s = 0.3\n");
+  const Outcome info = run({"log", "info", "out"});
+  EXPECT_TRUE(says(info.out, "seconds from the beginning of the record, which shows no lift-off")) << info.out;
+  EXPECT_TRUE(says(info.out, "seconds from lift-off")) << info.out;
 }
 
 // A gap that lasts beyond apogee, and one that lasts beyond the end of the run.

@@ -163,6 +163,10 @@ TEST(Terminal, ATableThatIsTooWideSaysWhichColumnsItLeavesOut) {
   EXPECT_NE(narrow.find("1.05 to 1.81  calibres\r\n"), std::string::npos) << narrow;
   const std::string wide = on_terminal({"airframe", "tasha3_launch2"}, folder, 120).out;
   EXPECT_EQ(wide.find("Left out"), std::string::npos) << wide;
+  folder.write("a.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,0,1\n1,1,1\n2,2,1\n");
+  const std::string compared = on_terminal({"compare", "a.csv", "a.csv"}, folder, 40).out;
+  EXPECT_NE(compared.find("Left out, for the width of this"), std::string::npos) << compared;
+  EXPECT_EQ(too_wide(compared, 40), "");
 }
 
 TEST(Terminal, AVerdictIsColouredWhereNobodyObjects) {

@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "fantail/terminal.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
 #include "text/printable.hpp"
+#include "text/table.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -47,13 +49,22 @@ std::string compare_text(const CompareResults& results) {
   if (c.offset_rad != 0.0) {
     text += fmt::format("B's angles moved by {:+.3g} deg, so that both begin alike\n", degrees(c.offset_rad));
   }
-  text += fmt::format("\n{:<24}{:>10}{:>10}{:>10}{:>12}\n", "absolute difference", "mean", "rms", "largest", "at");
-  const auto row = [&text](std::string_view label, const logs::Difference& d) {
-    text += fmt::format("{:<24}{:>10.3g}{:>10.3g}{:>10.3g}{:>10.3f} s\n", label, degrees(d.mean_abs), degrees(d.rms),
-                        degrees(d.max_abs), d.max_at_s);
+  text::Table table{{{.name = "absolute difference"},
+                     {.name = "mean"},
+                     {.name = "rms", .goes_as = 1},
+                     {.name = "largest"},
+                     {.name = "at", .goes_as = 2}}};
+  const auto right = [](std::string_view word) { return fmt::format("{:>10}", word); };
+  table.row({fmt::format("{:<24}", "absolute difference"), right("mean"), right("rms"), right("largest"),
+             fmt::format("{:>12}", "at")});
+  const auto row = [&](std::string_view label, const logs::Difference& d) {
+    const auto figure = [&](double radians) { return right(fmt::format("{:.3g}", degrees(radians))); };
+    table.row({fmt::format("{:<24}", label), figure(d.mean_abs), figure(d.rms), figure(d.max_abs),
+               fmt::format("{:>10.3f} s", d.max_at_s)});
   };
   row("  roll angle / deg", c.angle);
   row("  roll rate / (deg/s)", c.rate);
+  text += "\n" + table.text(output_columns());
   for (const std::string& sentence : results.warnings) {
     text += "\nNote: " + sentence;
   }

@@ -79,11 +79,13 @@ FlightInfo flight_info(const flight_log::Flight& flight) {
                                         : "No intact header is left, and so no flight plan.";
   }
   const core::Microseconds zero = flight_log::time_zero(flight, replay);
+  const std::string_view zero_text = flight_log::time_zero_text(flight, replay);
   return {.flight = flight,
           .replay = std::move(replay),
           .loop = flight_log::loop_times(flight),
           .health = flight_log::health_figures(flight),
           .zero = zero,
+          .zero_text = zero_text,
           .plan = flight_log::plan_name(flight)};
 }
 
@@ -94,7 +96,7 @@ void add_log_info(const Verb& log) {
   add_flight_choice(verb, options->flight, " [all]");
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(
-      "Times count from lift-off, in the tunnel from control start.\n"
+      "Times count from lift-off, in the tunnel from control start; of a record that shows none, from its beginning.\n"
       "Exit code 0: intact, also when the recording breaks off; 1: records are missing or bytes damaged.\n"
       "Examples:\n"
       "  fantail log info out/tasha3_launch2    who flew what, is it intact, does a replay give the same\n"

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "flight_log/flight_figures.hpp"
@@ -19,7 +20,8 @@ struct FlightInfo {
   std::optional<flight_log::LoopTimes> loop;
   std::optional<flight_log::HealthFigures> health;
   core::Microseconds zero{};  ///< what times count from
-  std::string plan;           ///< its name
+  std::string_view zero_text{};
+  std::string plan;  ///< its name
 
   [[nodiscard]] double seconds(core::Microseconds time) const {
     return static_cast<double>((time - zero).count()) / 1e6;  // the double nearest to the microseconds

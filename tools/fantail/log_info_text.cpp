@@ -80,6 +80,7 @@ std::string log_info_text(const FlightInfo& info) {
   text += line("plan", plan_words(info));
   text += line("sensors", or_unknown(flight.sensors));
   text += line("recorded", extent_words(info));
+  text += line("clock", fmt::format("seconds from {}", info.zero_text));
   text += line("integrity", flight_log::integrity_text(flight));
   text += line("replay", flight_log::replay_text(flight, info.replay));
   if (info.loop) {

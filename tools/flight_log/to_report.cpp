@@ -174,6 +174,13 @@ core::Microseconds time_zero(const Flight& flight, const Regeneration& regenerat
   return flight.ticks.empty() ? flight.first_time : flight.ticks.front().tick.time;
 }
 
+std::string_view time_zero_text(const Flight& flight, const Regeneration& regeneration) {
+  if (is_tunnel(flight)) {
+    return control_start(flight) ? "control start" : "the beginning of the record, which shows no control start";
+  }
+  return lift_off(regeneration) ? "lift-off" : "the beginning of the record, which shows no lift-off";
+}
+
 flight::Flight to_report(const Flight& flight, const Regeneration& regeneration) {
   const Part whole{flight, regeneration};
   return to_report(std::span{&whole, 1});

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "flight/flight.hpp"
 #include "flight_log/flight_log.hpp"
@@ -13,6 +14,8 @@ namespace fantail::flight_log {
 /// The board's clock where `time_s` is 0: the start of the replayed window (Motion::thrust_since at detection), in the
 /// tunnel control start; of a log that shows neither, its first tick.
 [[nodiscard]] core::Microseconds time_zero(const Flight& flight, const Regeneration& regeneration);
+/// What that is, behind "seconds from".
+[[nodiscard]] std::string_view time_zero_text(const Flight& flight, const Regeneration& regeneration);
 
 /// What the plan of a flight is called: the shipped one with the same checksum, else "plan 1a2b3c4d". Empty without a
 /// plan block.
