@@ -23,7 +23,7 @@ def folder(name: str, value: Union[str, os.PathLike[str]]) -> str:
     """An empty name would be the folder that one happens to be in."""
     text = os.fspath(value)
     if not text:
-        raise ValueError(f"{name}: the name of a folder is empty")
+        raise ValueError(f"{name}: it is empty")
     return text
 
 
