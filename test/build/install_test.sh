@@ -51,7 +51,8 @@ code=0
 [ "$code" = 3 ] || [ "$code" = 77 ] || fail "the installed with_vcan: exit code $code, $(cat said)"
 [ -s "$prefix/share/fantail/lcm/state_t.lcm" ] || fail "no LCM types"
 
-cmake -S "$source/test/build/consumer" -B consumer -G Ninja -D CMAKE_PREFIX_PATH="$prefix" -D CMAKE_CXX_COMPILER="${CXX:-c++}" >configure.log ||
+version=$("$prefix/bin/fantail" --version | sed 's/.* //')
+cmake -S "$source/test/build/consumer" -B consumer -G Ninja -D CMAKE_PREFIX_PATH="$prefix" -D WANTED="$version" -D CMAKE_CXX_COMPILER="${CXX:-c++}" >configure.log ||
   { cat configure.log && exit 1; }
 cmake --build consumer >build.log || { cat build.log && exit 1; }
 ./consumer/consumer | grep -q 'plan schema [0-9a-f]\{8\}$' || fail "the consumer says: $(./consumer/consumer)"
