@@ -17,7 +17,7 @@ import built_from  # noqa: E402
 
 PROGRAM = PROJECT / "build/host/libexec/fantail-plan"
 FMT = next(name for name in built_from.loads(PROGRAM) if name.startswith("libfmt"))  # 9 in Debian 12, 10 in 13
-FMT_PACKAGE = built_from.debian_packages([built_from.library_paths()[FMT]])[built_from.library_paths()[FMT]]
+FMT_PACKAGE = built_from.debian_packages([built_from.installed_libraries()[FMT]])[built_from.installed_libraries()[FMT]]
 
 
 def installed(package):
@@ -33,7 +33,7 @@ class BillOfMaterials(unittest.TestCase):
         (self.tree / "DEBIAN/control").write_text(
             "Package: x\nVersion: 1\nArchitecture: all\nMaintainer: Nobody <nobody@localhost>\nDescription: x\n")
         shutil.copy(PROGRAM, self.tree / "usr/bin")
-        shutil.copy(built_from.library_paths()[FMT], self.tree / "usr/bin" / FMT)
+        shutil.copy(built_from.installed_libraries()[FMT], self.tree / "usr/bin" / FMT)
         (self.tree / "usr/bin/read.me").write_text("no program\n")
 
     def bill(self, name="sbom.json"):

@@ -71,7 +71,7 @@ def loads(file):
 
 
 @functools.cache
-def library_paths():
+def installed_libraries():
     found = {}
     for line in said("/sbin/ldconfig", "-p").splitlines():
         name, arrow, path = line.strip().partition(" => ")

@@ -109,7 +109,7 @@ class Bill:
                         sourceInfo=f"{folder}: code that it has generated, and whose notice is its own")
 
     def linked(self, program, file):
-        paths = {name: built_from.library_paths().get(name) for name in built_from.loads(file)}
+        paths = {name: built_from.installed_libraries().get(name) for name in built_from.loads(file)}
         packages = built_from.debian_packages(path for path in paths.values() if path)
         for name, path in paths.items():
             if path not in packages:
@@ -121,7 +121,7 @@ class Bill:
         for file in sorted(path for path in folder.rglob("*") if path.is_file() and not path.is_symlink()):
             if file.read_bytes()[:4] != b"\x7fELF":
                 continue
-            carried = built_from.library_paths().get(file.name)
+            carried = built_from.installed_libraries().get(file.name)
             if carried and carried in (packages := built_from.debian_packages([carried])):
                 self.relate(archive, "CONTAINS", self.debian(packages[carried]))
                 self.linked(self.debian(packages[carried]), file)
