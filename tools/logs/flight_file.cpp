@@ -23,16 +23,34 @@ bool is_there(const std::filesystem::path& path) {
   return std::filesystem::exists(path, ignored);
 }
 
-// The log beside a table knows the plan; a run in the tunnel shows in it too.
-void add_plan(flight::Flight& flight, const std::filesystem::path& folder) {
-  if (const std::optional<core::FlightPlan> plan = flown_plan(folder)) {
-    flight.plan = *plan;
-    flight.known.plan = true;
-    flight.tunnel = flight.plan.run.start == core::Start::tunnel;
-    const flight_log::LogFile log = flight_log::read_log_file(folder / "flight.ftl");
-    if (!is_there(folder / "summary.json") && log.flights.size() == 1) {
-      expect_rows_of_log(flight, log.flights.front(), folder);
-    }
+/// The log at `path`, or the one beside the flight.csv of fantail fly; empty where there is none.
+std::optional<flight_log::LogFile> log_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  const bool is_log = !is_folder && is_flight_log(path);
+  if (!is_folder && !is_log && path.filename() != "flight.csv") {
+    return {};
+  }
+  const std::filesystem::path log = is_log ? path : (is_folder ? path : path.parent_path()) / "flight.ftl";
+  if (!is_there(log)) {
+    return {};
+  }
+  if (!is_log) {
+    expect_log_of_summary(log.parent_path());
+  }
+  return flight_log::read_log_file(log);
+}
+
+// It knows the plan; a run in the tunnel shows in it too.
+void add_plan(flight::Flight& flight, const flight_log::LogFile& log, const std::filesystem::path& folder) {
+  if (!flight_log::is_one_flight(log) || !log.flights.front().plan) {
+    return;
+  }
+  flight.plan = *log.flights.front().plan;
+  flight.known.plan = true;
+  flight.tunnel = flight.plan.run.start == core::Start::tunnel;
+  if (!is_there(folder / "summary.json") && log.flights.size() == 1) {
+    expect_rows_of_log(flight, log.flights.front(), folder);
   }
 }
 
@@ -61,21 +79,8 @@ std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path&
 }
 
 std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const bool is_folder = std::filesystem::is_directory(path, ignored);
-  const bool is_log = !is_folder && is_flight_log(path);
-  if (!is_folder && !is_log && path.filename() != "flight.csv") {
-    return {};
-  }
-  const std::filesystem::path log = is_log ? path : (is_folder ? path : path.parent_path()) / "flight.ftl";
-  if (!is_there(log)) {
-    return {};
-  }
-  if (!is_log) {
-    expect_log_of_summary(log.parent_path());
-  }
-  const flight_log::LogFile file = flight_log::read_log_file(log);
-  return flight_log::is_one_flight(file) ? file.flights.front().plan : std::nullopt;
+  const std::optional<flight_log::LogFile> log = log_of(path);
+  return log && flight_log::is_one_flight(*log) ? log->flights.front().plan : std::nullopt;
 }
 
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
@@ -144,7 +149,9 @@ flight::Flight read_flight(const std::filesystem::path& path) {
   if (is_there(path / "without_control.csv")) {
     flight.without_control = flight::read_free_roll(flight::Table::load((path / "without_control.csv").string()));
   }
-  add_plan(flight, path);
+  if (const std::optional<flight_log::LogFile> log = log_of(path)) {
+    add_plan(flight, *log, path);
+  }
   return flight;
 }
 
