@@ -39,6 +39,9 @@ std::string why_no_control(const flight::Flight& flight) {
                ? fmt::format("the processor stood still from {} s on", text::fixed(flight.outages.back().from_s, 2))
                : fmt::format("the processor was reset before it, and the flight was not resumed (at {})", when);
   }
+  if (!last.reason) {
+    return "the log does not say why";
+  }
   switch (*last.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
       return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
