@@ -76,7 +76,7 @@ quick() {
   call 64 gates firmware/core
   call 64 repository docs
   call 64 package here
-  call 64 package --check --container
+  call 64 package --lint --container
   call 0 package --help # what the words do takes minutes and root
   grep -qe '--check' said && grep -qe '--container' said || { echo "FAILED: what does package take? $(cat said)" && exit 1; }
   call 64 release

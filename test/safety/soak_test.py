@@ -144,7 +144,7 @@ def main():
             assert "**not passed**" in pathlib.Path("docs/figures/y.md").read_text()
             for verdict, passed in (("passed", 0), ("NOT PASSED", 1)):  # what ./dev repository writes
                 pathlib.Path("checked.txt").write_text(f"licences\tpassed\nforms\t{verdict}\n")
-                subprocess.run([sys.executable, TOOLS / "repository.py", "checked.txt", "12", "checked.json"], check=True)
+                subprocess.run([sys.executable, TOOLS / "checked.py", "The repository", "./dev repository", "checked.txt", "12", "checked.json"], check=True)
                 assert figures.main(["docs/figures/z.md", "Gates", "./dev gates", "checked.json"]) == passed
                 page = pathlib.Path("docs/figures/z.md").read_text()
                 assert "`./dev repository`, 12 s: " in page and f"| forms | {verdict} |" in page, page

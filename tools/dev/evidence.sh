@@ -18,7 +18,7 @@ gates() {
   [ $# -eq 0 ] || usage
   local failed="" begun gate
   begun=$(date +%s)
-  for gate in repository docs trace "prove --resume" coverage "mutate --sample 300"; do
+  for gate in repository "package --lint" docs trace "prove --resume" coverage "mutate --sample 300"; do
     # shellcheck disable=SC2086 # a list of words
     ./dev $gate || {
       echo "dev: gates: ./dev $gate ended with $?" >&2
@@ -26,7 +26,34 @@ gates() {
     }
   done
   /usr/bin/python3 tools/dev/figures.py docs/figures/gates.md "Gates of every change" "./dev gates" \
-    build/figures/repository.json build/figures/complexity.json build/figures/proofs.json build/figures/coverage.json build/figures/mutation.json || failed=yes
+    build/figures/repository.json build/figures/package.json build/figures/complexity.json build/figures/proofs.json build/figures/coverage.json build/figures/mutation.json || failed=yes
   echo "gates: $(($(date +%s) - begun)) s, ${failed:+not }passed"
   [ -z "$failed" ]
+}
+
+# A gate that is a list of checks, all of which are made, also when one has failed:  begin_checks NAME;  checked WHAT COMMAND...;
+# end_checks TITLE VERB, which is false when one has failed. They are noted in build/figures/NAME.json.
+begin_checks() {
+  checks_of=$1
+  checks_begun=$(date +%s)
+  checks_failed=""
+  mkdir -p build/figures
+  rm -f "build/figures/$1.json"
+  : >"build/figures/$1.txt"
+}
+
+checked() {
+  local what="$1" verdict=passed
+  shift
+  "$@" || {
+    verdict="NOT PASSED"
+    checks_failed=yes
+  }
+  echo "$checks_of: $what: $verdict"
+  printf '%s\t%s\n' "$what" "$verdict" >>"build/figures/$checks_of.txt"
+}
+
+end_checks() {
+  /usr/bin/python3 tools/dev/checked.py "$1" "$2" "build/figures/$checks_of.txt" $(($(date +%s) - checks_begun)) "build/figures/$checks_of.json"
+  [ -z "$checks_failed" ]
 }

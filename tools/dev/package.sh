@@ -5,7 +5,7 @@
 package() {
   local epoch version
   case "$*" in
-    "" | --check | --container) ;;
+    "" | --lint | --check | --container) ;;
     *) usage ;;
   esac
   if [ "$*" = --container ]; then
@@ -36,15 +36,21 @@ package() {
   (cd build/packages && sha256sum -- *.deb *.tar.gz >SHA256SUMS)
   leave_turn
   (cd build/packages && du -k -- *.deb *.tar.gz | awk '{ printf "build/packages/%s  %d kB\n", $2, $1 }')
-  [ -z "$*" ] || check_package "build/packages/fantail_${version}_amd64.deb" "build/packages/fantail-$version.tar.gz"
+  [ -z "$*" ] || lint_package "build/packages/fantail_${version}_amd64.deb"
+  [ "$*" != --check ] || check_package "build/packages/fantail_${version}_amd64.deb" "build/packages/fantail-$version.tar.gz"
 }
 
-# check_package DEB SOURCES: by what Debian asks of a package, in bare systems, and installed where names are unusual.
+# lint_package DEB: by what Debian asks of a package; what it overrides says why (cmake/package/lintian-overrides).
+lint_package() {
+  need lintian
+  begin_checks package
+  checked "lintian has no error and no warning" lintian --fail-on error,warning "$1"
+  end_checks "The package" "./dev package --lint"
+}
+
+# check_package DEB SOURCES: in bare systems, and installed where names are unusual.
 check_package() {
   local prefix="$root/build/a prefix für Ölbaum"
-  need lintian
-  lintian --fail-on error,warning "$1"
-  echo "package: lintian has no error and no warning: passed"
   rm -rf "$prefix"
   (install --prefix "$prefix")
   (cd build && "$prefix/bin/fantail" fly --out "$prefix/out" >/dev/null && [ -s "$prefix/out/report.html" ])

@@ -8,7 +8,7 @@ actionlint=github.com/rhysd/actionlint/cmd/actionlint@v1.7.7 # the newest that t
 # repository: licences, workflow, forms and citation. All are checked, also when one has failed.
 repository() {
   [ $# -eq 0 ] || usage
-  local failed="" version begun
+  local version
   take_turn
   # shellcheck disable=SC2086
   need $repository_packages
@@ -18,10 +18,7 @@ repository() {
   python_of test/repository build/repository-venv
   actionlint_of build/actionlint || refuse "actionlint could not be installed: Go could not fetch or compile $actionlint (see above)"
   leave_turn
-  begun=$(date +%s)
-  mkdir -p build/figures
-  rm -f build/figures/repository.json
-  : >build/figures/repository.txt
+  begin_checks repository
   version=$(sed -n 's/^project(fantail VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
   checked "whose each file is, and its licence" build/repository-venv/bin/reuse --suppress-deprecation lint --lines
   checked "LICENSES/MIT.txt is LICENSE" cmp LICENSE LICENSES/MIT.txt
@@ -30,20 +27,7 @@ repository() {
   checked "what leads to them" valid vendor.github-issue-config .github/ISSUE_TEMPLATE/config.yml
   checked "CITATION.cff" valid vendor.citation-file-format CITATION.cff
   checked "CITATION.cff has version $version, as CMakeLists.txt" grep -qx "version: $version" CITATION.cff
-  /usr/bin/python3 tools/dev/repository.py build/figures/repository.txt $(($(date +%s) - begun)) build/figures/repository.json
-  [ -z "$failed" ]
-}
-
-# checked WHAT COMMAND...
-checked() {
-  local what="$1" verdict=passed
-  shift
-  "$@" || {
-    verdict="NOT PASSED"
-    failed=yes
-  }
-  echo "repository: $what: $verdict"
-  printf '%s\t%s\n' "$what" "$verdict" >>build/figures/repository.txt
+  end_checks "The repository" "./dev repository"
 }
 
 # valid SCHEMA FILE...: by a schema that comes with the program, so without the network.
