@@ -48,6 +48,9 @@ class Connection final : public httplib::Stream {
   Clock::time_point begin_ = Clock::now();
 };
 
+// What the library of Debian 12 does not say, and that of Debian 13 does: whether there was room.
+using Enqueued = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
+
 // Of the thread that accepts connections.
 thread_local bool is_one_too_many = false;
 
@@ -56,15 +59,15 @@ class Threads final : public httplib::TaskQueue {
  public:
   explicit Threads(std::size_t count) : count_{count}, pool_{count} {}
 
-  void enqueue(std::function<void()> task) override {
+  Enqueued enqueue(std::function<void()> task) override {
     if (busy_ >= count_) {
       is_one_too_many = true;
       task();
       is_one_too_many = false;
-      return;
+      return static_cast<Enqueued>(true);
     }
     busy_ += 1;
-    pool_.enqueue([this, task = std::move(task)] {
+    return pool_.enqueue([this, task = std::move(task)] {
       task();
       busy_ -= 1;
     });
@@ -90,8 +93,14 @@ bool HttpServer::process_and_close_socket(socket_t socket) {
   } else if (enter(socket)) {
     Connection connection{socket};
     bool is_closed = false;
-    is_answered =
-        process_request(connection, true, is_closed, [](httplib::Request& request) { request.ranges.clear(); });
+    const auto without_ranges = [](httplib::Request& request) { request.ranges.clear(); };
+    is_answered = [&](auto& server) {
+      if constexpr (requires { server.process_request(connection, true, is_closed, without_ranges); }) {
+        return server.process_request(connection, true, is_closed, without_ranges);
+      } else {  // that of Debian 13 wants to know who the two sides are
+        return server.process_request(connection, "", 0, "", 0, true, is_closed, without_ranges);
+      }
+    }(*this);
     leave(socket);
   }
   ::shutdown(socket, SHUT_RDWR);
