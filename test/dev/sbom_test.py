@@ -60,7 +60,6 @@ class BillOfMaterials(unittest.TestCase):
         self.assertFalse({"libgtest-dev", "librapidcheck-dev", "libpython3.11-dev"} & related["STATIC_LINK"], related)
         toml = packages["SPDXRef-debian-libtomlplusplus-dev"]
         self.assertEqual((toml["versionInfo"], toml["licenseDeclared"]), (installed("libtomlplusplus-dev"), "MIT"))
-        self.assertEqual(packages["SPDXRef-debian-libc6"]["licenseDeclared"], "NOASSERTION")
         self.assertIn({"spdxElementId": "SPDXRef-made-x.deb", "relationshipType": "CONTAINS",
                        "relatedSpdxElement": f"SPDXRef-debian-{FMT_PACKAGE}"}, bill["relationships"])
         self.assertIn({"spdxElementId": f"SPDXRef-debian-{FMT_PACKAGE}", "relationshipType": "DYNAMIC_LINK",

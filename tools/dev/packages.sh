@@ -4,7 +4,11 @@
 
 fly_packages="g++ cmake ninja-build libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmd-dev liblcm-dev liblcm-bin libcpp-httplib-dev libzip-dev libpugixml-dev"
 can_packages="user-mode-linux busybox-static can-utils iproute2"
-test_packages="$fly_packages $can_packages libgtest-dev libgmock-dev librapidcheck-dev mandoc python3-venv python3-dev"
+# Debian 13 has the linker gold, which the trials of mutants ask for, in a package of its own.
+gold_packages=""
+# shellcheck disable=SC1091
+[ "$(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}")" != 13 ] || gold_packages=binutils-gold
+test_packages="$fly_packages $can_packages $gold_packages libgtest-dev libgmock-dev librapidcheck-dev mandoc python3-venv python3-dev"
 firmware_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib libeigen3-dev cmake ninja-build git python3"
 arm_packages="$firmware_packages qemu-system-arm googletest"
 flash_packages="openocd stlink-tools dfu-util stm32flash"
