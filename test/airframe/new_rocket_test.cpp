@@ -141,6 +141,18 @@ TEST_F(NewRocketFiles, HaveTheOffsetOfCantedFins) {
       << most.assumed.front();
 }
 
+// Who has a package has no folder docs.
+TEST_F(NewRocketFiles, SayOfTheDetectionThatItIsThatOfAShippedPlanWhichItIs) {
+  const core::FlightPlan made = made_from(shipped()).plan;
+  const core::FlightPlan named = input::load_scenario("tasha3_launch2", {}).plan;
+  EXPECT_EQ(made.launch_detection.low_pass_hz, named.launch_detection.low_pass_hz);
+  EXPECT_EQ(made.launch_detection.disagreement_m_s2, named.launch_detection.disagreement_m_s2);
+  for (const auto& file :
+       files_of({.name = "x", .vehicle = shipped(), .motor_file = "m", .source = "s", .assumed = {}}).files) {
+    EXPECT_EQ(file.content.find("docs/"), std::string::npos) << file.content;
+  }
+}
+
 TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
   const sim::Vehicle vehicle = shipped();
   const model::BuildUp computed = model::build_up(vehicle);

@@ -178,5 +178,18 @@ TEST(Trial, SaysNotToFollowGainsThatCostRuns) {
   EXPECT_FALSE(tried.helps);
 }
 
+// The reference of the first launch never stays for as long as a loop with gains so small needs to arrive.
+TEST(Trial, CountsGainsAsNoHelpWhenNothingFlownWithThemCanBeJudged) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Prediction p = predict(scenario, tunnel, {.runs = 5}, look_away);
+  const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0},
+                            {.sentence = {}, .gains = stability::Gains{.proportional = 0.22, .derivative_s = 0.047}});
+  EXPECT_EQ(tried.sentence,
+            "Flown with this advice, none of the first 5 runs can be judged (run 0: the reference was never constant "
+            "for long enough): nothing shows that it helps.");
+  EXPECT_FALSE(tried.helps);
+}
+
 }  // namespace
 }  // namespace fantail::predict

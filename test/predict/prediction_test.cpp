@@ -137,6 +137,28 @@ TEST(Prediction, OfAnotherVehiclesStepsIsRefusedUnlessItIsMeant) {
             p.notes.end());
 }
 
+// "Fin offset: 3 deg, which nobody has measured" is true of the scenario, and said of nothing that flies here.
+TEST(Prediction, SaysThatWhatTheRowsHaveCountsMoreThanAnAssumption) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.vehicle.assumed = {"Damping: guessed."};
+  scenario.assumed = {"Fin offset: 3 deg, which nobody has measured."};
+  const auto notes = predict(scenario, three_rows(), {.runs = 1}, look_away).notes;
+  EXPECT_EQ(notes[0],
+            "Damping, canard torque and fin offset are drawn from the rows of steps.csv, whatever the next 2 sentences "
+            "of vehicle and scenario say of them.");
+  EXPECT_EQ(notes[1], scenario.vehicle.assumed[0]);
+  EXPECT_EQ(notes[2], scenario.assumed[0]);
+  EXPECT_TRUE(repeat_run(scenario, three_rows(), {.runs = 1}, 0)
+                  .flight.notes.front()
+                  .ends_with("deg, whatever the sentences of vehicle and scenario below say of them."));
+  scenario.vehicle.assumed.clear();
+  EXPECT_EQ(predict(scenario, three_rows(), {.runs = 1}, look_away).notes[0],
+            "Damping, canard torque and fin offset are drawn from the rows of steps.csv, whatever the next sentence of "
+            "vehicle and scenario says of them.");
+  scenario.assumed.clear();
+  EXPECT_TRUE(repeat_run(scenario, three_rows(), {.runs = 1}, 0).flight.notes.front().ends_with(" deg."));
+}
+
 TEST(Prediction, SaysWithWhichInertiaTheStepsWereIdentified) {
   const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   const auto said = [&scenario](const std::optional<double>& inertia_kg_m2) {

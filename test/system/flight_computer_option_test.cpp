@@ -18,7 +18,8 @@ TEST(FlyOn, AnImageThatIsMissingIsNamed) {
   Refusal{{},
           {"fly", "--on", "emulator", "--image", "/nowhere/fantail-emulator.elf"},
           66,
-          {"/nowhere/fantail-emulator.elf: no such file", "./dev fly --on emulator builds it"}};
+          {"/nowhere/fantail-emulator.elf: no such file",
+           "it comes with the sources alone: there ./dev fly --on emulator builds build/arm/fantail-emulator.elf"}};
 }
 
 // Whether there is one depends on what has been built.

@@ -28,7 +28,7 @@ constexpr std::string_view plan_text = R"(
 [launch_detection]
 threshold_g = 2.5
 hold_s = 0.1
-low_pass_hz = 8 # this and the next two as in the shipped plan of two accelerometers: docs/detection.md has the counts
+low_pass_hz = 8 # this and the next as in the shipped plan tasha3_launch2, which says why
 disagreement_g = 2
 
 [guide] # where control may begin

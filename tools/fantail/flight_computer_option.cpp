@@ -42,7 +42,8 @@ void add_flight_computer_options(const Verb& verb, FlightComputerOptions& option
       .offers([](std::string_view /*begun*/) { return manual::Offer{.words = {"host", "emulator", "serial:"}}; })
       .check(objection_to_place)
       .value_name("PLACE");
-  verb.option("--image", options.image, "The image for the emulator [fantail-emulator.elf of the last build]")
+  verb.option("--image", options.image,
+              "The image for the emulator [the one that ./dev fly --on emulator has built, in the sources]")
       .offers(files)
       .value_name("FILE");
 }

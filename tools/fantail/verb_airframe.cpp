@@ -36,7 +36,9 @@ void show_airframe(const AirframeOptions& options) {
   const sim::Vehicle vehicle = input::read_vehicle(document);
   if (!vehicle.geometry) {
     throw text::Error{text::ErrorKind::bad_configuration,
-                      file + ": has no section [shape], which says what the rocket looks like (docs/your_rocket.md)"};
+                      file +
+                          ": has no section [shape], which says what the rocket looks like (its keys: man "
+                          "fantail.toml, or docs/your_rocket.md in the sources)"};
   }
   const airframe::Summary summary = airframe::summarize(vehicle);
   const std::string json = airframe::json(vehicle, summary);

@@ -81,7 +81,9 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
                              .assumed = {}};
   if (!rocket.vehicle.geometry) {
     throw text::Error{text::ErrorKind::bad_configuration,
-                      file + ": has no section [shape], which says what the rocket looks like (docs/your_rocket.md)"};
+                      file +
+                          ": has no section [shape], which says what the rocket looks like (its keys: man "
+                          "fantail.toml, or docs/your_rocket.md in the sources)"};
   }
   const NamedMotor motor = motor_of(options, document);
   const double own_propellant_kg = rocket.vehicle.motor.propellant_kg();

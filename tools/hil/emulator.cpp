@@ -101,9 +101,11 @@ OneProcessor::~OneProcessor() {
 
 Emulator::Emulator(const EmulatorOptions& options) {
   if (!std::filesystem::is_regular_file(options.image)) {
-    throw text::Error{text::ErrorKind::no_such_input, options.image.string() +
-                                                          ": no such file; ./dev fly --on emulator builds it, or "
-                                                          "cmake --preset emulator && cmake --build --preset emulator"};
+    throw text::Error{text::ErrorKind::no_such_input,
+                      options.image.string() +
+                          ": no such file; it comes with the sources alone: there ./dev fly "
+                          "--on emulator builds build/arm/fantail-emulator.elf, which "
+                          "--image gives to a program that is installed"};
   }
   auto [target_in, to_target] = make_pipe();
   auto [from_target, target_out] = make_pipe();

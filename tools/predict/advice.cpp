@@ -184,15 +184,17 @@ Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gai
       first_cause = fmt::format("run {}: {}", i, cause(run));
     }
   }
-  if (not_judged == tried) {
-    return {fmt::format("Flown with this advice, none of the first {} can be judged ({}).", runs(tried), first_cause)};
-  }
   if (held < planned) {
     return {
         fmt::format("Flown with this advice, the roll is held in only {} of the first {} ({}), as planned in {}: do "
                     "not follow it.",
                     held, runs(tried), first_cause, planned),
         false};
+  }
+  if (not_judged == tried) {
+    return {fmt::format("Flown with this advice, none of the first {} can be judged ({}): nothing shows that it helps.",
+                        runs(tried), first_cause),
+            false};
   }
   if (held == 0) {
     return {fmt::format("Flown with this advice, none of the first {} holds its roll ({}): it is not enough.",

@@ -119,9 +119,23 @@ void find_margins(Prediction& p) {
   }
 }
 
-std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+/// Those of vehicle and scenario are anybody's words: nobody can tell which of them are about what the runs draw.
+std::vector<std::string> assumptions(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   std::vector<std::string> all = scenario.vehicle.assumed;
   all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
+  if (!all.empty()) {
+    all.insert(
+        all.begin(),
+        fmt::format("Damping, canard torque and fin offset are drawn from the rows of {}, whatever the next {} of "
+                    "vehicle and scenario say{} of them.",
+                    tunnel.name, all.size() == 1 ? "sentence" : fmt::format("{} sentences", all.size()),
+                    all.size() == 1 ? "s" : ""));
+  }
+  return all;
+}
+
+std::vector<std::string> notes(const sim::Scenario& scenario, const TunnelResult& tunnel) {
+  std::vector<std::string> all = assumptions(scenario, tunnel);
   all.push_back(whose_rows(scenario, tunnel));
   all.push_back(which_area(scenario, tunnel));
   if (auto sentence = wash_in_rows(scenario, tunnel)) {
@@ -145,11 +159,13 @@ AirframeSpread spread_of_airframes(const sim::Scenario& scenario, const TunnelRe
   return {own.steps, options.damping, area_factor(scenario, tunnel), own.standard_errors};
 }
 
-std::string airframe_sentence(std::size_t number, std::uint64_t seed, const TunnelStep& airframe) {
-  return fmt::format("Run {} of the prediction with seed {}: damping {} m2, torque {} m, fin offset from {} to {} deg.",
-                     number, seed, fixed(airframe.damping_m2, 3), fixed(airframe.torque_m, 3),
-                     fixed(text::degrees(airframe.offset_begin_rad), 2),
-                     fixed(text::degrees(airframe.offset_end_rad), 2));
+std::string airframe_sentence(const sim::Scenario& scenario, std::size_t number, const TunnelStep& airframe) {
+  const bool others_follow = !scenario.vehicle.assumed.empty() || !scenario.assumed.empty();
+  return fmt::format(
+      "Run {} of the prediction with seed {}: damping {} m2, torque {} m, fin offset from {} to {} deg{}.", number,
+      scenario.seed, fixed(airframe.damping_m2, 3), fixed(airframe.torque_m, 3),
+      fixed(text::degrees(airframe.offset_begin_rad), 2), fixed(text::degrees(airframe.offset_end_rad), 2),
+      others_follow ? ", whatever the sentences of vehicle and scenario below say of them" : "");
 }
 
 }  // namespace
@@ -174,7 +190,7 @@ RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel
   const std::uint64_t seed = campaign::seed_of_run(scenario.seed, number);
   const TunnelStep airframe = spread_of_airframes(scenario, tunnel, options).draw(seed);
   flight::Flight flight = fly_airframe(flown, airframe, seed, fly::Log::kept);
-  flight.notes.insert(flight.notes.begin(), airframe_sentence(number, scenario.seed, airframe));
+  flight.notes.insert(flight.notes.begin(), airframe_sentence(scenario, number, airframe));
   return {.run = run_of(flight, flown, airframe), .flight = std::move(flight)};
 }
 
