@@ -136,7 +136,7 @@ std::string advice_on_loss(const DoubtCase& c) {
   const Identification other{.model = robust.model, .uncertainty = known};
   return fmt::format(
       " Or use {}--loss huber, on which they have little influence: it gives alpha {} m2 instead of {}, beta {} m "
-      "instead of {}.",
+      "instead of {} (+-: standard deviation).",
       c.found.method == Method::grid ? "--method continuous " : "", with_deviation(other, 0),
       with_deviation(c.found, 0), with_deviation(other, 1), with_deviation(c.found, 1));
 }

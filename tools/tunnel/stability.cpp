@@ -232,11 +232,12 @@ void remark(Stability& s, const PitchAirframe& airframe) {
     return;
   }
   const Estimate& held = *s.without_wind_n_m_per_rad;
-  s.remarks.push_back(fmt::format(
-      "Without wind {} ± {} N m/rad hold the rocket: strings, or pins {} mm in front of its centre of gravity if the "
-      "strings have no part in it. The margin from the centre of gravity is less by as much.",
-      fixed(held.value, 3), fixed(reach_95 * held.deviation, 3),
-      fixed(1e3 * held.value / (airframe.mass_kg * gravity_m_s2), 1)));
+  s.remarks.push_back(
+      fmt::format("Without wind {} ± {} N m/rad (95 %) hold the rocket: strings, or pins {} mm in front of its centre "
+                  "of gravity if the "
+                  "strings have no part in it. The margin from the centre of gravity is less by as much.",
+                  fixed(held.value, 3), fixed(reach_95 * held.deviation, 3),
+                  fixed(1e3 * held.value / (airframe.mass_kg * gravity_m_s2), 1)));
   s.remarks.emplace_back(
       "The interval counts the errors of the swings alone: each percent of error of the inertia is one of the margin, "
       "and of the slope of the normal force minus one.");

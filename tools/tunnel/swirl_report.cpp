@@ -54,7 +54,7 @@ constexpr const char* without_name = "without straightener";
 constexpr const char* with_name = "with straightener";
 
 std::string for_print(std::string sentence) {
-  if (const std::size_t place = sentence.find("+-"); place != std::string::npos) {
+  for (std::size_t place = sentence.find("+-"); place != std::string::npos; place = sentence.find("+-")) {
     sentence.replace(place, 2, "\u00b1");
   }
   return sentence;
@@ -137,8 +137,8 @@ std::string points_table(const Swirl& swirl) {
   static const std::array<page::Column, 5> columns{{{"straightener"},
                                                     {"fan / rpm", true},
                                                     {"speed / m/s", true},
-                                                    {"roll rate / deg/s", true},
-                                                    {"offset / deg", true}}};
+                                                    {"roll rate \u00b1 standard error / deg/s", true},
+                                                    {"offset \u00b1 standard error / deg", true}}};
   std::vector<std::vector<page::Cell>> rows;
   for (const auto& [points, word] : {std::pair{&swirl.without, "without"}, std::pair{&swirl.with, "with"}}) {
     for (const OffsetPoint& p : *points) {
@@ -161,9 +161,11 @@ std::string swirl_sentence(const Swirl& swirl) {
     return fmt::format("The sessions share no speed of {:g} m/s or more: the swirl is unknown.",
                        swirl.options.from_speed_m_s);
   }
-  return fmt::format("The swirl equals {:.3f} +- {:.3f} deg of canard angle (mean over {} speeds from {:g} m/s on).",
-                     degrees(swirl.swirl->offset_rad), degrees(swirl.swirl->standard_error_rad), swirl.swirl->speeds,
-                     swirl.options.from_speed_m_s);
+  return fmt::format(
+      "The swirl equals {:.3f} +- {:.3f} deg of canard angle (mean over {} speeds from {:g} m/s on; +- is its standard "
+      "error).",
+      degrees(swirl.swirl->offset_rad), degrees(swirl.swirl->standard_error_rad), swirl.swirl->speeds,
+      swirl.options.from_speed_m_s);
 }
 
 std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl) {

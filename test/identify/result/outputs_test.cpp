@@ -63,7 +63,7 @@ TEST(Formatting, ShowTheEndsOfAnInterval) {
 
 TEST(Formatting, SayHowWellANumberIsKnown) {
   Identification result = known();
-  EXPECT_EQ(precision_sentence(result, 0), "Damping alpha lies between 22.10 and 23.72 m2 (\u00b13.5 %).");
+  EXPECT_EQ(precision_sentence(result, 0), "Damping alpha lies between 22.10 and 23.72 m2 (95 %, \u00b13.5 %).");
   EXPECT_TRUE(holds(precision_sentence(result, 3), "2 s into the window"));
   result.uncertainty->alpha_profile_m2 = {4.0, 40.0};
   EXPECT_TRUE(holds(precision_sentence(result, 0), "too uncertain for a prediction"));

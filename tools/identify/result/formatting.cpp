@@ -60,8 +60,8 @@ std::string all_nodes(const Identification& result) {
     least = std::min(least, half);
     most = std::max(most, half);
   }
-  return fmt::format("The disturbance is known to \u00b1{} to \u00b1{} deg at its {} nodes.", text::brief(least, 3),
-                     text::brief(most, 3), result.model.node_rad.size());
+  return fmt::format("The disturbance is known to \u00b1{} to \u00b1{} deg at its {} nodes (95 %).",
+                     text::brief(least, 3), text::brief(most, 3), result.model.node_rad.size());
 }
 
 }  // namespace
@@ -117,10 +117,10 @@ std::string precision_sentence(const Identification& result, std::size_t number)
   const std::string range = fmt::format("between {} and {} {}", text::fixed(scale * *interval.low, places),
                                         text::fixed(scale * *interval.high, places), unit);
   if (angle) {
-    return fmt::format("{} lies {} ({}).", who, range, plus_minus(half, std::min(decimals(half), 3), unit));
+    return fmt::format("{} lies {} (95 %, {}).", who, range, plus_minus(half, std::min(decimals(half), 3), unit));
   }
   const double share = half / std::abs(value);
-  return fmt::format("{} lies {} ({}{}).", who, range, plus_minus(100.0 * share, share < 0.0995 ? 1 : 0, "%"),
+  return fmt::format("{} lies {} (95 %, {}{}).", who, range, plus_minus(100.0 * share, share < 0.0995 ? 1 : 0, "%"),
                      share < useful ? "" : ", too uncertain for a prediction");
 }
 

@@ -27,7 +27,7 @@ namespace fantail::identify::result {
 /// The interval to show for one of a model's numbers: alpha's is that of its profile.
 [[nodiscard]] const Interval& interval_of(const Identification& result, std::size_t number);
 
-/// "Damping alpha lies between 22.10 and 23.72 m2 (±3.5 %).", for someone who flies rockets.
+/// "Damping alpha lies between 22.10 and 23.72 m2 (95 %, ±3.5 %).", for someone who flies rockets.
 [[nodiscard]] std::string precision_sentence(const Identification& result, std::size_t number);
 
 /// A node of the disturbance in a table with a column for each method: "at 1.62 s" (on the log's clock) and "-4.90 +-

@@ -38,7 +38,8 @@ std::string figures(const WindowFindings& window) {
 }
 
 std::string numbers_table(const WindowFindings& window) {
-  std::vector<page::Column> columns{{"", false}};
+  const bool any_known = std::ranges::any_of(window.results, [](const auto& r) { return r.uncertainty.has_value(); });
+  std::vector<page::Column> columns{{any_known ? "\u00b1: standard deviation" : "", false}};
   std::size_t nodes = 0;
   for (const Identification& result : window.results) {
     const std::string who = fmt::format("{}, {} loop", name(result.method), name(result.loop));

@@ -27,8 +27,11 @@ std::string figures(const JointFindings& f) {
 }
 
 std::string table(const JointFindings& f) {
-  const std::vector<page::Column> columns{
-      {"window", false}, {"alpha / m\u00b2", true}, {"beta / m", true}, {"share", true}, {"angle error / deg", true}};
+  const std::vector<page::Column> columns{{"window (\u00b1: standard deviation)", false},
+                                          {"alpha / m\u00b2", true},
+                                          {"beta / m", true},
+                                          {"share", true},
+                                          {"angle error / deg", true}};
   const auto error = [](const Identification& result) {
     return text::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 3);
   };

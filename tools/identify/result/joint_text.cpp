@@ -142,7 +142,8 @@ std::string as_text(const JointFindings& f, std::size_t columns) {
   const auto errors = [](const std::string& own, const std::string& common) {
     return fmt::format("{:<12}{}", own, common);
   };
-  table.row({first(""), wide("alpha / m2"), wide("beta / m"), share("share"), "mean angle error / deg"});
+  table.row({first("+-: standard deviation"), wide("alpha / m2"), wide("beta / m"), share("share"),
+             "mean angle error / deg"});
   table.row({first("by itself"), wide(""), wide(""), share(""), errors("by itself", "in common")});
   for (const JointWindow& window : f.windows) {
     table.row({first(name(window)), wide(with_deviation(window.own, 0)), wide(with_deviation(window.own, 1)),

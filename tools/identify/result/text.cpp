@@ -62,7 +62,9 @@ class Text {
            window.lag_s < 0.0 ? "earlier" : "later", fitted_lag(window));
     }
     table_ = text::Table{std::vector<text::Table::Column>(1 + window.results.size())};
-    row(window, "", [](const Identification& r) { return fmt::format("{}, {} loop", name(r.method), name(r.loop)); });
+    const bool any_known = std::ranges::any_of(window.results, [](const auto& r) { return r.uncertainty.has_value(); });
+    row(window, any_known ? "+-: standard deviation" : "",
+        [](const Identification& r) { return fmt::format("{}, {} loop", name(r.method), name(r.loop)); });
     number(window, "damping alpha / m2", 0);
     number(window, "torque constant beta / m", 1);
     table_.row({"  disturbance / deg"});

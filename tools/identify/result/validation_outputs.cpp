@@ -106,7 +106,8 @@ std::string section_of(const Validation& v, const ValidatedWindow& window) {
   for (const Line& line : lines(v, window)) {
     rows.push_back({{printable(line.label)}, {printable(line.known)}, {printable(line.own)}});
   }
-  std::string out = page::table(std::vector<page::Column>{{"", false}, {"the model", true}, {"by itself", true}}, rows);
+  std::string out = page::table(
+      std::vector<page::Column>{{"\u00b1: standard deviation", false}, {"the model", true}, {"by itself", true}}, rows);
   out += page::note("By itself: what this window says when alpha and beta are fitted to it, too.");
   out += page::figure(motion_chart(window.window, Motion::angle)) +
          page::figure(motion_chart(window.window, Motion::rate));
@@ -164,7 +165,7 @@ std::string as_text(const Validation& v) {
   }
   for (const ValidatedWindow& window : v.windows) {
     out += fmt::format("\nwindow {}: {}\n  {:<33}{:<20}{}\n", window.window.record.window, extent(window.window.record),
-                       "", "the model", "by itself");
+                       "+-: standard deviation", "the model", "by itself");
     for (const Line& line : lines(v, window)) {
       out += fmt::format("  {:<33}{:<20}{}\n", line.label, line.known, line.own);
     }
