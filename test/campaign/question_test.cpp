@@ -43,6 +43,7 @@ TEST(Question, OfAFigureTakesItsBoundInAndARunWithoutItDoesNotMeetIt) {
   EXPECT_FALSE(at_least.is_met_by(run_with("held", {}, std::nextafter(900.5, 0.0))));
   EXPECT_FALSE(at_least.is_met_by(run_with("held", {})));
   EXPECT_EQ(at_least.text(), "apogee_m>=900.5");
+  EXPECT_EQ(at_least.words(), "Apogee at least 900.5 m");
   const Question at_most = parse_question("largest_hold_error_deg<=5");
   EXPECT_TRUE(at_most.is_met_by(run_with("not_held", 5.0)));
   EXPECT_FALSE(at_most.is_met_by(run_with("held", std::nextafter(5.0, 6.0))));

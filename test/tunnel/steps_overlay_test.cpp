@@ -38,15 +38,21 @@ TEST(Outliers, WhatIsNegligibleIsNoneHoweverWellTheOthersAgree) {
 }
 
 TEST(Overlay, SaysWhyUpAndDownStepsAreTwoBundles) {
-  const std::vector<Planted> rockets(4, {20.0, 9.6, -4.0});
+  const std::vector<Planted> rockets(6, {20.0, 9.6, -4.0});
   StepTable table = identify_steps(made_run(rockets), tasha, at_22_m_s());
   const auto explains = [](const StepTable& some) {
     return overlay_html(some).find("two bundles") != std::string::npos;
   };
   EXPECT_TRUE(explains(table));
+  const auto explains_the_first = [](const StepTable& some) {
+    return overlay_html(some).find("Step 1 begins where control began") != std::string::npos;
+  };
+  EXPECT_TRUE(explains_the_first(table));
   std::erase_if(table.steps, [](const StepResult& result) { return result.step.to_rad < result.step.from_rad; });
   EXPECT_FALSE(table.steps.empty());
   EXPECT_FALSE(explains(table));
+  table.steps.erase(table.steps.begin());
+  EXPECT_FALSE(explains_the_first(table));
 }
 
 TEST(Outliers, AreNoneWhereNobodyCouldSayWhichAreTheOddOnes) {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
-#include <utility>
 
 #include <fmt/core.h>
+
+#include "campaign/column_words.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -16,21 +16,6 @@ using page::Mark;
 using page::Role;
 
 constexpr std::size_t most_points = 2'000;  // of a scatter: the page stays small, and more are one cloud
-
-/// "apogee / m" for apogee_m, where the unit is one that the columns end with.
-std::string axis_label(std::string name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> units{
-      {{"_m_s", "m/s"}, {"_deg", "deg"}, {"_m", "m"}, {"_s", "s"}}};
-  for (const auto& [end, unit] : units) {
-    if (name.ends_with(end)) {
-      name.resize(name.size() - end.size());
-      std::ranges::replace(name, '_', ' ');
-      return fmt::format("{} / {}", name, unit);
-    }
-  }
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
 
 /// Bins as Freedman and Diaconis choose them, with the middle half that a normal law of these ends has, within what can
 /// be seen.
@@ -81,8 +66,8 @@ page::Chart histogram(const Column& column) {
   }
   outline.x.insert(outline.x.begin(), column.least);
   outline.y.insert(outline.y.begin(), 0.0);
-  return {.label = "How many of the runs have which " + column.name,
-          .x_label = axis_label(column.name),
+  return {.label = "How many of the runs have which " + column_words(column.name).words,
+          .x_label = column_words(column.name).with_unit(),
           .y_label = "runs",
           .width = page::half_page,
           .height = 200.0,
@@ -111,9 +96,10 @@ page::Chart scatter(const Report& report, const std::string& quantity) {
   }
   std::vector<page::Series> series{met, not_met};
   std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
-  return {.label = fmt::format("{} of the runs over {}", figure_columns[figure], quantity),
-          .x_label = quantity,
-          .y_label = axis_label(std::string{figure_columns[figure]}),
+  return {.label = fmt::format("{} of the runs over {}", column_words(figure_columns[figure]).words,
+                               column_words(quantity).words),
+          .x_label = column_words(quantity).with_unit(),
+          .y_label = column_words(figure_columns[figure]).with_unit(),
           .width = page::half_page,
           .height = 260.0,
           .series = std::move(series)};

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "campaign/charts.hpp"
+#include "campaign/column_words.hpp"
 #include "campaign/results.hpp"
 #include "campaign/setup.hpp"
 #include "page/page.hpp"
@@ -39,7 +40,7 @@ std::string outcomes(const Report& report) {
   std::vector<std::vector<page::Cell>> rows;
   for (const auto& [name, count] : report.analysis.outcomes) {
     const double share = static_cast<double>(count) / static_cast<double>(report.analysis.share.of);
-    rows.push_back({{name}, {fmt::format("{}", count)}, {fixed(100.0 * share, 2)}});
+    rows.push_back({{outcome_words(name)}, {fmt::format("{}", count)}, {fixed(100.0 * share, 2)}});
   }
   return page::table(columns, rows);
 }
@@ -50,7 +51,7 @@ std::string columns_table(const std::vector<Column>& list) {
   std::vector<std::vector<page::Cell>> rows;
   const auto number = [](double value) { return page::Cell{fmt::format("{:.5g}", value)}; };
   for (const Column& c : list) {
-    rows.push_back({{c.name},
+    rows.push_back({{.text = column_words(c.name).with_unit(), .below = c.name},
                     {fmt::format("{}", c.values.size())},
                     number(c.least),
                     number(c.quantiles.p5),
@@ -97,7 +98,7 @@ std::string influences(const Report& report) {
   for (const QuantityInfluence& of : a.influences) {
     if (of.variance_shares[figure]) {
       const auto& slope = of.on_result.slope;
-      rows.push_back({{of.name},
+      rows.push_back({{column_words(of.name).words},
                       {with_interval(of.on_result.variance_share, 100.0, 1)},
                       {slope ? with_interval(*slope, 1.0, 2) : "depends on others"}});
     }
@@ -105,8 +106,8 @@ std::string influences(const Report& report) {
   const std::array<std::string, 2> plots{
       page::figure(scatter(report, a.influences.front().name)),
       page::figure(scatter(report, a.influences[std::min<std::size_t>(1, a.influences.size() - 1)].name))};
-  return page::paragraph(fmt::format("What {} depends on, by {} runs, with 95 % intervals.", figure_columns[figure],
-                                     a.influence_runs)) +
+  return page::paragraph(fmt::format("What the {} depends on, by {} runs, with 95 % intervals.",
+                                     column_words(figure_columns[figure]).words, a.influence_runs)) +
          page::table(columns, rows) +
          page::note(fmt::format(
              "Share of the variance: what would go if this quantity alone were known (Sobol's index of first order). "
@@ -122,13 +123,13 @@ std::string all_influences(const Analysis& a) {
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < figure_columns.size(); ++i) {
     if (std::ranges::any_of(a.influences, [i](const auto& of) { return of.variance_shares[i].has_value(); })) {
-      columns.push_back({std::string{figure_columns[i]}, true});
+      columns.push_back({column_words(figure_columns[i]).words, true});
       shown.push_back(i);
     }
   }
   std::vector<std::vector<page::Cell>> rows;
   for (const QuantityInfluence& of : a.influences) {
-    rows.push_back({{of.name}});
+    rows.push_back({{column_words(of.name).words}});
     for (const std::size_t i : shown) {
       const auto& share = of.variance_shares[i];
       rows.back().push_back({share ? fixed(std::max(0.0, 100.0 * *share), 0) : ""});
@@ -142,12 +143,15 @@ std::string worst(const Report& report) {
   for (std::size_t i = 0; i < report.analysis.worst.size(); ++i) {
     const FlownRun& run = report.flown.runs[report.analysis.worst[i]];
     const std::size_t figure = report.analysis.question.measured_by();
+    const ColumnWords asked = column_words(figure_columns[figure]);
     const std::string& folder = report.run_folders[i];
-    const std::string value =
-        run.figures[figure] ? fmt::format(", {} {:.5g}", figure_columns[figure], *run.figures[figure]) : "";
+    const std::string value = run.figures[figure] ? fmt::format(", {} {:.5g}{}{}", asked.words, *run.figures[figure],
+                                                                asked.unit.empty() ? "" : " ", asked.unit)
+                                                  : "";
     links.push_back({.href = folder.empty() ? "" : folder + "/report.html",
                      .text = fmt::format("run {}", run.run),
-                     .about = fmt::format(": {}{}{}{}", run.outcome, value, run.note.empty() ? "" : "; ", run.note)});
+                     .about = fmt::format(": {}{}{}{}", outcome_words(run.outcome), value, run.note.empty() ? "" : "; ",
+                                          run.note)});
   }
   return page::list(links) + page::paragraph("Any run again, with its flight report: " + report.run_command + " RUN");
 }

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "campaign/column_words.hpp"
 #include "report/verdict.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -82,9 +84,13 @@ std::string Question::text() const {
 }
 
 std::string Question::words() const {
-  return relation == Relation::is ? "Outcome " + outcome
-                                  : fmt::format("{} at {} {}", figure_columns[figure],
-                                                relation == Relation::at_least ? "least" : "most", bound);
+  if (relation == Relation::is) {
+    return "Outcome " + outcome_words(outcome);
+  }
+  ColumnWords column = column_words(figure_columns[figure]);
+  column.words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(column.words.front())));
+  return fmt::format("{} at {} {}{}{}", column.words, relation == Relation::at_least ? "least" : "most", bound,
+                     column.unit.empty() ? "" : " ", column.unit);
 }
 
 }  // namespace fantail::campaign

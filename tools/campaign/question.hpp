@@ -27,7 +27,7 @@ struct Question {
   [[nodiscard]] bool is_worse(const FlownRun& one, const FlownRun& other) const;
 
   [[nodiscard]] std::string text() const;   ///< as parse_question() takes it
-  [[nodiscard]] std::string words() const;  ///< "Outcome held", "apogee_m at least 900"
+  [[nodiscard]] std::string words() const;  ///< "Outcome held", "Apogee at least 900 m"
 };
 
 /// "outcome=held", "apogee_m>=900", "largest_hold_error_deg<=5". Throws text::Error (usage).

@@ -96,12 +96,16 @@ std::string overlay_html(const StepTable& table) {
   }
   const auto goes_up = [](const StepResult& result) { return result.step.to_rad > result.step.from_rad; };
   const auto up = std::ranges::count_if(table.steps, goes_up);
+  const bool begins = table.steps.size() > 1 && table.steps.front().number == 1;
   const bool both = up > 0 && up < std::ssize(table.steps);
   return page::figure(chart,
-                      fmt::format("The measured roll angle of each step, from the reference before it.{}",
+                      fmt::format("The measured roll angle of each step, from the reference before it.{}{}",
                                   both ? " Steps up and steps down are two bundles where the law settles beside its "
                                          "reference: each is drawn in its own sense, so they lie apart by twice that."
-                                       : "")) +
+                                       : "",
+                                  begins ? " Step 1 begins where control began, each other where the one before it "
+                                           "ended: it may lie beside them."
+                                         : "")) +
          (sentences.empty() ? "" : page::list(sentences));
 }
 

@@ -202,9 +202,14 @@ std::string over_steps(const StepTable& table, std::size_t place, const char* la
     chart.series[0].x.push_back(static_cast<double>(result.number));
     chart.series[0].y.push_back(column.printed(figures_of(result)));
   }
-  const std::string spread =
-      table.standard_deviation ? fmt::format(" \u00b1 {}", fixed(column.printed(*table.standard_deviation), 3)) : "";
-  return page::figure(chart, fmt::format("{}: {}{}.", label, fixed(mean, 3), spread));
+  const auto number = [&](const StepFigures& figures) {
+    return fixed(column.printed(figures), decimals(table, column));
+  };
+  const std::string figures = table.standard_deviation
+                                  ? fmt::format("mean {} {}, standard deviation {} {}", number(table.mean), column.unit,
+                                                number(*table.standard_deviation), column.unit)
+                                  : fmt::format("{} {}", number(table.mean), column.unit);
+  return page::figure(chart, fmt::format("{}: {}.", label, figures));
 }
 
 }  // namespace
@@ -263,8 +268,8 @@ std::string steps_html(const StepsHeading& heading, const StepTable& table) {
   const std::array<std::string, 2> parameters{over_steps(table, 0, "Damping alpha", "alpha / m\u00b2"),
                                               over_steps(table, 1, "Torque constant beta", "beta / m")};
   const std::array<std::string, 2> disturbances{
-      over_steps(table, 2, "Disturbance at the beginning, deg", "disturbance / deg"),
-      over_steps(table, 3, "Disturbance at the end, deg", "disturbance / deg")};
+      over_steps(table, 2, "Disturbance at the beginning", "disturbance / deg"),
+      over_steps(table, 3, "Disturbance at the end", "disturbance / deg")};
   std::string body = page::section(
       "Every step identified",
       table_html(table) +
