@@ -41,6 +41,7 @@ TEST(Fly, WritesItsFilesWhereItIsTold) {
   const Folder folder;
   const Outcome outcome = fantail({"fly", "tasha3_launch1", "--out", folder / "a new/folder"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(summary(folder / "a new/folder")["outcome"], "not_held") << "a verdict is no exit code";
   Names names;
   for (const auto& entry : std::filesystem::directory_iterator{folder / "a new/folder"}) {
     names.push_back(entry.path().filename().string());

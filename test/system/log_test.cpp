@@ -103,7 +103,19 @@ TEST_F(FlownLog, InfoAsJsonHasTheSameInFigures) {
   EXPECT_EQ(flight["replay"]["compared"], flight["ticks"]);
   EXPECT_EQ(flight["integrity"]["lost_records"], 0);
   EXPECT_LT(flight["from_s"].number(), 0.0) << "it begins on the pad";
+  EXPECT_EQ(flight["clock"], "seconds from lift-off");
   EXPECT_GT(flight["events"].size(), 3U);
+}
+
+TEST_F(FlownLog, AWhatIfSaysWhatItsTimesCountFrom) {
+  folder.write("a.ftl", flown_log());
+  const Words words{"replay", "a.ftl", "--set", "controller.proportional_gain=0.3"};
+  const std::string text = run(words).out;
+  EXPECT_NE(text.find(" s from lift-off\n"), std::string::npos) << text;
+  EXPECT_NE(content(folder / "out/replay/a/what_if.html").find("from lift-off"), std::string::npos);
+  Words for_script = words;
+  for_script.emplace_back("--json");
+  EXPECT_EQ(json::parse(run(for_script).out)["clock"], "seconds from lift-off");
 }
 
 TEST_F(FlownLog, ADamagedOneIsShownAsFarAsItGoesWithExitCode1) {

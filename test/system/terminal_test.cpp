@@ -156,6 +156,16 @@ TEST(Terminal, NoHelpIsWiderThanIt) {
   }
 }
 
+TEST(Terminal, NoExitCodeIsParted) {
+  const Folder folder;
+  for (const unsigned short columns : std::initializer_list<unsigned short>{60, 80, 120}) {
+    const std::string help = on_terminal({"--help"}, folder, columns).out;
+    for (const char* whole : {"1 a requirement was not met,", "66 no such input,", "70 internal error,"}) {
+      EXPECT_NE(help.find(whole), std::string::npos) << columns << ": " << help;
+    }
+  }
+}
+
 TEST(Terminal, ATableThatIsTooWideSaysWhichColumnsItLeavesOut) {
   const Folder folder;
   const std::string narrow = on_terminal({"airframe", "tasha3_launch2"}, folder).out;

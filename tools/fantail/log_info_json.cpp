@@ -113,6 +113,7 @@ Json flight(const FlightInfo& info) {
           {"from_s", info.seconds(f.first_time)},
           {"to_s", info.seconds(f.last_time)},
           {"time_zero_s", duration_s(info.zero)},
+          {"clock", fmt::format("seconds from {}", info.zero_text)},
           {"integrity", integrity(info)},
           {"replay", replay(info)},
           {"loop", loop(info)},

@@ -47,7 +47,7 @@ constexpr const char* examples =
     "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n";
 
 std::string list_of_exit_codes() {
-  constexpr std::size_t widest = 110;
+  const std::size_t widest = std::min<std::size_t>(110, fantail::tool::output_columns());
   std::string text = "Exit codes: ";
   std::size_t begin = 0;  // of the last line
   for (const fantail::manual::ExitCode& code : fantail::tool::exit_codes) {

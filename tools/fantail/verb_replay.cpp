@@ -108,6 +108,7 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
                            {"open_loop", true},
                            {"rejects_offset", result.rejects_offset},
                            {"changes", options.changes},
+                           {"clock", "seconds from " + result.clock},
                            {"ticks", result.time_s.size()},
                            {"differing", result.differing},
                            {"first_difference_s", result.first_difference_s},

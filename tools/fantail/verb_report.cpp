@@ -141,6 +141,9 @@ void fill(const Verb& verb) {
   add_card_option(verb, options->card);
   verb.flag("--json", options->json, "Print summary.json, of two flights compare.json, instead of the text");
   verb.examples(
+      "Exit code 0: the page was written, whether or not the roll was held: of one flight `outcome` in summary.json "
+      "and "
+      "--json says that (held, not_held, oscillates, cut_short, not_judged, no_control).\n"
       "Examples:\n"
       "  fantail report flown.ftl                             what the board has recorded, as fly shows its flights\n"
       "  fantail report flown.ftl out/tasha3_launch2 --align angle --from 0 --to 12\n"

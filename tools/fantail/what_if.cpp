@@ -51,6 +51,7 @@ WhatIf what_if(const flight_log::Flight& flight, const flight_log::Regeneration&
                const flight_log::Regeneration& changed) {
   WhatIf result;
   const core::Microseconds zero = flight_log::time_zero(flight, flown);
+  result.clock = flight_log::time_zero_text(flight, flown);
   Saturation before;
   Saturation after;
   for (std::size_t i = 0; i < flight.ticks.size(); ++i) {
@@ -84,7 +85,8 @@ std::string what_if_text(const WhatIf& result) {
   } else {
     text +=
         fmt::format("  ticks with another roll command or phase  {} of {}\n", result.differing, result.time_s.size());
-    text += fmt::format("  first                                     {:.3f} s\n", *result.first_difference_s);
+    text += fmt::format("  first                                     {:.3f} s from {}\n", *result.first_difference_s,
+                        result.clock);
     text += fmt::format("  largest difference                        {:.3f} deg at {:.3f} s\n",
                         degrees(result.largest_difference_rad), result.largest_difference_s);
     text += fmt::format("  saturated while controlling               {:.1f} % flown, {:.1f} % what if\n",

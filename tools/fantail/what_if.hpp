@@ -14,6 +14,7 @@ namespace fantail::tool {
 /// The commands of a flight that was flown beside those that another plan would have given on the same inputs.
 struct WhatIf {
   std::string log;
+  std::string clock;                 ///< what its times count from: "lift-off"
   std::vector<std::string> changes;  ///< "controller.canard_limit_deg=9"
   std::vector<double> time_s;        ///< of the ticks that were replayed, on the flown flight's clock
   std::vector<double> flown_rad;     ///< roll commands

@@ -33,7 +33,7 @@ std::string chart(std::string_view what, std::vector<page::Series> series, doubl
 std::vector<page::Figure> figures(const WhatIf& result) {
   const auto share = [](double value) { return fmt::format("{:.1f}", 100.0 * value); };
   const std::string first = result.first_difference_s ? text::fixed(*result.first_difference_s, 3) : "none";
-  return {{"First difference", first, result.first_difference_s ? "s" : "", "after lift-off or control start"},
+  return {{"First difference", first, result.first_difference_s ? "s" : "", "from " + result.clock},
           {"Largest difference", fmt::format("{:.2f}", text::degrees(result.largest_difference_rad)), "deg",
            fmt::format("at {:.3f} s", result.largest_difference_s)},
           {"Other commands", std::to_string(result.differing), "ticks",
