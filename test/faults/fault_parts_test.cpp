@@ -205,7 +205,7 @@ TEST(FaultAlone, IsNotJudgedFurtherWhereTheWholeCellIsNot) {
   result.cells = {concluded(cell, {spun}, nullptr)};
   EXPECT_EQ(result.cells[0].colour, Colour::not_judged);
   EXPECT_FALSE(has_red(result));
-  EXPECT_NE(headline(result).find("1 cell is not judged beyond what holds for every flight."), std::string::npos);
+  EXPECT_NE(headline(result).find(" Not judged beyond what holds for every flight: 1 cell."), std::string::npos);
   EXPECT_NE(report_html(result, "1").find("not judged further, 1"), std::string::npos);
   EXPECT_NE(report_json(result, "1").find("\"not_judged\": 1"), std::string::npos);
 }
@@ -220,15 +220,16 @@ TEST(FaultHeadline, OfAKnownLimitTheBarIsAmberAndTheWorstCellIsNamed) {
   Result result;
   result.cells = {concluded(cell_of("servo/hardover/controlling"), {red(645.0)}, &limit),
                   concluded(cell_of("servo/garbage/controlling"), {red(714.0)}, &limit)};
-  EXPECT_NE(headline(result).find("2 cells are red for a limit that is known, at worst servo/garbage/controlling: 714 "
-                                  "deg off."),
-            std::string::npos)
+  EXPECT_NE(
+      headline(result).find(" Not safe, for a limit that is known: 2 cells, at worst servo/garbage/controlling (714 "
+                            "deg off)."),
+      std::string::npos)
       << headline(result);
   const std::string amber = report_html(result, "1");
   EXPECT_NE(amber.find("class=\"verdict unsure\""), std::string::npos);
   EXPECT_EQ(amber.find("No red cell"), std::string::npos);
   result.cells.push_back(concluded(cell_of("servo/dead/controlling"), {red(100.0)}, nullptr));
-  EXPECT_NE(headline(result).find("1 cell is RED, at worst servo/dead/controlling: 100 deg off."), std::string::npos);
+  EXPECT_NE(headline(result).find(" RED: 1 cell, at worst servo/dead/controlling (100 deg off)."), std::string::npos);
   EXPECT_NE(report_html(result, "1").find("class=\"verdict bad\""), std::string::npos);
   result.cells = {concluded(cell_of("servo/dead/controlling"), {faults::Run{.outcome = Outcome::holds}}, nullptr)};
   EXPECT_NE(report_html(result, "1").find("class=\"verdict good\""), std::string::npos);

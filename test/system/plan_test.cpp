@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
@@ -24,9 +25,12 @@ class Plan : public testing::TestWithParam<std::string> {
 TEST_P(Plan, MayFly) {
   const Outcome outcome = fantail({"plan", "check", GetParam()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("the firmware takes this plan"), std::string::npos) << outcome.out;
+  const std::string checksum =
+      fmt::format("{:08x}", protocol::plan_crc(input::read_plan(input::Document::load(file()))));
+  EXPECT_NE(outcome.out.find("the firmware takes this plan, checksum " + checksum), std::string::npos) << outcome.out;
   const Outcome json = fantail({"plan", "check", GetParam(), "--json"});
   EXPECT_EQ(json::parse(json.out)["may_fly"], true);
+  EXPECT_EQ(json::parse(json.out)["crc"], checksum);
 }
 
 // What is shown is itself a plan: reading it back gives the same numbers.

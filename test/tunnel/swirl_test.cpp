@@ -141,6 +141,7 @@ TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {
   const SwirlSessions sessions{made_session({22.0, 30.0}, -6.1), made_session({22.0, 30.0}, -4.1)};
   const Swirl swirl = examine_swirl(sessions.without, sessions.with, {});
   EXPECT_NE(swirl_text(sessions, swirl).find("equals -2.000 +-"), std::string::npos) << swirl_text(sessions, swirl);
+  EXPECT_NE(swirl_text(sessions, swirl).find("clockwise, seen from the tail"), std::string::npos);
   const json::Value json = json::parse(swirl_json(sessions, swirl));
   EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["offset_deg"].number(), -6.1, 1e-6);

@@ -14,6 +14,7 @@
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
+#include "protocol/plan_block.hpp"
 #include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -183,7 +184,8 @@ std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
 }
 
 json::Value json_of(const Subject& subject, const LoopCheck& loop) {
-  json::Value all{{"plan", subject.file}, {"may_fly", true}};
+  json::Value all{
+      {"plan", subject.file}, {"may_fly", true}, {"crc", fmt::format("{:08x}", protocol::plan_crc(subject.plan))}};
   all["weaker_than_shipped"] = json::Value::array();
   for (const std::string& what : weaker_than_shipped(subject.plan)) {
     all["weaker_than_shipped"].push_back(what);
@@ -214,7 +216,8 @@ void check_plan(const PlanCheck& asked) {
     return;
   }
   const std::string file = text::printable(found.file);
-  show("{}: every field is known and within its range: the firmware takes this plan\n", file);
+  show("{}: every field is known and within its range: the firmware takes this plan, checksum {:08x}\n", file,
+       protocol::plan_crc(found.plan));
   if (const std::vector<std::string> weaker = weaker_than_shipped(found.plan); !weaker.empty()) {
     show(
         "{}: warning: launches may be imagined more easily than by the shipped plan of two accelerometers, of which "

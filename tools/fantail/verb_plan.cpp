@@ -68,11 +68,12 @@ void compile(const PlanOptions& options) {
     fmt::print("{}\n", json::Value{{"plan", named.file.string()},
                                    {"block", file.string()},
                                    {"bytes", size},
-                                   {"schema", fmt::format("{:08x}", protocol::plan_schema_hash())}}
+                                   {"schema", fmt::format("{:08x}", protocol::plan_schema_hash())},
+                                   {"crc", fmt::format("{:08x}", protocol::plan_crc(named.plan))}}
                            .dump());
   } else {
-    show("{}: {} bytes, format {}, schema {:08x}\n", file.string(), size, protocol::plan_block_version,
-         protocol::plan_schema_hash());
+    show("{}: {} bytes, format {}, schema {:08x}, checksum {:08x}\n", file.string(), size, protocol::plan_block_version,
+         protocol::plan_schema_hash(), protocol::plan_crc(named.plan));
   }
 }
 

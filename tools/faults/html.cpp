@@ -220,7 +220,7 @@ std::string report_html(const Result& result, const std::string& version) {
                : limit ? page::Tone::unsure
                        : page::Tone::good,
        .verdict_heading = red     ? "Red"
-                          : limit ? "Red for a known limit"
+                          : limit ? "Known limits"
                                   : "No red cell",
        .verdict = headline(result),
        .findings = {{.what = "Safe",

@@ -60,7 +60,7 @@ json::Value json_of(const CellResult& result, const Campaign& campaign) {
   return value;
 }
 
-/// ", at worst servo/dead/controlling: control went on, 12.3 deg apart": the flight that is farthest off.
+/// ", at worst servo/dead/controlling (control went on, 12.3 deg apart)": the flight that is farthest off.
 std::string worst_of(const Result& result, Colour colour) {
   const CellResult* worst = nullptr;
   for (const CellResult& cell : result.cells) {
@@ -70,7 +70,7 @@ std::string worst_of(const Result& result, Colour colour) {
   }
   return worst == nullptr
              ? ""
-             : fmt::format(", at worst {}: {}", worst->cell.name(), worst->figure.substr(0, worst->figure.find(';')));
+             : fmt::format(", at worst {} ({})", worst->cell.name(), worst->figure.substr(0, worst->figure.find(';')));
 }
 
 std::size_t count(const Result& result, Colour colour) {
@@ -105,19 +105,15 @@ std::string headline(const Result& result) {
   const std::size_t limits = count(result, Colour::known_limit);
   const std::size_t without_need = count(result, Colour::limit_without_need);
   const std::size_t not_judged = count(result, Colour::not_judged);
-  const auto cells = [](std::size_t number) {
-    return fmt::format("{} {}", number, number == 1 ? "cell is" : "cells are");
+  const std::size_t safe = flown - red - limits - without_need - not_judged;
+  const auto line = [](std::string_view what, std::size_t number, const std::string& more = {}) {
+    return number == 0 ? std::string{} : fmt::format(" {}: {} cell{}{}.", what, number, number == 1 ? "" : "s", more);
   };
-  std::string text = fmt::format("{} flights in {} cells. ", result.flights, flown);
-  text += red == 0 ? "No cell is red but for a known limit."
-                   : fmt::format("{} RED{}.", cells(red), worst_of(result, Colour::red));
-  text += limits == 0 ? std::string{}
-                      : fmt::format(" {} red for a limit that is known{}.", cells(limits),
-                                    worst_of(result, Colour::known_limit));
-  text += without_need == 0 ? std::string{} : fmt::format(" {} green, though a limit is listed.", cells(without_need));
-  text += not_judged == 0 ? std::string{}
-                          : fmt::format(" {} not judged beyond what holds for every flight.", cells(not_judged));
-  return text;
+  return fmt::format("{} flights in {} cells.{}{}{}{}{}{}", result.flights, flown, red == 0 ? " No cell is RED." : "",
+                     line("RED", red, worst_of(result, Colour::red)),
+                     line("Not safe, for a limit that is known", limits, worst_of(result, Colour::known_limit)),
+                     line("Not judged beyond what holds for every flight", not_judged),
+                     line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe));
 }
 
 std::string command_of(const Campaign& campaign) {

@@ -40,7 +40,7 @@ constexpr std::string_view stop_near =
 
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
-    {"imu", "stuck", launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md), and the simulator has none", fit_a_second},
+    {"imu", "stuck", launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md in the sources), and the simulator has none", fit_a_second},
     {"imu", "garbage", launched, one_gyro, believed, fit_a_second},
     {"imu", "spike", armed, one_gyro, believed, fit_a_second},
     {"imu", "offset_100", armed, one_gyro, believed, fit_a_second},

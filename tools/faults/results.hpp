@@ -18,7 +18,7 @@ namespace fantail::faults {
 /// "safe", "RED", "a known limit", "not judged further".
 [[nodiscard]] const char* word_of(Colour colour);
 
-/// "4 of 470 cells are red, ...": the answer, in a sentence or two.
+/// How many cells came to what, the worst first, with the flight that is farthest off.
 [[nodiscard]] std::string headline(const Result& result);
 
 /// What a person types to fly it, and one run of it alone.

@@ -49,7 +49,7 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"tunnel", "turbulence", number("", {0, 0.5}), may, AT(it.tunnel.turbulence), "Standard deviation over mean of the air speed."},
   {"tunnel", "turbulence_time_s", number("s", {0.01, 60}), may, AT(it.tunnel.turbulence_time_s), "Correlation time of the turbulence."},
   {"tunnel", "fan_lag_s", number("s", {0.1, 600}), may, AT(it.tunnel.fan_lag_s), "Time constant with which the air speed follows the fan."},
-  {"tunnel", "swirl_deg", number(deg, {-20, 20}), may, AT(it.tunnel.swirl_rad), "Swirl as an equivalent canard angle; added to the disturbance."},
+  {"tunnel", "swirl_deg", number(deg, {-20, 20}), may, AT(it.tunnel.swirl_rad), "Swirl as an equivalent canard angle, above zero clockwise seen from the tail; added to the disturbance."},
   {"tunnel", "density_kg_m3", number("kg/m3", {0.01, 5}), may, AT(it.tunnel.density_kg_m3), "Density of the air in the tunnel."},
   {"tunnel", "fan_times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.fan_programme, i).time_s), "Fan programme: from when on, after the start command; increasing."},
   {"tunnel", "fan_rpms", list(most_points, number("rpm", {0, 3000})), may, AT(grown(it.fan_programme, i).fan_rpm), "Fan programme: which speed; as many as `fan_times_s`."},

@@ -50,6 +50,10 @@ std::string curve(const char* title, const RollSession& session, const std::vect
   return text + "\n";
 }
 
+constexpr const char* sign_sentence =
+    "Above zero it rolls the rocket as positive canard angles do: clockwise, seen from the tail. fantail predict takes "
+    "it "
+    "with this sign, as --swirl.";
 constexpr const char* without_name = "without straightener";
 constexpr const char* with_name = "with straightener";
 
@@ -169,7 +173,8 @@ std::string swirl_sentence(const Swirl& swirl) {
 }
 
 std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl) {
-  std::string text = swirl_sentence(swirl) + "\n\n";
+  std::string text = swirl_sentence(swirl) + "\n";
+  text += swirl.swirl ? fmt::format("{}\n\n", sign_sentence) : "\n";
   text += curve("without flow straightener", sessions.without, swirl.without);
   text += curve("with flow straightener", sessions.with, swirl.with);
   text += "difference: offset due to the swirl\n";
@@ -225,7 +230,7 @@ std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl) {
   body += page::section("Offset", page::side_by_side(curves) + points_table(swirl));
   body += page::section(
       "Swirl",
-      difference(swirl) +
+      difference(swirl) + (swirl.swirl ? page::paragraph(sign_sentence) : "") +
           page::paragraph(fmt::format(
               "Offsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, minus the mean canard angle. An "
               "error of these two scales both curves and the difference; standard errors come from the scatter of the "
