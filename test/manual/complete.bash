@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Prints what bash offers at the end of $COMPLETE_LINE, one word a line, folders without a slash, a line break in it as ?.
+# Prints what bash offers at the end of $COMPLETE_LINE, one word a line, folders as the completion has them, a line break in it as ?.
 # A set $COMPLETE_BREAKS stands for what bash takes words apart at.
 set -u # as somebody may have it
 COMP_WORDBREAKS=${COMPLETE_BREAKS-$COMP_WORDBREAKS}

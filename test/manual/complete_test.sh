@@ -61,12 +61,19 @@ COMPLETE_LINE='no_such_folder/fantail repl'
 case $shell in
   bash)
     offers 'fantail replay t' 'two?lines.ftl' !lines.ftl
+    # Behind a quote that is open bash replaces what is within.
+    offers 'fantail fly --set "controller.canard_l' controller.canard_limit_deg=
+    offers "fantail fly --set 'controller.canard_l" controller.canard_limit_deg=
+    offers 'fantail fly --set="controller.canard_l' controller.canard_limit_deg=
+    offers 'fantail fly --out="f' flights '!flown.ftl'
     # With = taken out of what bash takes words apart at, it replaces the whole word.
     export COMPLETE_BREAKS=': '
     offers 'fantail fly --color=a' --color=auto --color=always
     offers 'fantail fly --set reference.kind=h' reference.kind=hold
     offers 'fantail fly --set=controller.canard_l' --set=controller.canard_limit_deg=
-    offers 'fantail fly --out=f' --out=flights
+    offers 'fantail fly --out=f' --out=flights/ # bash would not see that it is one
+    offers 'fantail fly --out="f' flights
+    offers 'fantail fly --set "reference.kind=h' reference.kind=hold
     ;;
   fish)
     offers 'fantail replay my\ flights/' 'my flights/first.ftl'

@@ -21,6 +21,18 @@ _fantail() {
   local begun=${words[${#words[@]} - 1]}
   local breaks=${COMP_WORDBREAKS//[^=:]/} kept='' # the part that bash leaves where it is
   [[ -z $breaks ]] || kept=${begun%"${begun##*[$breaks]}"}
+  # Behind a quote that is not closed bash replaces what is within.
+  local quote='' bare='' ahead=''
+  for ((i = 0; i < ${#begun}; i++)); do
+    piece=${begun:i:1}
+    case $quote,$piece in
+      ,\" | ,\') quote=$piece ahead=$bare ;;
+      "$quote,$quote") quote='' ;;
+      ,\\ | \",\\) bare+=${begun:++i:1} ;;
+      *) bare+=$piece ;;
+    esac
+  done
+  [[ -z $quote ]] || begun=$bare kept=$ahead words[${#words[@]} - 1]=$bare
   local answer word
   mapfile -t answer < <("${words[0]/#\~/$HOME}" --complete "${words[@]:1}" 2>/dev/null)
   COMPREPLY=()
@@ -42,8 +54,15 @@ _fantail() {
   # A mark ahead of each name, because there may be a line break in it.
   mapfile -t -d $'\1' names < <(compgen -P $'\1' "$kind" -- "${begun#"$option"}")
   for word in "${names[@]:1}"; do
-    word=$option${word%$'\n'}
-    COMPREPLY+=("${word#"$kept"}")
+    word=${word%$'\n'}
+    piece=$option$word
+    piece=${piece#"$kept"}
+    # Where the option is a part of the word, bash does not see that it is a folder.
+    if [[ $piece != "$word"* && -d ${word/#\~/$HOME} ]]; then
+      piece+=/
+      compopt -o nospace
+    fi
+    COMPREPLY+=("$piece")
   done
 }
 
