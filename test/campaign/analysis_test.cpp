@@ -58,12 +58,12 @@ TEST(Analysis, LeavesUndecidedWhatIsWithinTheInterval) {
 
 TEST(Analysis, SaysWhyItKnowsNoInfluences) {
   EXPECT_EQ(analyse(made(49), {.runs = 49}, {}, {}).no_influences,
-            "49 of the runs have the figure largest_hold_error_deg, and it takes 50 to tell what it depends on.");
+            "The largest hold error is known of 49 runs, and it takes 50 to tell what it depends on.");
   FlownCampaign same = made(60);
   for (FlownRun& run : same.runs) {
     run.figures[0] = 3.0;
   }
-  EXPECT_EQ(analyse(same, {.runs = 60}, {}, {}).no_influences, "largest_hold_error_deg is the same in all runs.");
+  EXPECT_EQ(analyse(same, {.runs = 60}, {}, {}).no_influences, "The largest hold error is the same in all runs.");
 }
 
 // Wilson's interval of 199 in 200 ends at 99.912 %.

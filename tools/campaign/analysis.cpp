@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "campaign/column_words.hpp"
+
 namespace fantail::campaign {
 namespace {
 
@@ -86,13 +88,14 @@ Sample sample_of(const FlownCampaign& flown, std::size_t figure) {
 std::string too_little(const Sample& sample, std::size_t figure) {
   const std::size_t fewest = std::max(fewest_influence_runs, 5 * sample.quantities.size());
   if (sample.result.size() < fewest) {
-    return fmt::format("{} of the runs {} the figure {}, and it takes {} to tell what it depends on.",
-                       sample.result.size(), sample.result.size() == 1 ? "has" : "have", figure_columns[figure],
-                       fewest);
+    return fmt::format("The {} is known of {} run{}, and it takes {} to tell what it depends on.",
+                       column_words(figure_columns[figure]).words, sample.result.size(),
+                       sample.result.size() == 1 ? "" : "s", fewest);
   }
   if (sample.quantities.empty() || !varies(sample.result)) {
-    return fmt::format("{} is the same in all runs.",
-                       sample.quantities.empty() ? "What is drawn" : figure_columns[figure]);
+    return fmt::format("{} is the same in all runs.", sample.quantities.empty()
+                                                          ? "What is drawn"
+                                                          : "The " + column_words(figure_columns[figure]).words);
   }
   return {};
 }
