@@ -23,8 +23,7 @@ TEST(CampaignFaults, WritesPageAndSummaryAndBesideThemTheReportsOfItsWorstFlight
   const Folder folder;
   const Outcome outcome = fantail(faults_of("arm_switch", "launched", folder / "all"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("12 flights in 4 cells. No cell is RED."), std::string::npos)
-      << outcome.out;
+  EXPECT_NE(outcome.out.find("12 flights in 4 cells. No cell is RED."), std::string::npos) << outcome.out;
   const json::Value said = json::parse(content(folder / "all/summary.json"));
   EXPECT_EQ(said["flights"], 12);
   EXPECT_EQ(said["red"], 0);
