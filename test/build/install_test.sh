@@ -23,11 +23,17 @@ cd "$work"
 for verb in $("$build/fantail" --help | sed -n '/^Verbs:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
   "$prefix/bin/fantail" "$verb" --help >help.txt || fail "fantail $verb is not installed"
   grep -q "^Usage: fantail $verb" help.txt || fail "fantail $verb --help speaks of something else"
+  cat help.txt >>helps.txt
   [ -s "$prefix/share/man/man1/fantail-$verb.1" ] || fail "there is no man page of $verb"
 done
 for page in man1/fantail.1 man5/fantail.toml.5 man5/flight.ftl.5; do
   [ -s "$prefix/share/man/$page" ] || fail "there is no man page $page"
 done
+# What lies in the sources alone is not named as if it were here.
+"$prefix/bin/fantail" new made --from tasha3_launch2 >made.txt
+"$prefix/bin/fantail" fly --on emulator 2>>made.txt || true
+! grep -rE '\./dev |docs/' helps.txt made.txt made "$prefix/share/fantail" | grep -v 'the sources' >said ||
+  fail "somebody without the sources is sent there: $(cat said)"
 # A shell that completes is told the names that are installed.
 mv "$prefix/share/fantail/sim/scenarios/tunnel_steps.toml" "$prefix/share/fantail/sim/scenarios/tunnel_mine.toml"
 "$prefix/bin/fantail" --complete fly tunnel_ >words.txt
