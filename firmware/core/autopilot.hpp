@@ -41,6 +41,7 @@ class Autopilot {
   /// too.
   void resume(const Inputs& first);
 
+  /// Safe in a new object; then as step(), give_up() or a state that was put back left it.
   [[nodiscard]] Phase phase() const { return flight_phase_.phase(); }
 
   /// The memory of the law is not what it was: a flight is over, as far as control goes.

@@ -11,12 +11,13 @@ namespace fantail::core {
 
 /// What one servo is told. Not driven: its output stays off, because where the canard stands is not known yet.
 struct CanardCommand {
-  Angle angle;  ///< of the shaft, positive as the encoder counts
-  float pulse_us = 0.0F;
-  bool driven = false;
-  bool limited = false;  ///< clamped, or held back by the first-motion rate
+  Angle angle;            ///< of the shaft, positive as the encoder counts
+  float pulse_us = 0.0F;  ///< of the servo at `angle`; 0 while it is not driven
+  bool driven = false;    ///< false: no pulses, and `angle` is no request
+  bool limited = false;   ///< clamped, or held back by the first-motion rate
 };
 
+/// By index 0 to 3, as canards 1 to 4 are everywhere.
 using CanardCommands = std::array<CanardCommand, canard_count>;
 
 /// One roll command -> four canard commands; four encoders -> one canard angle. The only way to a servo: in flight, in
@@ -27,6 +28,7 @@ using CanardCommands = std::array<CanardCommand, canard_count>;
 /// encoder says it is; a canard whose encoder stays silent for half a second is driven without that courtesy.
 class CanardMixer {
  public:
+  /// Copies what it needs. `plan_limit` is controller.canard_limit of the same plan, which has passed validate().
   CanardMixer(const CanardsPlan& plan, Angle plan_limit);
 
   /// `requested` shaft angles replace the mixed ones (self-test, bench). A request that is not finite means trim. All

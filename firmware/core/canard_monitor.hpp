@@ -13,15 +13,18 @@
 
 namespace fantail::core {
 
+/// What the monitor says of one canard.
 enum class CanardVerdict : std::uint8_t {
-  healthy,
+  healthy,      ///< it follows; also while it is not driven and its encoder can be read
   dead,         ///< its encoder has been silent for the plan's timeout
   stalled,      ///< far from where the command should have brought it, and not moving
   slipping,     ///< far from where the command should have brought it, though it moves
   disagreeing,  ///< near enough by itself, but off its command when the other canards are not
 };
+/// How many values CanardVerdict has: one that is read must be below.
 inline constexpr std::size_t canard_verdicts = 5;
 
+/// By index 0 to 3, as canards 1 to 4 are everywhere.
 using CanardVerdicts = std::array<CanardVerdict, canard_count>;
 
 /// At once, as the word that the four are: in a loop it would be six instructions a canard.
@@ -37,8 +40,11 @@ using CanardVerdicts = std::array<CanardVerdict, canard_count>;
 /// for half the hold.
 class CanardMonitor {
  public:
+  /// Of `canards` it takes the directions only.
   CanardMonitor(const MonitorPlan& monitor, const CanardsPlan& canards);
 
+  /// Once a tick, with the commands of this tick and the encoders as they were read before it. At most 5 ms of the time
+  /// since the last call count, and none of a clock that ran backwards. What is returned changes with the next call.
   const CanardVerdicts& update(Microseconds time, const CanardCommands& commands, const EncoderAngles& encoders);
 
   /// Of the last update().

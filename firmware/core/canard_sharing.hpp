@@ -35,6 +35,7 @@ using CanardContributions = std::array<std::optional<Angle>, canard_count>;
 /// canards judged the cause is a common one (supply, a servo model that is wrong), and nothing is shared.
 class CanardSharing {
  public:
+  /// `plan_limit` is controller.canard_limit: from its negative to itself goes reach() until something is shared.
   explicit CanardSharing(Angle plan_limit) : plan_limit_{plan_limit}, reach_{-plan_limit, plan_limit} {}
 
   /// Before the command of a tick under control, as long as a canard is judged or is_active(). A tick that came late

@@ -18,6 +18,7 @@ namespace fantail::core {
 /// dA and df are seeded, piecewise linear between values drawn every 0.1 s, and off by default.
 class Chirp {
  public:
+  /// `plan` has passed validate(): frequencies far beyond its ranges would overflow integers.
   [[gnu::cold]] explicit Chirp(const ExcitationPlan& plan);
 
   /// Excitation at a time after control start. Times must not go backwards.

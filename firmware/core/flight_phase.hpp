@@ -10,6 +10,7 @@
 
 namespace fantail::core {
 
+/// Where a run stands, and so whether the canards may move.
 enum class Phase : std::uint8_t {
   safe,         ///< power-on state, always
   armed,        ///< after two independent actions; waits for a launch
@@ -17,45 +18,48 @@ enum class Phase : std::uint8_t {
   controlling,  ///< the only phase in which the roll command is not zero
   finished,     ///< until a power cycle
 };
+/// How many values Phase has: one that is read must be below.
 inline constexpr std::size_t phases = 5;
 
 /// Why the phase is what it is: the reason of the last transition.
 enum class PhaseReason : std::uint8_t {
-  power_on,
-  armed_by_switch_and_command,
-  disarmed_by_switch,
-  launch_detected,
-  guide_clear,
-  tunnel_start_command,
-  guide_not_cleared_in_time,
-  gyro_failed_before_control,
-  timing_fault_before_control,
-  control_time_over,
-  apogee,
-  tilted_too_far,
-  gyro_failed,
-  timing_fault,
-  canard_fault,
-  memory_fault,
+  power_on,                     ///< Safe, and never armed
+  armed_by_switch_and_command,  ///< Safe to Armed: a command came while the switch was closed
+  disarmed_by_switch,           ///< Armed to Safe: the switch is open
+  launch_detected,              ///< Armed to Launched
+  guide_clear,                  ///< Launched to Controlling: far enough beyond the guide and fast enough
+  tunnel_start_command,         ///< Armed to Controlling, at rest in the tunnel
+  guide_not_cleared_in_time,    ///< Launched to Armed: it was no launch, and only rest lets the next one be detected
+  gyro_failed_before_control,   ///< Launched to Armed: this flight is not controlled
+  timing_fault_before_control,  ///< Launched to Armed: this flight is not controlled
+  control_time_over,            ///< Controlling to Finished, as the following are
+  apogee,                       ///< the vertical speed is below zero, and no mere lower bound; never in the tunnel
+  tilted_too_far,               ///< beyond the plan's limit; never in the tunnel
+  gyro_failed,                  ///< no usable rate for longer than the plan lets control wait
+  timing_fault,                 ///< a tick came twice or much too late, or too many did not come
+  canard_fault,                 ///< with a plan that ends control for it
+  memory_fault,                 ///< give_up(): Launched or Controlling to Finished
 };
+/// How many values PhaseReason has: one that is read must be below.
 inline constexpr std::size_t phase_reasons = 16;
 
 /// What one tick may move the phase, besides the motion.
 struct PhaseInputs {
-  Microseconds time{};
-  bool arm_switch_closed = false;
-  bool arm_command = false;
-  bool start_command = false;
-  bool launch_detected = false;
+  Microseconds time{};               ///< of this tick
+  bool arm_switch_closed = false;    ///< open, it disarms; in later phases than Armed it is not asked
+  bool arm_command = false;          ///< in this tick; obeyed in Safe, with the switch closed
+  bool start_command = false;        ///< in this tick; obeyed in Armed, for a tunnel, at rest
+  bool launch_detected = false;      ///< obeyed while listens_for_launch()
   bool accelerometers_agree = true;  ///< in Launched; without it control does not begin
-  bool timing_fault = false;
-  bool canard_fault = false;
+  bool timing_fault = false;  ///< the time of this tick is doubtful: Launched goes back to Armed, Controlling ends
+  bool canard_fault = false;  ///< some canard is not healthy; what follows from it says the plan
 };
 
 /// Safe -> Armed -> Launched -> Controlling -> Finished. Starts in Safe; there is no way to set a phase, but to give
 /// up.
 class FlightPhase {
  public:
+  /// Three parts of one plan that has passed validate(); copied.
   FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion);
 
   /// True when this tick changed the phase.
@@ -64,7 +68,9 @@ class FlightPhase {
   /// The memory of the law is not what it was: a flight is over, as far as control goes.
   [[gnu::cold]] void give_up(Microseconds time);
 
+  /// As the last update() or give_up() left it.
   [[nodiscard]] Phase phase() const { return phase_; }
+  /// Of the last transition, however long ago.
   [[nodiscard]] PhaseReason reason() const { return reason_; }
 
   /// May a launch be detected now? After a detection that was none, only when the rocket has been at rest again.

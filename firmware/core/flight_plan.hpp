@@ -17,10 +17,20 @@ namespace fantail::core {
 /// No canard is ever commanded beyond this, whatever a plan says.
 inline constexpr Angle hard_canard_limit = Angle::from_degrees(20.0F);
 
-enum class Start : std::uint8_t { launch, tunnel };
-/// share: control goes on, and the healthy canards carry what a faulty one does not do.
-enum class CanardFaultPolicy : std::uint8_t { continue_control, end_control, share };
+/// How control begins.
+enum class Start : std::uint8_t {
+  launch,  ///< when a launch has been detected and the guide is clear
+  tunnel,  ///< in a wind tunnel: on command, from rest
+};
 
+/// What a canard that the monitor has judged does to control.
+enum class CanardFaultPolicy : std::uint8_t {
+  continue_control,  ///< nothing: it is recorded
+  end_control,       ///< ends it
+  share,             ///< control goes on, and the healthy canards carry what a faulty one does not do
+};
+
+/// When control begins and ends.
 struct RunPlan {
   Start start;
   Microseconds control_time;  ///< control ends this long after control start
@@ -29,8 +39,14 @@ struct RunPlan {
   std::uint16_t overrun_limit;  ///< control ticks that may fail to come in a flight, and before it is armed
 };
 
-enum class GyroRule : std::uint8_t { one, two_agree };
-/// Of a sensor, as its data sheet draws it.
+/// Which gyros are flown on.
+enum class GyroRule : std::uint8_t {
+  one,        ///< Inputs::gyro alone
+  two_agree,  ///< what GyroPair makes of two
+};
+
+/// Of a sensor, as its data sheet draws it: along an axis (`plus_x`, `plus_y`, `plus_z`) or against it
+/// (`minus_x`, `minus_y`, `minus_z`). The numbers of the two directions of an axis differ in their last bit.
 enum class SensorAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
 
 /// How a sensor is soldered into the rocket: which of its axes points to the nose (the rocket's x), and which along the
@@ -40,26 +56,33 @@ struct SensorMounting {
   SensorAxis along_y;
 };
 
+/// How the sensors stand in the rocket, and when two gyros agree.
 struct SensorsPlan {
   GyroRule gyros;
-  float gyro_disagreement_rad_s;
+  float gyro_disagreement_rad_s;  ///< on each axis; a twentieth of the largest rate is added
   SensorMounting imu;
   SensorMounting second_imu;
-  SensorMounting accelerometer;
+  SensorMounting accelerometer;  ///< the second one, outside of the IMU
 };
 
-enum class AccelerometerRule : std::uint8_t { one, two_agree };
+/// Which accelerometers must see a launch.
+enum class AccelerometerRule : std::uint8_t {
+  one,        ///< the first
+  two_agree,  ///< each by itself, and while they do not disagree
+};
 
+/// What counts as a launch, see LaunchDetector.
 struct LaunchDetectionPlan {
   float threshold_m_s2;  ///< axial specific force
-  Microseconds hold;
+  Microseconds hold;     ///< beyond the threshold for this long
   AccelerometerRule accelerometers;
-  bool single_allowed;  ///< of two accelerometers, fly on the healthy one when the other is lost
-  bool low_pass;        ///< ahead of the threshold; the hold is then measured on its output
-  float low_pass_hz;
+  bool single_allowed;      ///< of two accelerometers, fly on the healthy one when the other is lost
+  bool low_pass;            ///< ahead of the threshold; the hold is then measured on its output
+  float low_pass_hz;        ///< cut-off; for the difference of two it counts without `low_pass`, too
   float disagreement_m_s2;  ///< largest low-passed difference of two accelerometers
 };
 
+/// When a rocket has left its launch guide.
 struct GuidePlan {
   float length_m;
   float clearance_m;            ///< control starts this far beyond the end of the guide ...
@@ -67,8 +90,14 @@ struct GuidePlan {
   Microseconds clearance_time;  ///< ... within this time of launch detection
 };
 
-enum class HeightOrigin : std::uint8_t { replay, velocity_only, from_detection };
+/// What is kept of the hold before a launch was detected, see MotionEstimator.
+enum class HeightOrigin : std::uint8_t {
+  replay,          ///< height and speed
+  velocity_only,   ///< the speed, as in the published flight
+  from_detection,  ///< neither: both begin at zero, and are too small from then on
+};
 
+/// Which samples are believed, and what counts as rest.
 struct MotionPlan {
   HeightOrigin height_origin;
   Microseconds stale_time;        ///< a sample older than this is no sample
@@ -78,104 +107,139 @@ struct MotionPlan {
   Microseconds rest_time;         ///< at rest for this long before a launch can be detected again
 };
 
-enum class RateReference : std::uint8_t { zero, paper_literal };
+/// R' of the law, which the roll rate is compared with; see pd_controller().
+enum class RateReference : std::uint8_t {
+  zero,           ///< every rate is damped
+  paper_literal,  ///< the reference angle itself, its radians taken as rad/s
+};
 
+/// Of pd_controller().
 struct ControllerPlan {
-  float proportional_gain;
-  float derivative_gain_s;
+  float proportional_gain;  ///< kp: canard angle per angle of roll error
+  float derivative_gain_s;  ///< kd: canard angle per rate of roll error
   RateReference rate_reference;
   Angle canard_limit;  ///< the plan limit
 };
 
+/// A plan with more is refused: PlanRule::too_many_values.
 inline constexpr std::size_t most_schedule_rows = 6;
 
 /// Factors on the gains of the law over speed; without rows they are as they stand.
 struct GainSchedulePlan {
-  std::uint8_t speeds_count;
+  std::uint8_t speeds_count;                         ///< how many are in use; 0: no schedule
   std::array<float, most_schedule_rows> speeds_m_s;  ///< increasing
-  std::uint8_t factors_count;
-  std::array<float, most_schedule_rows> factors;
+  std::uint8_t factors_count;                        ///< the same number, or the plan is refused
+  std::array<float, most_schedule_rows> factors;     ///< at these speeds, on all gains of the law
 };
 
-enum class OffsetRejection : std::uint8_t { none, integral, observer };
+/// What is done about a fin offset, see OffsetEstimator.
+enum class OffsetRejection : std::uint8_t {
+  none,      ///< nothing: the loop rests beside its reference
+  integral,  ///< IntegralAction; needs a proportional gain
+  observer,  ///< DisturbanceObserver; needs a RollModelPlan and the speed
+};
 
 /// What makes the law rest at its reference in spite of a fin offset.
 struct OffsetPlan {
-  OffsetRejection rejection;  ///< none: as published
-  float integral_gain_per_s;
-  float observer_bandwidth_rad_s;
+  OffsetRejection rejection;       ///< none: as published
+  float integral_gain_per_s;       ///< ki, of integral action
+  float observer_bandwidth_rad_s;  ///< w, of an observer
 };
 
 /// How the rocket rolls, for a law that observes (Eq 1-3). Zero where nobody said so.
 struct RollModelPlan {
-  float roll_inertia_kg_m2;
-  float reference_area_m2;
-  float damping_m2;  ///< alpha
-  float torque_m;    ///< beta
-  float density_kg_m3;
+  float roll_inertia_kg_m2;  ///< I, after burn-out
+  float reference_area_m2;   ///< A
+  float damping_m2;          ///< alpha
+  float torque_m;            ///< beta
+  float density_kg_m3;       ///< rho, taken to be the same at every height
 };
 
-enum class ReferenceKind : std::uint8_t { hold, steps, square_wave };
+/// The roll programme, see roll_reference().
+enum class ReferenceKind : std::uint8_t {
+  hold,         ///< one angle all the time
+  steps,        ///< an angle from each of some times on
+  square_wave,  ///< two angles in turn (Eq 12)
+};
+
+/// A plan with more is refused: PlanRule::too_many_values.
 inline constexpr std::size_t most_reference_steps = 8;
 
+/// R over the time after control start. Roll angles are not wrapped: 720 degrees are two turns. What belongs to another
+/// kind must be valid all the same, and is not used.
 struct ReferencePlan {
   ReferenceKind kind;
-  Angle initial;  ///< until the first step, or until the square wave begins
-  std::uint8_t step_times_count;
+  Angle initial;                                              ///< until the first step, or until the square wave begins
+  std::uint8_t step_times_count;                              ///< how many are in use
   std::array<Microseconds, most_reference_steps> step_times;  ///< after control start, increasing
-  std::uint8_t step_angles_count;
-  std::array<Angle, most_reference_steps> step_angles;
-  Microseconds square_wave_begin;
-  Angle square_wave_first;
-  Angle square_wave_second;
-  float square_wave_frequency_hz;
+  std::uint8_t step_angles_count;                             ///< the same number, or the plan is refused
+  std::array<Angle, most_reference_steps> step_angles;        ///< each from its time on, the last one to the end
+  Microseconds square_wave_begin;                             ///< of the first half wave, after control start
+  Angle square_wave_first;                                    ///< R0, in the first half wave and every other one
+  Angle square_wave_second;                                   ///< R1, in those between
+  float square_wave_frequency_hz;                             ///< f0, of whole waves
 };
 
-enum class ExcitationForm : std::uint8_t { none, product, sweep };
+/// What shakes the roll for system identification, see Chirp.
+enum class ExcitationForm : std::uint8_t {
+  none,     ///< zero at all times
+  product,  ///< as published: a frequency that is multiplied with the time
+  sweep,    ///< a frequency that runs evenly from first to last
+};
 
+/// Of Chirp.
 struct ExcitationPlan {
   ExcitationForm form;
-  Angle amplitude;
-  Microseconds begin;  ///< after control start
-  Microseconds end;
+  Angle amplitude;           ///< A0, of the roll command
+  Microseconds begin;        ///< after control start
+  Microseconds end;          ///< off from this instant on; later than `begin`, unless the form is none
   float product_slope_hz_s;  ///< product form: sin(2 pi (slope t + offset) t)
   float product_offset_hz;
   float sweep_first_hz;  ///< sweep form: instantaneous frequency at begin and at end
   float sweep_last_hz;
-  Angle amplitude_variation;
-  float frequency_variation_hz;
-  std::uint32_t variation_seed;
+  Angle amplitude_variation;     ///< largest dA, either way; 0: none
+  float frequency_variation_hz;  ///< largest df, either way; 0: none
+  std::uint32_t variation_seed;  ///< of both: the same one gives the same flight again
 };
 
-enum class Direction : std::uint8_t { normal, reversed };
+/// Which way a canard turns the rocket.
+enum class Direction : std::uint8_t {
+  normal,    ///< a positive shaft angle rolls the rocket positively
+  reversed,  ///< a positive shaft angle rolls it negatively
+};
 
 /// One canard and its servo. Shaft angles, positive as the encoder counts.
 struct CanardPlan {
-  Direction direction;  ///< normal: a positive shaft angle rolls the rocket positively
-  Angle trim;           ///< shaft angle at which the canard makes no roll moment
-  float pulse_centre_us;
-  float pulse_per_radian_us;
-  Angle encoder_zero;  ///< what the encoder reads when the shaft stands at zero
-  Angle mechanical_stop;
+  Direction direction;
+  Angle trim;                 ///< shaft angle at which the canard makes no roll moment
+  float pulse_centre_us;      ///< at shaft angle zero
+  float pulse_per_radian_us;  ///< negative where a longer pulse turns the shaft negatively; never near zero
+  Angle encoder_zero;         ///< what the encoder reads when the shaft stands at zero
+  Angle mechanical_stop;      ///< to either side of zero; not within the plan limit
 };
 
+/// The four canards, and how fast they first move.
 struct CanardsPlan {
   std::array<CanardPlan, canard_count> each;
-  float first_motion_rate_rad_s;
+  float first_motion_rate_rad_s;  ///< at most, from power-up until a canard is where it is commanded
 };
 
+/// When a canard does not follow, see CanardMonitor.
 struct MonitorPlan {
-  Microseconds servo_lag;    ///< first-order lag expected between command and encoder
-  Angle tracking_limit;      ///< largest difference between expected and measured angle ...
-  Angle disagreement_limit;  ///< ... and between a canard and the middle of the others ...
-  Microseconds hold;         ///< ... for this long
-  Microseconds encoder_timeout;
+  Microseconds servo_lag;        ///< first-order lag expected between command and encoder
+  Angle tracking_limit;          ///< largest difference between expected and measured angle ...
+  Angle disagreement_limit;      ///< ... and between a canard and the middle of the others ...
+  Microseconds hold;             ///< ... for this long
+  Microseconds encoder_timeout;  ///< an encoder that cannot be read for this long makes its canard dead
 };
 
+/// What is recorded besides flights.
 struct RecordingPlan {
   float threshold_m_s2;  ///< a specific force beyond this is recorded, whether or not a launch is detected
 };
 
+/// Everything that one run is set up with. FlightPlan{} is no plan: its zeros are out of range, and validate() refuses
+/// it.
 struct FlightPlan {
   RunPlan run;
   SensorsPlan sensors;

@@ -16,22 +16,31 @@
 // names and meanings along, which a board has no use for: flight_plan_members() is the table without them.
 namespace fantail::core::plan_table {
 
+/// For the macros of the rows.
 using Plan = FlightPlan;
+/// Of the values of a choice, in their order.
 using Names = std::span<const std::string_view>;
 
-inline constexpr std::array<std::string_view, 2> start_names{"launch", "tunnel"};
-inline constexpr std::array<std::string_view, 3> fault_policy_names{"continue", "end_control", "share"};
-inline constexpr std::array<std::string_view, 2> gyro_rule_names{"one", "two_agree"};
-inline constexpr std::array<std::string_view, 6> sensor_axis_names{"+x", "-x", "+y", "-y", "+z", "-z"};
-inline constexpr std::array<std::string_view, 2> accelerometer_rule_names{"one", "two_agree"};
-inline constexpr std::array<std::string_view, 3> height_origin_names{"replay", "velocity_only", "from_detection"};
-inline constexpr std::array<std::string_view, 2> rate_reference_names{"zero", "paper_literal"};
-inline constexpr std::array<std::string_view, 3> offset_rejection_names{"none", "integral", "observer"};
-inline constexpr std::array<std::string_view, 3> reference_kind_names{"hold", "steps", "square_wave"};
-inline constexpr std::array<std::string_view, 3> excitation_names{"none", "product", "sweep"};
-inline constexpr std::array<std::string_view, 2> direction_names{"normal", "reversed"};
+// Names in files, in the order of the values of each enumeration.
+inline constexpr std::array<std::string_view, 2> start_names{"launch", "tunnel"};  ///< of Start
+inline constexpr std::array<std::string_view, 3> fault_policy_names{"continue", "end_control",
+                                                                    "share"};          ///< of CanardFaultPolicy
+inline constexpr std::array<std::string_view, 2> gyro_rule_names{"one", "two_agree"};  ///< of GyroRule
+inline constexpr std::array<std::string_view, 6> sensor_axis_names{"+x", "-x", "+y",
+                                                                   "-y", "+z", "-z"};  ///< of SensorAxis
+inline constexpr std::array<std::string_view, 2> accelerometer_rule_names{"one",
+                                                                          "two_agree"};  ///< of AccelerometerRule
+inline constexpr std::array<std::string_view, 3> height_origin_names{"replay", "velocity_only",
+                                                                     "from_detection"};          ///< of HeightOrigin
+inline constexpr std::array<std::string_view, 2> rate_reference_names{"zero", "paper_literal"};  ///< of RateReference
+inline constexpr std::array<std::string_view, 3> offset_rejection_names{"none", "integral",
+                                                                        "observer"};  ///< of OffsetRejection
+inline constexpr std::array<std::string_view, 3> reference_kind_names{"hold", "steps",
+                                                                      "square_wave"};           ///< of ReferenceKind
+inline constexpr std::array<std::string_view, 3> excitation_names{"none", "product", "sweep"};  ///< of ExcitationForm
+inline constexpr std::array<std::string_view, 2> direction_names{"normal", "reversed"};         ///< of Direction
 
-// Where a value stands in a plan, and what it is there.
+/// Where a value stands in a plan, and what it is there: `offset`, `stride` and `slots` as in PlanMember, in bytes.
 struct Place {
   std::size_t offset;
   Kept kept;
@@ -39,6 +48,7 @@ struct Place {
   std::size_t slots = 1;
 };
 
+/// How a member of type T is kept. A type that no field has does not compile.
 template <typename T>
 constexpr Kept kept_as() {
   if constexpr (std::is_same_v<T, Microseconds>) {
@@ -57,6 +67,7 @@ constexpr Kept kept_as() {
   }
 }
 
+/// What a value in this unit is multiplied with to be rad, rad/s, us/rad or m/s2; 1 for every other unit.
 constexpr float scale_of(std::string_view unit) {
   if (unit == "deg" || unit == "deg/s") {
     return pi / 180.0F;
@@ -67,11 +78,13 @@ constexpr float scale_of(std::string_view unit) {
   return unit == "g" ? standard_gravity_m_s2 : 1.0F;
 }
 
+/// From `minimum` to `maximum`, both allowed, in the unit of a file.
 struct Range {
   float minimum;
   float maximum;
 };
 
+/// What all rows have in common. It is no list yet.
 constexpr PlanMember member(Place place, FieldKind kind, float default_value, Range range, float scale = 1.0F) {
   return {.offset = static_cast<std::uint16_t>(place.offset),
           .length_offset = 0,
@@ -86,27 +99,32 @@ constexpr PlanMember member(Place place, FieldKind kind, float default_value, Ra
           .scale = scale};
 }
 
+/// A row for a float, an Angle or a time: `default_value` and `range` are in `unit`, from which follows the scale.
 constexpr PlanField number(Place place, std::string_view section, std::string_view key, std::string_view unit,
                            float default_value, Range range, std::string_view meaning) {
   return {member(place, FieldKind::number, default_value, range, scale_of(unit)), section, key, unit, {}, meaning};
 }
 
+/// A row for an enumeration: `names` has its values in order, `default_value` is the index of one.
 constexpr PlanField choice(Place place, std::string_view section, std::string_view key, Names names,
                            std::string_view meaning, float default_value = 0.0F) {
   const Range range{0.0F, static_cast<float>(names.size() - 1)};
   return {member(place, FieldKind::choice, default_value, range), section, key, {}, names, meaning};
 }
 
+/// A row for a bool, 0 or 1.
 constexpr PlanField flag(Place place, std::string_view section, std::string_view key, bool default_value,
                          std::string_view meaning) {
   return {member(place, FieldKind::flag, default_value ? 1.0F : 0.0F, {0.0F, 1.0F}), section, key, {}, {}, meaning};
 }
 
+/// A row for whole numbers of 16 or 32 bits; `range` must keep to what a float has exactly.
 constexpr PlanField integer(Place place, std::string_view section, std::string_view key, float default_value,
                             Range range, std::string_view meaning) {
   return {member(place, FieldKind::integer, default_value, range), section, key, {}, {}, meaning};
 }
 
+/// The same row for a list, whose length is a byte at `length_offset` of a plan.
 constexpr PlanField list(std::size_t length_offset, PlanField field) {
   field.has_length = true;
   field.length_offset = static_cast<std::uint16_t>(length_offset);
@@ -119,6 +137,7 @@ constexpr PlanField list(std::size_t length_offset, PlanField field) {
 #define LIST(name) Place{offsetof(Plan, name), kept_as<decltype(Plan::name)::value_type>(), sizeof(decltype(Plan::name)::value_type), std::size(decltype(Plan::name){})}
 #define CANARD(name) Place{offsetof(Plan, canards.each) + offsetof(CanardPlan, name), kept_as<decltype(CanardPlan::name)>(), sizeof(CanardPlan), canard_count}
 // NOLINTEND(bugprone-macro-parentheses)
+/// Every field, in the order of files and of the wire: an index in it names a field (PlanFault).
 inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   choice(MEMBER(run.start), "run", "start", start_names, "how control begins: by launch detection, or on command in the tunnel"),
   number(MEMBER(run.control_time), "run", "control_time_s", "s", 30, {0.1F, 600}, "control ends this long after control start"),

@@ -15,6 +15,7 @@ class GainSchedule {
   /// `plan` has passed validate().
   [[gnu::cold]] explicit GainSchedule(const GainSchedulePlan& plan);
 
+  /// A speed below the first row, and a negative one, counts as the first row; a NaN as the last.
   [[nodiscard]] float factor(float speed_m_s, bool speed_is_lower_bound) const {
     if (!is_there_) {
       return 1.0F;
@@ -41,6 +42,7 @@ class GainSchedule {
   std::array<Line, most_schedule_rows + 1> lines_{};
 };
 
+/// The same for a single question: the schedule is made anew at each call. `plan` has passed validate().
 [[nodiscard]] inline float gain_factor(const GainSchedulePlan& plan, float speed_m_s, bool speed_is_lower_bound) {
   return GainSchedule{plan}.factor(speed_m_s, speed_is_lower_bound);
 }

@@ -12,12 +12,14 @@
 
 namespace fantail::core {
 
+/// What a sensor is good for in a tick.
 enum class SensorState : std::uint8_t {
   fresh,     ///< a new, usable sample
   coasting,  ///< no new sample yet; the last one is young enough to go on with
   lost,      ///< this tick's sample cannot be used, or not yet
   failed,    ///< no usable sample for longer than the plan allows
 };
+/// How many values SensorState has: one that is read must be below.
 inline constexpr std::size_t sensor_states = 4;
 
 /// A sample that is neither from the future nor older than the plan allows.
@@ -35,6 +37,7 @@ inline constexpr std::size_t sensor_states = 4;
 /// when the rate was on its way there; what jumps there is a fault.
 class GyroGate {
  public:
+  /// Of the plan it takes `stale_time` and `longest_gyro_gap`.
   explicit GyroGate(const MotionPlan& plan) : stale_time_{plan.stale_time}, longest_gap_{plan.longest_gyro_gap} {}
 
   /// fresh: the sample is believed. `roll_rate_rad_s`: of the last one that was.

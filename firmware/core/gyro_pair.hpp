@@ -22,6 +22,7 @@ enum class GyroVote : std::uint8_t {
   disagree,  ///< both say something that could be true, and not the same: neither is used
   neither,   ///< none says anything that could be true
 };
+/// How many values GyroVote has: one that is read must be below.
 inline constexpr std::size_t gyro_votes = 5;
 
 /// Makes of two gyros the one that is flown on.
@@ -36,6 +37,8 @@ inline constexpr std::size_t gyro_votes = 5;
 /// both turn alike.
 class GyroPair {
  public:
+  /// Of the plan it takes `gyro_disagreement_rad_s`, and half the `stale_time`: by so much one may lag behind the
+  /// other.
   GyroPair(const SensorsPlan& sensors, const MotionPlan& motion)
       : disagreement_rad_s_{sensors.gyro_disagreement_rad_s}, late_{motion.stale_time / 2} {}
 
@@ -43,6 +46,7 @@ class GyroPair {
   /// taken off it is small beside what is a disagreement). `gate`: what could be believed of one gyro alone.
   [[nodiscard]] GyroSample choose(const Inputs& inputs, bool flies, const Vector3& rate_rad_s, const GyroGate& gate);
 
+  /// Of the last choose(); GyroVote::neither before the first.
   [[nodiscard]] GyroVote vote() const { return vote_; }
 
   /// See core/state_visitor.hpp. What was voted is made anew in every tick.

@@ -28,8 +28,11 @@ enum class DetectionState : std::uint8_t {
 /// A sample saturated at the positive end counts as above the threshold.
 class LaunchDetector {
  public:
+  /// A sample older than `stale_time`, of the motion plan, is none.
   LaunchDetector(const LaunchDetectionPlan& plan, Microseconds stale_time);
 
+  /// Once a tick, as long as a launch may be detected. A sample that was seen before changes nothing; one after a gap
+  /// longer than the stale time begins a new hold.
   DetectionState update(Microseconds now, const std::array<AccelerometerSample, 2>& samples);
 
   /// After a detection, in place of update(): false while control must not begin, because in the last quarter of a

@@ -21,6 +21,7 @@ namespace fantail::core {
 /// First-order low-pass, discretised from the timestamps and primed by the first sample.
 class LowPass {
  public:
+  /// Half the power passes at `cutoff_hz`: the time constant is 1 / (2 pi cutoff_hz).
   constexpr explicit LowPass(float cutoff_hz) : rate_rad_s_{2.0F * 3.14159265F * cutoff_hz} {}
 
   /// Feeds one sample and returns the output, which a time that repeats or runs backwards does not change.
@@ -42,6 +43,7 @@ class LowPass {
   /// The next sample primes it again.
   constexpr void reset() { last_time_.reset(); }
 
+  /// As of the last sample; empty before the first and after reset().
   [[nodiscard]] constexpr std::optional<float> output() const {
     return last_time_ ? std::optional{output_} : std::nullopt;
   }

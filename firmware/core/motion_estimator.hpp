@@ -16,15 +16,16 @@
 
 namespace fantail::core {
 
+/// What is known of the rocket's motion at one instant.
 struct Motion {
-  Angle roll_angle;              ///< zero at launch detection (tunnel: at control start); not wrapped
-  float roll_rate_rad_s = 0.0F;  ///< gyro bias taken off
-  Vector3 specific_force_m_s2;   ///< the sample that was integrated
-  float height_m = 0.0F;         ///< above the place of lift-off, as far as `height_origin` lets it be known
-  float distance_along_guide_m = 0.0F;
-  float speed_m_s = 0.0F;           ///< along the guide
-  float vertical_speed_m_s = 0.0F;  ///< earth frame, positive up
-  Angle tilt;                       ///< of the rocket's axis from the vertical
+  Angle roll_angle;                     ///< zero at launch detection (tunnel: at control start); not wrapped
+  float roll_rate_rad_s = 0.0F;         ///< gyro bias taken off
+  Vector3 specific_force_m_s2;          ///< the sample that was integrated
+  float height_m = 0.0F;                ///< above the place of lift-off, as far as `height_origin` lets it be known
+  float distance_along_guide_m = 0.0F;  ///< from the same place, in the direction that the guide had
+  float speed_m_s = 0.0F;               ///< along the guide
+  float vertical_speed_m_s = 0.0F;      ///< earth frame, positive up
+  Angle tilt;                           ///< of the rocket's axis from the vertical
   SensorState gyro = SensorState::failed;
   SensorState accelerometer = SensorState::failed;
   /// The gyro stood at the end of its range: the rocket turns faster than this, in this sense.
@@ -35,7 +36,7 @@ struct Motion {
   /// Since lift-off an accelerometer stood at the end of its range while no other measured: height and speed are at
   /// least these.
   bool speed_is_lower_bound = false;
-  Microseconds at_rest_for{};
+  Microseconds at_rest_for{};  ///< on the pad, up to now; zero while the rocket moves or a sensor has failed
   /// Start of the integrated window: where the specific force left the pad's 1 g.
   Microseconds thrust_since{};
 };
@@ -65,6 +66,7 @@ struct Motion {
 /// guide.
 class MotionEstimator {
  public:
+  /// Parts of a plan that has passed validate(); copied. Without `sensors` it follows one gyro.
   [[gnu::cold]] explicit MotionEstimator(const MotionPlan& plan, const SensorsPlan& sensors = {});
 
   /// One tick. Sensors may be late, repeated or missing.
@@ -92,8 +94,9 @@ class MotionEstimator {
   /// The estimate at `now`; the last rate bridges the time since the last gyro sample, at most the plan's stale time.
   [[nodiscard]] Motion motion(Microseconds now) const;
 
-  /// Between two gyros, as the plan asks; which of them flew in this tick.
+  /// Between two gyros, as the plan asks.
   [[nodiscard]] bool votes() const { return votes_; }
+  /// Which of them flew in this tick; says nothing unless votes().
   [[nodiscard]] GyroVote gyro_vote() const { return gyro_pair_.vote(); }
 
   /// Where what is of use in flight ends, which begins at the beginning.

@@ -17,6 +17,7 @@ struct PadAverage {
   Vector3 gyro_bias_rad_s;
   Vector3 specific_force_m_s2;
 
+  /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
     visit(gyro_bias_rad_s, specific_force_m_s2);
@@ -28,6 +29,7 @@ struct PadAverage {
 /// Kept as sums of 0.1 s, so a tick costs few additions and the memory stays small.
 class PadWindow {
  public:
+  /// Of the plan it takes `stale_time`, `rest_tolerance_m_s2` and `quiet_rate_rad_s`.
   explicit PadWindow(const MotionPlan& plan) : plan_{plan} {}
 
   /// Feeds one pair of samples, each within largest_rate_rad_s and largest_specific_force_m_s2. After a gap longer than

@@ -6,12 +6,13 @@
 
 namespace fantail::core {
 
+/// What the law answers: angles of the canards, positive where they roll the rocket positively.
 struct RollCommand {
   Angle before_excitation{};  ///< the law's own answer, unclamped
-  Angle unclamped{};
-  Angle command{};  ///< within the plan limit
-  bool saturated = false;
-  bool finite = true;  ///< false: an input was NaN or infinite, and the command is zero
+  Angle unclamped{};          ///< with the excitation
+  Angle command{};            ///< within the plan limit
+  bool saturated = false;     ///< `command` is not `unclamped`
+  bool finite = true;         ///< false: an input was NaN or infinite, and the command is zero
 };
 
 /// What goes beyond the publication; as it stands here, nothing does.

@@ -13,7 +13,7 @@ namespace fantail::core {
 /// Name and unit of one signal of a tick, as they stand in every file. Angles are radians here and degrees at the
 /// edges.
 struct SignalName {
-  std::string_view name;
+  std::string_view name;  ///< without the unit; a canard's ends with its number, 1 to 4
   std::string_view unit;  ///< "rad", "m_s2", "us", ...; empty for what has none
 };
 

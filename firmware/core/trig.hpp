@@ -12,6 +12,7 @@ namespace fantail::core {
 
 /// Valid for |angle| <= 10 000 rad; beyond that, or for NaN, the result is NaN (never a wrong number).
 [[nodiscard]] float sin(Angle angle);
+/// Valid where sin() is, and NaN elsewhere.
 [[nodiscard]] float cos(Angle angle);
 
 /// Sine of a phase in turns (1 turn = 2 pi): the way to take the sine of a long-running oscillation, because whole

@@ -3,8 +3,8 @@
 
 namespace fantail::core {
 
-/// Three components in the frame that the owner names. Body frame: x along the axis towards the nose, y and z across;
-/// positive roll turns y towards z. Earth frame: z up.
+/// Three components in the frame that the owner names. Body frame: `x` along the axis towards the nose, `y` and `z`
+/// across; positive roll turns y towards z. Earth frame: z up.
 struct Vector3 {
   float x = 0.0F;
   float y = 0.0F;

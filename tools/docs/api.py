@@ -5,7 +5,10 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
+import api_comments
+
 TYPES = ("class", "struct")
+LONGEST_LINE = 80  # of a signature; a longer one has a parameter a line
 INCLUDED_AS = {"firmware/core/": "core/", "hal/include/hal/": "hal/"}
 
 
@@ -79,7 +82,15 @@ class Api:
         words = [word for word in ("static", "explicit") if member.get(word) == "yes"]
         words += ["virtual"] if member.get("virt") in ("virtual", "pure-virtual") else []
         words += [plain(member.find("type")), member.findtext("name")]
-        return (f"template <{template}>\n" if template else "") + " ".join(filter(None, words)) + member.findtext("argsstring")
+        begin, end = " ".join(filter(None, words)), member.findtext("argsstring")
+        if len(begin + end) > LONGEST_LINE:
+            parameters = [self.parameter(one) for one in member.findall("param")]
+            end = "(\n    " + ",\n    ".join(parameters) + ")" + end.rpartition(")")[2]
+        return (f"template <{template}>\n" if template else "") + begin + end
+
+    def parameter(self, one):
+        value = plain(one.find("defval"))
+        return " ".join(filter(None, [plain(one.find("type")), one.findtext("declname")])) + (f" = {value}" if value else "")
 
     def heading(self, depth, text, name):
         """With a place of its own for the first of that name on a page: overloads share it."""
@@ -96,7 +107,7 @@ class Api:
                     *self.table(["value", "meaning"], values)]
         code = self.function(member) if kind in ("function", "friend") else plain(member.find("definition")).replace(
             "fantail::core::", "").replace("fantail::hal::", "") + (" " + plain(member.find("initializer"))).rstrip()
-        return [self.heading(depth, name, name), "", "```cpp", code, "```", "", self.said(member, header), ""]
+        return [self.heading(depth, name, name), "", "``` { .cpp .wrap }", code, "```", "", self.said(member, header), ""]
 
     def compound(self, compound, title, header):
         heading = self.heading("##", f"{compound.get('kind')} {title.split('::', 1)[-1]}", title.split("::")[-1])
@@ -126,8 +137,9 @@ class Api:
         lines = ["# API", "", "The headers that others include: the flight law (`Fantail::core`) and the interfaces of devices.", ""]
         for folder, what in (("core/", "The flight law"), ("hal/", "Interfaces of devices")):
             rows = [[f"[{escaped(header)}]({header.removesuffix('.hpp')}.md)",
-                     ", ".join(f"`{title.split('::', 1)[-1]}`" for _, title, element in sorted(parts, key=lambda one: one[0])
-                               if element.tag == "compounddef" or element.get("kind") in ("enum", "function"))]
+                     ", ".join(dict.fromkeys(
+                         f"`{title.split('::', 1)[-1]}`" for _, title, element in sorted(parts, key=lambda one: one[0])
+                         if element.tag == "compounddef" or element.get("kind") in ("enum", "function")))]
                     for header, parts in sorted(self.headers.items()) if header.startswith(folder)]
             lines += [f"## {what}", "", *self.table(["header", "has"], rows)]
         return "\n".join(lines)
@@ -136,8 +148,9 @@ class Api:
 def pages(folder):
     """Their texts by their names."""
     api = Api(folder)
+    api_comments.check(api.headers)
     texts = {"api/index.md": api.index()}
     texts.update((f"api/{header.removesuffix('.hpp')}.md", api.page(header)) for header in api.headers)
-    print(f"docs: {len(api.headers)} headers; {api.commented} of {api.shown} types, functions and values have a comment",
+    print(f"docs: {len(api.headers)} headers; {api.commented} of {api.shown} types, functions and values have a comment, the others need none",
           file=sys.stderr)
     return texts

@@ -9,11 +9,12 @@ import sys
 
 lines = open(sys.argv[1], encoding="utf-8").read().split("\n")
 DECLARES = re.compile(r"\s*(struct|class|enum|using|template|inline|constexpr|\[\[|[\w:<>]+&? \w+[\s({;=])")
+FOR_TOOLS = re.compile(r"SPDX|NOLINT|clang-format")
 PLAIN = re.compile(r"(\s*)//(?!/)( .*)")
 documents = False  # does the line below a comment declare something, or go on with such a comment?
 for i in reversed(range(len(lines))):
     if match := PLAIN.fullmatch(lines[i]):
-        if documents and "SPDX" not in lines[i]:
+        if documents and not FOR_TOOLS.search(lines[i]):
             lines[i] = f"{match[1]}///{match[2]}"
     else:
         lines[i] = re.sub(r"([;,])(\s+)//(?!/) ", r"\1\2///< ", lines[i])

@@ -5,6 +5,7 @@
 
 namespace fantail::hal {
 
+/// One measurement, as it was read.
 struct AccelerometerSample {
   Microseconds time{};  ///< when it was measured
   Counts specific_force{};

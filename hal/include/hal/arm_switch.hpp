@@ -7,6 +7,7 @@ namespace fantail::hal {
 class ArmSwitch {
  public:
   virtual ~ArmSwitch() = default;
+  /// Open at power-up, until it has been seen closed. Never waits.
   [[nodiscard]] virtual bool closed() const = 0;
 };
 

@@ -9,11 +9,11 @@ namespace fantail::hal {
 
 /// One classic CAN frame.
 struct CanFrame {
-  std::uint32_t id = 0;  ///< 11 bits, or 29 in an extended frame
-  bool extended = false;
-  bool remote = false;      ///< asks for data and carries none
-  std::uint8_t length = 0;  ///< bytes of data, 0 to 8
-  std::array<std::uint8_t, 8> data{};
+  std::uint32_t id = 0;                ///< 11 bits, or 29 in an extended frame
+  bool extended = false;               ///< `id` has 29 bits
+  bool remote = false;                 ///< asks for data and carries none
+  std::uint8_t length = 0;             ///< bytes of data, 0 to 8
+  std::array<std::uint8_t, 8> data{};  ///< the first `length` are sent, and all are compared
   friend bool operator==(const CanFrame&, const CanFrame&) = default;
 };
 
@@ -43,7 +43,9 @@ class CanBus {
   virtual bool send(const CanFrame& frame) = 0;
   /// The oldest frame that has arrived from another node; empty when there is none.
   virtual std::optional<CanFrame> receive() = 0;
+  /// As of now.
   [[nodiscard]] virtual CanState state() const = 0;
+  /// As of now.
   [[nodiscard]] virtual CanCounters counters() const = 0;
 };
 

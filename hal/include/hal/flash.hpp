@@ -7,13 +7,14 @@
 
 namespace fantail::hal {
 
-/// Bytes. A sector is a whole number of pages, the flash a whole number of sectors.
+/// In bytes: `size` is that of all. A sector is a whole number of pages, the flash a whole number of sectors.
 struct FlashGeometry {
   std::uint32_t size = 0;
   std::uint32_t sector_size = 0;  ///< what one erase turns to ones
   std::uint32_t page_size = 0;    ///< what one program may touch
 };
 
+/// What became of a call.
 enum class FlashResult : std::uint8_t {
   ok,            ///< read: done. program, erase: begun
   busy,          ///< an operation is still under way; nothing was begun
@@ -26,10 +27,13 @@ enum class FlashResult : std::uint8_t {
 class Flash {
  public:
   virtual ~Flash() = default;
+  /// All zeros where there is no device that can be used; known only after it was found.
   [[nodiscard]] virtual FlashGeometry geometry() const = 0;
+  /// Fills all of `out`, from anywhere to anywhere within the flash, or says why not.
   virtual FlashResult read(std::uint32_t address, std::span<std::byte> out) = 0;
   /// Within one page. A byte that was not erased becomes the AND of old and new.
   virtual FlashResult program(std::uint32_t address, std::span<const std::byte> bytes) = 0;
+  /// `address`: where the sector begins. All its bytes become 0xFF.
   virtual FlashResult erase_sector(std::uint32_t address) = 0;
   /// Is a program or an erase still under way?
   [[nodiscard]] virtual bool busy() = 0;

@@ -5,6 +5,7 @@
 
 namespace fantail::hal {
 
+/// One measurement of both, as it was read.
 struct ImuSample {
   Microseconds time{};      ///< when it was measured
   Counts rate{};            ///< no_counts: of the gyro there is nothing to be used
@@ -24,6 +25,7 @@ class Imu {
   virtual ~Imu() = default;
   /// The latest sample. Never waits; a sample already seen comes again with its old time.
   virtual ImuSample read() = 0;
+  /// What one count of a sample is.
   [[nodiscard]] virtual ImuScale scale() const = 0;
 };
 

@@ -30,16 +30,19 @@ class NorMemory {
   [[nodiscard]] FlashResult may_read(std::uint32_t address, std::size_t size) const {
     return inside(address, size) ? FlashResult::ok : FlashResult::out_of_range;
   }
+  /// Within one page.
   [[nodiscard]] FlashResult may_program(std::uint32_t address, std::size_t size) const {
     // Before the remainder is taken: an unusable geometry has pages of no size.
     const bool fits = inside(address, size) && address % geometry_.page_size + size <= geometry_.page_size;
     return fits ? FlashResult::ok : FlashResult::out_of_range;
   }
+  /// `address` must be where a sector begins.
   [[nodiscard]] FlashResult may_erase(std::uint32_t address) const {
     const bool fits = address < geometry_.size && address % geometry_.sector_size == 0;
     return fits ? FlashResult::ok : FlashResult::out_of_range;
   }
 
+  /// All of `out`, or nothing of it.
   FlashResult read(std::uint32_t address, std::span<std::byte> out) const {
     const FlashResult result = may_read(address, out.size());
     if (result == FlashResult::ok) {
@@ -48,6 +51,7 @@ class NorMemory {
     return result;
   }
 
+  /// Each byte becomes the AND of old and new: all of them, or none.
   FlashResult program(std::uint32_t address, std::span<const std::byte> bytes) {
     const FlashResult result = may_program(address, bytes.size());
     if (result == FlashResult::ok) {
@@ -56,6 +60,7 @@ class NorMemory {
     return result;
   }
 
+  /// All bytes of the sector become 0xFF.
   FlashResult erase_sector(std::uint32_t address) {
     const FlashResult result = may_erase(address);
     if (result == FlashResult::ok) {

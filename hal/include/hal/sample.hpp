@@ -10,7 +10,7 @@ namespace fantail::hal {
 
 /// What the device said about its own reading.
 enum class Status : std::uint8_t {
-  ok,
+  ok,          ///< as far as the device knows
   error,       ///< it answered with an error flag, a bad parity or a failed self-check
   no_reading,  ///< it has not answered at all
 };

@@ -9,6 +9,7 @@
 
 namespace fantail::hal {
 
+/// As many as core::canard_count, and in the same order.
 inline constexpr std::size_t canards = 4;
 
 /// Width of a servo pulse.

@@ -7,6 +7,7 @@ namespace fantail::hal {
 class Watchdog {
  public:
   virtual ~Watchdog() = default;
+  /// At the very end of each tick: only a loop that comes that far is alive.
   virtual void feed() = 0;
 };
 
