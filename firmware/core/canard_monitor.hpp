@@ -15,7 +15,7 @@ namespace fantail::core {
 
 /// What the monitor says of one canard.
 enum class CanardVerdict : std::uint8_t {
-  healthy,      ///< it follows; also while it is not driven and its encoder can be read
+  healthy,      ///< nothing has lasted against it; also while it is not driven and its encoder can be read
   dead,         ///< its encoder has been silent for the plan's timeout
   stalled,      ///< far from where the command should have brought it, and not moving
   slipping,     ///< far from where the command should have brought it, though it moves

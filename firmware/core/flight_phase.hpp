@@ -10,7 +10,7 @@
 
 namespace fantail::core {
 
-/// Where a run stands, and so whether the canards may move.
+/// Where a run stands; FlightPhase has the ways from one to the next.
 enum class Phase : std::uint8_t {
   safe,         ///< power-on state, always
   armed,        ///< after two independent actions; waits for a launch
@@ -36,7 +36,7 @@ enum class PhaseReason : std::uint8_t {
   apogee,                       ///< the vertical speed is below zero, and no mere lower bound; never in the tunnel
   tilted_too_far,               ///< beyond the plan's limit; never in the tunnel
   gyro_failed,                  ///< no usable rate for longer than the plan lets control wait
-  timing_fault,                 ///< a tick came twice or much too late, or too many did not come
+  timing_fault,                 ///< a tick came no later than the last or much too late, or too many did not come
   canard_fault,                 ///< with a plan that ends control for it
   memory_fault,                 ///< give_up(): Launched or Controlling to Finished
 };
@@ -46,12 +46,13 @@ inline constexpr std::size_t phase_reasons = 16;
 /// What one tick may move the phase, besides the motion.
 struct PhaseInputs {
   Microseconds time{};               ///< of this tick
-  bool arm_switch_closed = false;    ///< open, it disarms; in later phases than Armed it is not asked
+  bool arm_switch_closed = false;    ///< needed for arming; opened in Armed it disarms, and later it is not asked
   bool arm_command = false;          ///< in this tick; obeyed in Safe, with the switch closed
   bool start_command = false;        ///< in this tick; obeyed in Armed, for a tunnel, at rest
   bool launch_detected = false;      ///< obeyed while listens_for_launch()
   bool accelerometers_agree = true;  ///< in Launched; without it control does not begin
-  bool timing_fault = false;  ///< the time of this tick is doubtful: Launched goes back to Armed, Controlling ends
+  bool timing_fault =
+      false;  ///< the time of this tick is doubtful: Launched goes back to Armed, Controlling ends, no run begins
   bool canard_fault = false;  ///< some canard is not healthy; what follows from it says the plan
 };
 

@@ -74,7 +74,7 @@ enum class AccelerometerRule : std::uint8_t {
 /// What counts as a launch, see LaunchDetector.
 struct LaunchDetectionPlan {
   float threshold_m_s2;  ///< axial specific force
-  Microseconds hold;     ///< beyond the threshold for this long
+  Microseconds hold;     ///< not below the threshold for this long
   AccelerometerRule accelerometers;
   bool single_allowed;      ///< of two accelerometers, fly on the healthy one when the other is lost
   bool low_pass;            ///< ahead of the threshold; the hold is then measured on its output
@@ -199,7 +199,7 @@ struct ExcitationPlan {
   float sweep_last_hz;
   Angle amplitude_variation;     ///< largest dA, either way; 0: none
   float frequency_variation_hz;  ///< largest df, either way; 0: none
-  std::uint32_t variation_seed;  ///< of both: the same one gives the same flight again
+  std::uint32_t variation_seed;  ///< of both: the same one gives the same variation again
 };
 
 /// Which way a canard turns the rocket.

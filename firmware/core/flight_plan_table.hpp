@@ -21,24 +21,28 @@ using Plan = FlightPlan;
 /// Of the values of a choice, in their order.
 using Names = std::span<const std::string_view>;
 
-// Names in files, in the order of the values of each enumeration.
-inline constexpr std::array<std::string_view, 2> start_names{"launch", "tunnel"};  ///< of Start
-inline constexpr std::array<std::string_view, 3> fault_policy_names{"continue", "end_control",
-                                                                    "share"};          ///< of CanardFaultPolicy
-inline constexpr std::array<std::string_view, 2> gyro_rule_names{"one", "two_agree"};  ///< of GyroRule
-inline constexpr std::array<std::string_view, 6> sensor_axis_names{"+x", "-x", "+y",
-                                                                   "-y", "+z", "-z"};  ///< of SensorAxis
-inline constexpr std::array<std::string_view, 2> accelerometer_rule_names{"one",
-                                                                          "two_agree"};  ///< of AccelerometerRule
-inline constexpr std::array<std::string_view, 3> height_origin_names{"replay", "velocity_only",
-                                                                     "from_detection"};          ///< of HeightOrigin
-inline constexpr std::array<std::string_view, 2> rate_reference_names{"zero", "paper_literal"};  ///< of RateReference
-inline constexpr std::array<std::string_view, 3> offset_rejection_names{"none", "integral",
-                                                                        "observer"};  ///< of OffsetRejection
-inline constexpr std::array<std::string_view, 3> reference_kind_names{"hold", "steps",
-                                                                      "square_wave"};           ///< of ReferenceKind
-inline constexpr std::array<std::string_view, 3> excitation_names{"none", "product", "sweep"};  ///< of ExcitationForm
-inline constexpr std::array<std::string_view, 2> direction_names{"normal", "reversed"};         ///< of Direction
+/// Names of Start in files, in the order of its values, as all of these are.
+inline constexpr std::array<std::string_view, 2> start_names{"launch", "tunnel"};
+/// Names of CanardFaultPolicy.
+inline constexpr std::array<std::string_view, 3> fault_policy_names{"continue", "end_control", "share"};
+/// Names of GyroRule.
+inline constexpr std::array<std::string_view, 2> gyro_rule_names{"one", "two_agree"};
+/// Names of SensorAxis.
+inline constexpr std::array<std::string_view, 6> sensor_axis_names{"+x", "-x", "+y", "-y", "+z", "-z"};
+/// Names of AccelerometerRule.
+inline constexpr std::array<std::string_view, 2> accelerometer_rule_names{"one", "two_agree"};
+/// Names of HeightOrigin.
+inline constexpr std::array<std::string_view, 3> height_origin_names{"replay", "velocity_only", "from_detection"};
+/// Names of RateReference.
+inline constexpr std::array<std::string_view, 2> rate_reference_names{"zero", "paper_literal"};
+/// Names of OffsetRejection.
+inline constexpr std::array<std::string_view, 3> offset_rejection_names{"none", "integral", "observer"};
+/// Names of ReferenceKind.
+inline constexpr std::array<std::string_view, 3> reference_kind_names{"hold", "steps", "square_wave"};
+/// Names of ExcitationForm.
+inline constexpr std::array<std::string_view, 3> excitation_names{"none", "product", "sweep"};
+/// Names of Direction.
+inline constexpr std::array<std::string_view, 2> direction_names{"normal", "reversed"};
 
 /// Where a value stands in a plan, and what it is there: `offset`, `stride` and `slots` as in PlanMember, in bytes.
 struct Place {

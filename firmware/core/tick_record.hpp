@@ -39,7 +39,7 @@ struct TickRecord {
   Motion motion{};
   std::optional<GyroVote> gyro_vote{};  ///< empty where the plan asks for one gyro
 
-  Angle reference{};          ///< R; zero outside of Controlling, as are those below
+  Angle reference{};          ///< R; zero outside of Controlling, as excitation, estimate and commands are
   Angle excitation{};         ///< what the chirp adds; also where no rate lets a command be given
   Angle offset_estimate{};    ///< of the fin offset, taken off the command
   Angle unclamped_command{};  ///< of the law, with the excitation

@@ -79,7 +79,7 @@ class BoardFaults {
   constexpr void add(BoardFaults others) { bits_ |= others.bits_; }
   /// Is this fault in the set?
   [[nodiscard]] constexpr bool has(BoardFault fault) const { return (bits_ >> static_cast<unsigned>(fault) & 1U) != 0; }
-  /// Is the set empty?
+  /// Then the board does not stand in the way of arming.
   [[nodiscard]] constexpr bool none() const { return bits_ == 0; }
   /// As on the bus: bit n, from the lowest on, is the fault of number n.
   [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }

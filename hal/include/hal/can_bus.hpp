@@ -13,7 +13,7 @@ struct CanFrame {
   bool extended = false;               ///< `id` has 29 bits
   bool remote = false;                 ///< asks for data and carries none
   std::uint8_t length = 0;             ///< bytes of data, 0 to 8
-  std::array<std::uint8_t, 8> data{};  ///< the first `length` are sent, and all are compared
+  std::array<std::uint8_t, 8> data{};  ///< the first `length` are sent, unless `remote`; == compares all
   friend bool operator==(const CanFrame&, const CanFrame&) = default;
 };
 
