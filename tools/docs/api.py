@@ -74,7 +74,10 @@ class Api:
         return re.sub(r"\s+", " ", " ".join(texts)).strip() if line else "\n\n".join(filter(None, texts))
 
     def table(self, head, rows):
-        return [" | ".join(head), " | ".join("---" for _ in head), *(" | ".join(row) for row in rows), ""]
+        """Without the columns that have nothing in them."""
+        used = [column for column in range(len(head)) if any(row[column] for row in rows)]
+        lines = [head, ["---"] * len(head), *rows]
+        return [*(f"| {' | '.join(line[column] for column in used)} |" for line in lines), ""]
 
     def function(self, member):
         template = ", ".join(" ".join(filter(None, [plain(one.find("type")), one.findtext("declname")]))
