@@ -154,6 +154,6 @@ def pages(folder):
     api_comments.check(api.headers)
     texts = {"api/index.md": api.index()}
     texts.update((f"api/{header.removesuffix('.hpp')}.md", api.page(header)) for header in api.headers)
-    print(f"docs: {len(api.headers)} headers; {api.commented} of {api.shown} types, functions and values have a comment, the others need none",
-          file=sys.stderr)
+    print(f"docs: {len(api.headers)} headers; {api.commented} of {api.shown} types, functions and values have a comment, "
+          "the others need none", file=sys.stderr)
     return texts

@@ -4,8 +4,8 @@
 - Each type, alias, enumeration and function has a comment; overloads of one header may share one. None is asked of destructors, of
   defaulted and deleted members, and of operators, which do what they do to numbers.
 - Each value of an enumeration has one, or is named in that of its enumeration, in back quotes.
-- Each field and constant has one, or is named so in that of its type, or says all itself: its name ends with its unit, or its type is one of
-  these headers, has a comment of its own, and is neither a bare quantity, whose zero and sense no type tells, nor empty at times.
+- Each field and constant has one, or is named so in that of its type, or says all itself: its name ends with its unit, or its type is one
+  of these headers, which has a comment of its own, and is neither a bare quantity, whose zero and sense no type tells, nor optional.
 """
 
 import re
