@@ -58,6 +58,38 @@ class Manual(unittest.TestCase):
         self.assertIn("exit code 66", self.lines(FOUR.replace(" # exit code 66", ""))[1])
         self.assertEqual(self.lines("```\n./dev fly\n```\n")[0], 1)
 
+    def every(self, text, begin="./dev fly bad", where="A.test", why="bad"):
+        system = self.folder / "test/system"
+        system.mkdir(parents=True, exist_ok=True)
+        (system / "CMakeLists.txt").write_text("add_test(NAME A.test COMMAND a)\nadd_test(NAME A.${part}_one COMMAND a)\n", encoding="utf-8")
+        (system / "a_test.cpp").write_text("TEST(Fly, Flies)\n", encoding="utf-8")
+        entry = f'[[lines]]\npage = "page.md"\nbegin = ["{begin}"]\nwhy = "{why}"\nwhere = "{where}"\n'
+        (system / "lines_elsewhere.toml").write_text(entry, encoding="utf-8")
+        return self.said("test/system/every_line.py", text, self.folder, self.folder / "fantail")
+
+    def test_every_line_is_run_or_run_elsewhere(self):
+        page = "```\n./dev fly > a\n```\n\n```\nfantail fly && test -e a\n./dev fly bad\n```\n"
+        for where in ("A.test", "A.other_one", "Fly.Flies", "./dev fly", "by hand"):
+            code, said = self.every(page, where=where)
+            self.assertEqual(code, 0, said)
+            self.assertIn("2 command lines of the manual run", said)
+            self.assertRegex(said, r"page\.md +2 +0 +1\n" if where == "by hand" else r"page\.md +2 +1 +0\n")
+
+    def test_a_line_that_is_neither_and_a_name_that_is_of_nothing(self):
+        good = "```\n./dev fly bad\n```\n"
+        for text, words, said in (("```\n./dev fly very_bad\n```\n" + good, {}, "FAILED: page.md: ./dev fly very_bad: exit code 66"),
+                                  ("```\n./dev soar\n```\n" + good, {}, "./dev knows no soar"),
+                                  ("```\n./dev fly\nfourth\n```\n" + good, {}, "it does not print: fourth"),
+                                  ("```\nls here\n```\n" + good, {}, "ls here: is this a command?"),
+                                  ("```\n./dev fly\n```\n", {}, "page.md has no line that is not run and begins with ./dev fly bad"),
+                                  (good, {"why": ""}, "no reason"), (good, {"where": "A.tes"}, "there is no A.tes"),
+                                  (good, {"where": "Fly.Fly"}, "there is no Fly.Fly"), (good, {"where": "./dev f"}, "there is no ./dev f"),
+                                  (good, {"where": "docs/none.md"}, "there is no docs/none.md")):
+            code, printed = self.every(text, **words)
+            self.assertEqual(code, 1)
+            self.assertIn(said, printed)
+            self.assertIn("; errors: 1\n", printed)
+
     def test_verbs_options_and_keys(self):
         self.assertEqual(self.options("`./dev fly x --out y --set body.mass_kg=3`")[0], 0)
         for wrong, said in (("`./dev soar x`", "no verb soar"), ("```\n./dev fly \\\n  --ot y\n```\n", "no --ot"),

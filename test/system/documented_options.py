@@ -12,6 +12,9 @@ import shlex
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True  # not between the sources
+import page_lines
+
 PROJECT, FANTAIL = pathlib.Path(sys.argv[1]).absolute(), sys.argv[2]
 LEAST = 300  # fewer, and the pages are not read as they should be
 NO_VERBS = {"apogee": "the example of CONTRIBUTING.md", "for": "the package fantail for Python"}
@@ -40,7 +43,7 @@ def help_of_dev():
 
 def command_lines(text):
     """As they stand in the text, without what a shell does with their results."""
-    blocks = re.findall(r"^ *```\w*\n(.*?)^ *```$", text, re.MULTILINE | re.DOTALL)
+    blocks = [block for _, block in page_lines.blocks_of(text)]
     sentences = re.sub(r"^ *```.*?^ *```$", "", text, flags=re.MULTILINE | re.DOTALL)
     spans = [re.sub(r"\s+", " ", span) for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", sentences)]
     for line in [*"\n".join(blocks).replace("\\\n", " ").splitlines(), *spans]:
