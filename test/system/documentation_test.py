@@ -69,17 +69,20 @@ class Manual(unittest.TestCase):
 
     def test_every_line_is_run_or_run_elsewhere(self):
         page = "```\n./dev fly > a\n```\n\n```\nfantail fly && test -e a\n./dev fly bad\n```\n"
+        page += "\n<!-- printed by ./dev fly -->\n\n```\nsecond\n```\n"
         for where in ("A.test", "A.other_one", "Fly.Flies", "./dev fly", "by hand"):
             code, said = self.every(page, where=where)
             self.assertEqual(code, 0, said)
-            self.assertIn("2 command lines of the manual run", said)
-            self.assertRegex(said, r"page\.md +2 +0 +1\n" if where == "by hand" else r"page\.md +2 +1 +0\n")
+            self.assertIn("3 command lines of the manual run", said)
+            self.assertRegex(said, r"page\.md +3 +0 +1\n" if where == "by hand" else r"page\.md +3 +1 +0\n")
 
     def test_a_line_that_is_neither_and_a_name_that_is_of_nothing(self):
         good = "```\n./dev fly bad\n```\n"
         for text, words, said in (("```\n./dev fly very_bad\n```\n" + good, {}, "FAILED: page.md: ./dev fly very_bad: exit code 66"),
                                   ("```\n./dev soar\n```\n" + good, {}, "./dev knows no soar"),
                                   ("```\n./dev fly\nfourth\n```\n" + good, {}, "it does not print: fourth"),
+                                  ("<!-- printed by ./dev fly -->\n\n```\nfifth\n```\n" + good, {}, "it does not print: fifth"),
+                                  ("<!-- printed by ./dev fly -->\n\n```\nse ...\n```\n" + good, {}, "it does not print: se ..."),
                                   ("```\nls here\n```\n" + good, {}, "ls here: is this a command?"),
                                   ("```\n./dev fly\n```\n", {}, "page.md has no line that is not run and begins with ./dev fly bad"),
                                   (good, {"why": ""}, "no reason"), (good, {"where": "A.tes"}, "there is no A.tes"),

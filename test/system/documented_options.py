@@ -43,7 +43,7 @@ def help_of_dev():
 
 def command_lines(text):
     """As they stand in the text, without what a shell does with their results."""
-    blocks = [block for _, block in page_lines.blocks_of(text)]
+    blocks = [block for _, block, _ in page_lines.blocks_of(text)]
     sentences = re.sub(r"^ *```.*?^ *```$", "", text, flags=re.MULTILINE | re.DOTALL)
     spans = [re.sub(r"\s+", " ", span) for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", sentences)]
     for line in [*"\n".join(blocks).replace("\\\n", " ").splitlines(), *spans]:

@@ -3,7 +3,7 @@
 
 A line is a command if it begins with one of PROGRAMS; a backslash or a quote that is left open continues it. What stands between it and
 the next is what it prints. A comment behind a command may promise an exit code. A block of TOML whose first line is a comment with a
-path is a file to be saved there.
+path is a file to be saved there. A block behind <!-- printed by COMMAND --> is a part of what that command prints.
 """
 
 import os
@@ -26,10 +26,13 @@ exec "{fantail}" "$@"
 BUSY = re.compile("it heard no heartbeat|this PC was too slow|no verdict: ")
 
 
+BLOCK = re.compile(r"(?:^<!-- printed by (\S[^\n]*) -->\n+)?^( *)```(\w*)[^\n]*\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
+
+
 def blocks_of(text):
-    """Kind and text of each."""
-    for indent, kind, block in re.findall(r"^( *)```(\w*)[^\n]*\n(.*?)^ *```$", text, re.MULTILINE | re.DOTALL):
-        yield kind, re.sub(f"^{indent}", "", block, flags=re.MULTILINE)
+    """Kind and text of each, and by which command it is said to be printed."""
+    for command, indent, kind, block in BLOCK.findall(text):
+        yield kind, re.sub(f"^{indent}", "", block, flags=re.MULTILINE), command
 
 
 def is_open(line):
@@ -43,8 +46,11 @@ def is_open(line):
 
 def steps_of(text):
     """("file", path, content), ("command", line, what is said to be printed), and ("unknown", line, []) for another program's."""
-    for kind, block in blocks_of(text):
+    for kind, block, command in blocks_of(text):
         lines = block.splitlines()
+        if command:
+            yield "command", command, ["...", *(line.rstrip() for line in lines if line.strip()), "..."]
+            continue
         if kind == "toml" and lines and (named := re.match(r"# (\S+\.toml)$", lines[0])):
             yield "file", named[1], block
         if kind:
@@ -76,16 +82,22 @@ def save(path, content):
     pathlib.Path(path).write_text(content, encoding="utf-8")
 
 
+def is_printed(promised, printed):
+    return printed.startswith(promised[:-3]) if promised.endswith(" ...") else promised == printed
+
+
 def differs(promised, printed):
-    """The first line that was promised and not printed there, or nothing."""
+    """The first line that was promised and not printed there, or nothing. Three dots stand for any lines, or for the rest of one."""
     at, anything = 0, False
     for line in promised:
         if line.strip() == "...":
             anything = True
-        elif line in (printed[at:] if anything else printed[at:at + 1]):
-            at, anything = printed.index(line, at) + 1, False
-        else:
+            continue
+        end = len(printed) if anything else min(at + 1, len(printed))
+        found = next((i for i in range(at, end) if is_printed(line, printed[i])), None)
+        if found is None:
             return line
+        at, anything = found + 1, False
     return None if anything or at == len(printed) else "nothing more, but there was: " + printed[at]
 
 
