@@ -61,7 +61,8 @@ class Manual(unittest.TestCase):
     def every(self, text, begin="./dev fly bad", where="A.test", why="bad"):
         system = self.folder / "test/system"
         system.mkdir(parents=True, exist_ok=True)
-        (system / "CMakeLists.txt").write_text("add_test(NAME A.test COMMAND a)\nadd_test(NAME A.${part}_one COMMAND a)\n", encoding="utf-8")
+        made = "add_test(NAME A.test COMMAND a)\nadd_test(NAME A.${part}_one COMMAND a)\n"
+        (system / "CMakeLists.txt").write_text(made, encoding="utf-8")
         (system / "a_test.cpp").write_text("TEST(Fly, Flies)\n", encoding="utf-8")
         entry = f'[[lines]]\npage = "page.md"\nbegin = ["{begin}"]\nwhy = "{why}"\nwhere = "{where}"\n'
         (system / "lines_elsewhere.toml").write_text(entry, encoding="utf-8")

@@ -63,7 +63,7 @@ def steps_of(text):
                 steps.append(["command", line, []])
             elif steps and line.strip() and not line.lstrip().startswith("#"):
                 steps[-1][2].append(line.rstrip())
-            elif not steps and line is lines[0] and re.match(r"[\w./-]+ ", line) and shutil.which(line.split()[0]):
+            elif not steps and line is lines[0] and re.match(r"[\w./-]+ (?! )", line) and shutil.which(line.split()[0]):
                 steps.append(["unknown", line, []])
         yield from steps
 
@@ -105,7 +105,8 @@ def run(fantail, line, promised):
     """What is wrong with a command, or nothing."""
     environment = os.environ | {"PATH": f"{fantail.parent}:{os.environ['PATH']}"}
     for _ in range(5):
-        done = subprocess.run(["/bin/sh", "-c", line], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, env=environment)
+        done = subprocess.run(["/bin/sh", "-c", line], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
+                              env=environment)
         if not ("with-vcan" in line and BUSY.search(done.stdout + done.stderr)):
             break  # in a guest on a busy PC the avionics waits too long for a heartbeat; that, and nothing else, is tried again
     said = done.stdout or done.stderr  # beside a result, progress, which depends on the time
