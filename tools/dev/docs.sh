@@ -22,7 +22,7 @@ docs() {
   # For servers, and with links that lead nowhere from the disk.
   rm -f build/site/404.html build/site/sitemap.xml build/site/sitemap.xml.gz
   /usr/bin/python3 -B tools/docs/check_site.py build/site
-  echo "docs: every command line of the manual, run or run elsewhere" >&2
+  echo "docs: the command lines of the manual" >&2
   /usr/bin/python3 -B test/system/every_line.py . build/host/fantail
   leave_turn
   echo "build/site/index.html: $(find build/site -name '*.html' | wc -l) pages, $(du -sm build/site | cut -f1) MB, made in $(($(date +%s) - begin)) s;" \
