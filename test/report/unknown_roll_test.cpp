@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -14,8 +15,8 @@ namespace fantail::report {
 namespace {
 
 const std::string stayed =
-    "Roll not judged: the roll is not known at all times under control; where it is, it stayed within 0.0 deg of where "
-    "this law settles; canards at their limit 0.0 % of control time, 4.0 deg to spare against the fin offset.";
+    "Roll not judged: the roll is not known at all times under control; where it is, the roll stayed within 0.0 deg of "
+    "where this law settles; canards at their limit 0.0 % of control time, 4.0 deg to spare against the fin offset.";
 
 /// Control ends at 4 s, apogee is at 4.2 s.
 flight::Flight flight_without(const std::function<bool(double)>& is_missing) {
@@ -153,6 +154,91 @@ TEST(UnknownRoll, WithoutTheTickOfDetectionTheRocketsOwnAngleIsJudged) {
   EXPECT_NEAR(text::degrees(*figures(synthetic.flight).largest_hold_error_rad), 4.5, 1e-6);
   std::erase_if(synthetic.flight.rows, [](const flight::Row& row) { return row.time_s < 0.4; });
   EXPECT_NEAR(text::degrees(*figures(synthetic.flight).largest_hold_error_rad), 0.0, 1e-6);
+}
+
+/// From 2 s to 3 s the rocket is 60 degrees away, and what it is compared with is not known.
+flight::Flight flight_that_forgets(const std::function<void(flight::Row&)>& forget) {
+  flight::Flight flight = flight_without([](double) { return false; });
+  for (flight::Row& row : flight.rows) {
+    if (row.time_s > 2.0 && row.time_s < 3.0) {
+      row.roll_angle_rad = row.truth->roll_angle_rad = text::radians(50.0);
+      forget(row);
+    }
+  }
+  return flight;
+}
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+TEST(UnknownHold, NothingIsCalledHeldWhileItsReferenceIsNotKnown) {
+  const Verdict v = verdict_of(flight_that_forgets([](flight::Row& row) { row.reference_rad = unknown; }));
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_FALSE(v.roll_is_judged);
+  EXPECT_EQ(v.text,
+            "Roll not judged: the hold error is not known at all times under control; where it is, the roll stayed "
+            "within 0.0 deg of where this law settles; canards at their limit 0.0 % of control time, 4.0 deg to spare "
+            "against the fin offset. The hold error is not known from 2.00 s to 3.00 s: the reference is missing.");
+}
+
+TEST(UnknownHold, NorWhileTheFinOffsetIsNotKnown) {
+  const Verdict v = verdict_of(flight_that_forgets([](flight::Row& row) { row.truth->disturbance_rad = unknown; }));
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_NE(v.text.find(" The hold error is not known from 2.00 s to 3.00 s: the fin offset is missing."),
+            std::string::npos)
+      << v.text;
+}
+
+TEST(UnknownHold, NorWhileASpeedThatTheGainsGoByIsNotKnown) {
+  const auto forget = [](flight::Row& row) { row.speed_m_s = unknown; };
+  flight::Flight flight = flight_that_forgets(forget);
+  EXPECT_EQ(verdict_of(flight).outcome, Outcome::not_held);  // these gains go by nothing
+  flight.plan.gain_schedule.speeds_count = 1;
+  flight.plan.gain_schedule.factors[0] = 1.0F;
+  const Verdict v = verdict_of(flight);
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_NE(v.text.find(" from 2.00 s to 3.00 s: the speed is missing."), std::string::npos) << v.text;
+  flight.unmeasured.speed_bound_from_s = 0.0;  // the last row of the schedule counts, whatever the speed
+  EXPECT_EQ(verdict_of(flight).outcome, Outcome::not_held);
+}
+
+TEST(UnknownHold, NorWithoutTheTickOfDetectionWhileTheRocketsOwnAngleIsNotKnown) {
+  flight::Flight flight = flight_that_forgets([](flight::Row& row) { row.roll_angle_rad = unknown; });
+  std::erase_if(flight.rows, [](const flight::Row& row) { return row.time_s < 0.4; });
+  const Verdict v = verdict_of(flight);
+  EXPECT_EQ(v.outcome, Outcome::not_judged);
+  EXPECT_NE(v.text.find(": the measured roll angle is missing."), std::string::npos) << v.text;
+}
+
+TEST(UnknownHold, NorBeforeItIsKnownOrBehindThatOrBetweenRowsThatKnowIt) {
+  const auto said = [](const std::function<bool(double)>& is_missing) {
+    flight::Flight flight = flight_without([](double) { return false; });
+    for (flight::Row& row : flight.rows) {
+      row.reference_rad = is_missing(row.time_s) ? unknown : 0.0;
+    }
+    const Verdict v = verdict_of(flight);
+    EXPECT_EQ(v.outcome, Outcome::not_judged) << v.text;
+    return v.text.substr(v.text.find("fin offset.") + 11);
+  };
+  EXPECT_EQ(
+      said([](double time_s) { return time_s < 1.0; }),
+      " The hold error is known only from 1.00 s on, and the record shows control from 0.60 s on: the reference is "
+      "missing.");
+  EXPECT_EQ(said([](double time_s) { return time_s > 3.0; }),
+            " The hold error is known only until 3.00 s, and the record shows control until 4.00 s: the reference is "
+            "missing.");
+  EXPECT_NE(said([](double time_s) { return std::fmod(time_s, 0.25) > 0.0015; }).find("nor in 11 more gaps: the refer"),
+            std::string::npos);
+  EXPECT_EQ(verdict_of(flight_without([](double) { return false; })).outcome, Outcome::held);
+}
+
+TEST(UnknownHold, OfAFlightWhoseReferenceIsNeverKnownThatIsTheReason) {
+  flight::Flight flight = flight_without([](double) { return false; });
+  for (flight::Row& row : flight.rows) {
+    row.reference_rad = unknown;
+  }
+  EXPECT_EQ(verdict_of(flight).text,
+            "Roll not judged: the reference, and with it where roll should settle, is unknown; canards at their limit "
+            "0.0 % of control time.");
 }
 
 }  // namespace

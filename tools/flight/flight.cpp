@@ -206,8 +206,20 @@ double authority_margin_rad(const Flight& flight, double offset_rad) {
 
 namespace {
 
+bool only_bounds_speed(const Row& row, const Flight& flight) {
+  const std::optional<double>& from_s = flight.unmeasured.speed_bound_from_s;
+  return from_s && row.time_s >= *from_s;
+}
+
+bool has_gains(const Row& row, const core::FlightPlan& plan, bool speed_is_lower_bound) {
+  return plan.gain_schedule.speeds_count == 0 || speed_is_lower_bound || std::isfinite(row.speed_m_s);
+}
+
 std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& plan, double left_by_fins,
                                      bool speed_is_lower_bound) {
+  if (!has_gains(row, plan, speed_is_lower_bound)) {
+    return std::nullopt;
+  }
   const auto speed_m_s = static_cast<float>(std::isfinite(row.speed_m_s) ? row.speed_m_s : 0.0);
   const float gain =
       core::gain_factor(plan.gain_schedule, speed_m_s, speed_is_lower_bound) * plan.controller.proportional_gain;
@@ -224,6 +236,10 @@ std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& pla
 
 bool rejects_offset(const core::FlightPlan& plan) { return plan.offset.rejection != core::OffsetRejection::none; }
 
+bool gains_are_known(const Row& row, const Flight& flight) {
+  return flight.known.plan && has_gains(row, flight.plan, only_bounds_speed(row, flight));
+}
+
 std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {
   return settles_at_rad(row, plan, 1.0, false);
 }
@@ -232,9 +248,8 @@ std::optional<double> settle_point_rad(const Row& row, const Flight& flight) {
   if (!flight.known.plan) {
     return std::nullopt;
   }
-  const std::optional<double>& bound_from_s = flight.unmeasured.speed_bound_from_s;
   return settles_at_rad(row, flight.plan, flight.left_by_fins > 0.0 ? flight.left_by_fins : 1.0,
-                        bound_from_s && row.time_s >= *bound_from_s);
+                        only_bounds_speed(row, flight));
 }
 
 }  // namespace fantail::flight

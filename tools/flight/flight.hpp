@@ -236,8 +236,11 @@ void set_time_zero(Flight& flight, double zero_s);
 /// Does the law take an estimate of the fin offset off its command, so that it comes to rest at its reference?
 [[nodiscard]] bool rejects_offset(const core::FlightPlan& plan);
 
+/// False where the plan's gains go by a speed that this row does not have.
+[[nodiscard]] bool gains_are_known(const Row& row, const Flight& flight);
+
 /// Where the loop comes to rest: R + u_d / kp as published, kp by the gain schedule; R where the plan rejects the
-/// offset. Empty without truth, and for a gain of zero.
+/// offset. Empty without truth, for a gain of zero, and where anything of that is not known.
 [[nodiscard]] std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan);
 /// Likewise, and empty for a flight whose plan is not known. Where the fins take back a part of the torque, the command
 /// must be larger: R + u_d / (kp left_by_fins). Where they take back all of it or more, roll comes to rest nowhere, and

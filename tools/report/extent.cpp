@@ -25,9 +25,12 @@ void RunningExtent::add(double time_s) {
 }
 
 Extent RunningExtent::extent(const flight::Clock& clock) const {
-  Extent result{.begin_s = clock(first_s_), .end_s = clock(last_s_)};
-  result.usual_step_s = rows_ > 1 ? (result.end_s - result.begin_s) / static_cast<double>(rows_ - 1) : 0.0;
-  const double longest_s = std::clamp(3.0 * result.usual_step_s, shortest_hole_s, longest_step_s);
+  return extent(clock, rows_ > 1 ? (clock(last_s_) - clock(first_s_)) / static_cast<double>(rows_ - 1) : 0.0);
+}
+
+Extent RunningExtent::extent(const flight::Clock& clock, double usual_step_s) const {
+  Extent result{.begin_s = clock(first_s_), .end_s = clock(last_s_), .usual_step_s = usual_step_s};
+  const double longest_s = std::clamp(3.0 * usual_step_s, shortest_hole_s, longest_step_s);
   for (const Hole& step : steps_) {
     if (step.to_s - step.from_s > longest_s) {
       result.holes.push_back({.from_s = clock(step.from_s), .to_s = clock(step.to_s)});

@@ -45,6 +45,8 @@ class RunningExtent {
 
   /// Of the rows up to now, on another clock.
   [[nodiscard]] Extent extent(const flight::Clock& clock) const;
+  /// Likewise, where all rows, and not only those that have it, are usually so far apart.
+  [[nodiscard]] Extent extent(const flight::Clock& clock, double usual_step_s) const;
 
  private:
   std::size_t rows_ = 0;

@@ -7,6 +7,7 @@
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
 #include "report/extent.hpp"
+#include "report/hold.hpp"
 #include "report/side_deflection.hpp"
 
 namespace fantail::report {
@@ -43,6 +44,7 @@ struct Figures {
   std::optional<Oscillation> oscillation;
   std::optional<SideDeflection> side_deflection;
   Extent roll{};                      ///< when the roll angle is known
+  HoldRecord hold{};                  ///< when, under control, its distance from the settle point is
   bool begins_under_control = false;  ///< the first row is, so nobody knows since when
   bool in_still_air = false;          ///< in a tunnel whose fan stands, or on a gimbal, at every tick
   core::Phase final_phase = core::Phase::safe;

@@ -9,12 +9,9 @@ namespace fantail::report {
 namespace {
 
 // A clamped step of 45 deg takes longer than a second to arrive at the tunnel's 22 m/s (peak at 1.7 s).
-constexpr double settling_time_in_flight_s = 1.0;
-constexpr double settling_time_in_tunnel_s = 2.0;
+double settling_time_s(bool tunnel) { return tunnel ? 2.0 : 1.0; }
 // Shorter than this, a saturation at the end of control is the excitation or the thin air near apogee.
 constexpr double lasting_saturation_s = 0.5;
-// Rows are a millisecond apart and their times are rounded to the microsecond.
-constexpr double clock_tolerance_s = 1e-6;
 
 // The truth where it is known.
 double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
@@ -58,17 +55,16 @@ void TrueZero::add(const flight::Row& row) {
     return;
   }
   if (row.phase == begins_with_ && phase_ != begins_with_) {
-    is_known_ = last_s_ && row.time_s - *last_s_ <= RunningExtent::shortest_hole_s;
-    rad_ = row.truth && std::isfinite(row.truth->roll_angle_rad) ? row.truth->roll_angle_rad : 0.0;
+    const bool has_truth = row.truth && std::isfinite(row.truth->roll_angle_rad);
+    is_known_ = has_truth && last_s_ && row.time_s - *last_s_ <= RunningExtent::shortest_hole_s;
+    rad_ = has_truth ? row.truth->roll_angle_rad : 0.0;
   }
   phase_ = row.phase;
   last_s_ = row.time_s;
 }
 
 RunningFigures::RunningFigures(bool tunnel)
-    : zero_{tunnel},
-      settling_time_s_{tunnel ? settling_time_in_tunnel_s : settling_time_in_flight_s},
-      oscillation_{settling_time_s_} {}
+    : zero_{tunnel}, hold_{settling_time_s(tunnel)}, oscillation_{settling_time_s(tunnel)} {}
 
 void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   begins_under_control_ = begins_under_control_ || (rows_ == 0 && row.phase == core::Phase::controlling);
@@ -111,15 +107,13 @@ void RunningFigures::add_motion(const flight::Row& row) {
 void RunningFigures::begin_control(const flight::Row& row) {
   stage_ = Stage::under_control;
   start_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .height_m = height_m(row)};
-  reference_rad_ = row.reference_rad;
-  settles_at_s_ = row.time_s + settling_time_s_;
-  last_roll_s_ = row.time_s;
 }
 
 void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight& flight) {
   controlled_ += 1;
   end_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .command_rad = row.command_rad};
-  judge_hold(row, flight);
+  const bool is_true = zero_.is_known() && row.truth && std::isfinite(row.truth->roll_angle_rad);
+  hold_.add(row, is_true ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad, flight);
   if (row.truth && std::isfinite(row.truth->disturbance_rad)) {
     const double offset_rad = row.truth->disturbance_rad;
     keep_farthest_from_zero(largest_offset_rad_, offset_rad);
@@ -128,35 +122,6 @@ void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight
   }
   judge_saturation(row);
   oscillation_.add(row);
-}
-
-void RunningFigures::judge_hold(const flight::Row& row, const flight::Flight& flight) {
-  const double roll_rad = zero_.is_known() && row.truth && std::isfinite(row.truth->roll_angle_rad)
-                              ? row.truth->roll_angle_rad - zero_.rad()
-                              : row.roll_angle_rad;
-  if (!std::isfinite(roll_rad)) {
-    return;
-  }
-  // In a hole the reference may have changed, and back.
-  if (row.reference_rad != reference_rad_ || row.time_s - last_roll_s_ > RunningExtent::longest_step_s) {
-    reference_rad_ = row.reference_rad;
-    settles_at_s_ = row.time_s + settling_time_s_;
-  }
-  last_roll_s_ = row.time_s;
-  if (row.time_s < settles_at_s_ - clock_tolerance_s) {
-    return;
-  }
-  const std::optional<double> settle_point = flight::settle_point_rad(row, flight);
-  if (!settle_point) {
-    return;
-  }
-  const double error_rad = std::abs(roll_rad - *settle_point);
-  if (!std::isfinite(error_rad)) {
-    return;
-  }
-  keep_error(largest_error_rad_, error_rad);
-  sum_of_errors_rad_ += error_rad;
-  settled_ += 1;
 }
 
 void RunningFigures::judge_saturation(const flight::Row& row) {
@@ -275,10 +240,11 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
   f.control_time_s = clock(end_.time_s) - clock(start_.time_s);
   f.command_at_end_rad = end_.command_rad;
   f.roll_turns = known((end_.roll_angle_rad - start_.roll_angle_rad) / (2.0 * std::numbers::pi));
-  if (settled_ > 0 && !f.in_still_air) {  // nothing holds anything there
-    f.largest_hold_error_rad = largest_error_rad_;
-    f.mean_hold_error_rad = sum_of_errors_rad_ / static_cast<double>(settled_);
+  if (!f.in_still_air) {  // nothing holds anything there
+    f.largest_hold_error_rad = hold_.largest_error_rad();
+    f.mean_hold_error_rad = hold_.mean_error_rad();
   }
+  f.hold = hold_.record(clock, f.roll.usual_step_s);
   tell_authority(f, flight);
   tell_end(f, flight);
   f.oscillation = oscillation_.found(clock);

@@ -9,6 +9,7 @@
 #include "report/activity.hpp"
 #include "report/extent.hpp"
 #include "report/figures.hpp"
+#include "report/hold.hpp"
 
 namespace fantail::report {
 
@@ -24,7 +25,7 @@ class TrueZero {
   /// 0 where nobody knows it.
   [[nodiscard]] double rad() const { return rad_; }
 
-  /// False where that moment is not on record; rad() is then that of the first row behind it.
+  /// False where that moment, or its true angle, is not on record; rad() is then that of the first row behind it, or 0.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
  private:
@@ -73,7 +74,6 @@ class RunningFigures {
   void add_motion(const flight::Row& row);
   void begin_control(const flight::Row& row);
   void add_controlled(const flight::Row& row, const flight::Flight& flight);
-  void judge_hold(const flight::Row& row, const flight::Flight& flight);
   void judge_saturation(const flight::Row& row);
   void look_after_control(const flight::Row& row, const flight::Flight& flight);
   void tell_authority(Figures& f, const flight::Flight& flight) const;
@@ -95,18 +95,12 @@ class RunningFigures {
   std::optional<double> largest_height_m_{};
   bool in_still_air_ = true;
   TrueZero zero_;
-  double settling_time_s_;
 
   Stage stage_ = Stage::before_control;
   std::size_t controlled_ = 0;
   Start start_{};
   End end_{};
-  double reference_rad_ = 0.0;
-  double settles_at_s_ = 0.0;
-  double last_roll_s_ = 0.0;  ///< of the last row under control with a roll angle
-  std::optional<double> largest_error_rad_{};
-  double sum_of_errors_rad_ = 0.0;
-  std::size_t settled_ = 0;
+  RunningHold hold_;
   std::optional<double> largest_offset_rad_{};
   std::optional<double> least_offset_rad_{};
   std::optional<double> most_offset_rad_{};

@@ -65,11 +65,12 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   if (controller.proportional_gain == 0.0F) {
     return "without proportional gain nothing holds an angle";
   }
-  if (misses_control(flight, f)) {
-    return std::string{roll_is_unknown};
+  if (const std::string_view misses = what_misses_control(flight, f); !misses.empty()) {
+    return std::string{misses};
   }
-  if (!f.largest_disturbance_rad) {
-    return "the fin offset, and with it where roll should settle, is unknown";
+  const std::string lacks = f.largest_disturbance_rad ? what_hold_lacks(f.hold) : "the fin offset";
+  if (!f.hold.is_ever_known && !lacks.empty()) {
+    return lacks + ", and with it where roll should settle, is unknown";
   }
   return *f.control_time_s < 2.0 ? fmt::format("control lasted only {} s", text::fixed(*f.control_time_s, 2))
                                  : "the reference was never constant for long enough";
@@ -137,10 +138,10 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     if (const std::string why = held ? why_nothing_settles(flight, f) : ""; !why.empty()) {
       return {Outcome::not_judged, sentence("roll not judged: " + why)};
     }
-    if (held && misses_control(flight, f)) {
+    if (const std::string_view misses = what_misses_control(flight, f); held && !misses.empty()) {
       const std::string on_record =
-          fmt::format("roll not judged: {}; where it is, it stayed within {} of where this law settles; {}",
-                      roll_is_unknown, degrees_text(*f.largest_hold_error_rad), rest);
+          fmt::format("roll not judged: {}; where it is, the roll stayed within {} of where this law settles; {}",
+                      misses, degrees_text(*f.largest_hold_error_rad), rest);
       return {Outcome::not_judged, sentence(on_record) + ended_at_limit};
     }
     const std::string hold = fmt::format(fmt::runtime(held ? "roll stayed within {} of where this law settles; {}"

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "report/hold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fantail::report {
+namespace {
+
+// Rows are a millisecond apart and their times are rounded to the microsecond.
+constexpr double clock_tolerance_s = 1e-6;
+
+}  // namespace
+
+void RunningHold::add(const flight::Row& row, double roll_rad, const flight::Flight& flight) {
+  if (!has_begun_) {
+    has_begun_ = true;
+    record_.control_from_s = row.time_s;
+    reference_rad_ = row.reference_rad;
+    settles_at_s_ = row.time_s + settling_time_s_;
+  }
+  record_.control_to_s = row.time_s;
+  const std::optional<double> settle_point_rad = flight::settle_point_rad(row, flight);
+  if (!settle_point_rad || !std::isfinite(roll_rad)) {
+    note_what_is_missing(row, roll_rad, flight);
+    return;
+  }
+  // In a hole the reference may have changed, and back.
+  const double since_s = row.time_s - last_known_s_.value_or(record_.control_from_s);
+  if (row.reference_rad != reference_rad_ || since_s > RunningExtent::longest_step_s) {
+    reference_rad_ = row.reference_rad;
+    settles_at_s_ = row.time_s + settling_time_s_;
+  }
+  known_.add(row.time_s);
+  last_known_s_ = row.time_s;
+  if (row.time_s < settles_at_s_ - clock_tolerance_s) {
+    return;
+  }
+  const double error_rad = std::abs(roll_rad - *settle_point_rad);
+  largest_error_rad_ = std::max(largest_error_rad_.value_or(0.0), error_rad);
+  sum_of_errors_rad_ += error_rad;
+  settled_ += 1;
+}
+
+void RunningHold::note_what_is_missing(const flight::Row& row, double roll_rad, const flight::Flight& flight) {
+  record_.lacks_roll = record_.lacks_roll || !std::isfinite(roll_rad);
+  record_.lacks_reference = record_.lacks_reference || !std::isfinite(row.reference_rad);
+  record_.lacks_fin_offset = record_.lacks_fin_offset || !row.truth || !std::isfinite(row.truth->disturbance_rad);
+  record_.lacks_speed = record_.lacks_speed || !flight::gains_are_known(row, flight);
+}
+
+std::optional<double> RunningHold::mean_error_rad() const {
+  return settled_ > 0 ? std::optional{sum_of_errors_rad_ / static_cast<double>(settled_)} : std::nullopt;
+}
+
+HoldRecord RunningHold::record(const flight::Clock& clock, double usual_step_s) const {
+  HoldRecord result = record_;
+  result.is_ever_known = last_known_s_.has_value();
+  result.known = known_.extent(clock, usual_step_s);
+  result.control_from_s = clock(record_.control_from_s);
+  result.control_to_s = clock(record_.control_to_s);
+  return result;
+}
+
+}  // namespace fantail::report
