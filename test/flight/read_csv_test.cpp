@@ -2,11 +2,14 @@
 #include "flight/read_csv.hpp"
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "core/flight_phase.hpp"
 #include "flight/columns.hpp"
 #include "flight/write_csv.hpp"
 #include "logs/refused.hpp"
@@ -148,6 +151,67 @@ TEST(FlightCsv, OfATableWithPhasesTheTimeUnderControlIsMeasured) {
   EXPECT_NEAR(figures.saturated_fraction.value(), 0.5, 1e-12);
   EXPECT_NE(report::verdict(flight, figures).text.find("the plan, and with it where roll should settle, is unknown"),
             std::string::npos);
+}
+
+std::string controlled(std::initializer_list<std::string_view> saturated) {
+  std::string text = "time_s,phase,roll_angle_deg,saturated\n0,armed,0,0\n";
+  for (const std::string_view cell : saturated) {
+    text += fmt::format("{},controlling,0,{}\n", text.size(), cell);
+  }
+  return text;
+}
+
+TEST(FlightCsv, AnOnOffColumnIsReadInTheWordsThatProgramsWriteForIt) {
+  const Flight flight = read(controlled({"True", "false", "yes", "No", "TRUE", "1.0", "0.0", "1"}));
+  EXPECT_EQ(report::figures(flight).saturated_fraction, 5.0 / 8.0);
+  EXPECT_TRUE(flight.notes.empty()) << joined(flight.notes);
+}
+
+TEST(FlightCsv, ACellThatIsNeitherOnNorOffLeavesTheShareUnknown) {
+  for (const char* cell : {"", "0.4", "-1", "2", "perhaps", "nan"}) {
+    const Flight flight = read(controlled({"1", cell, "0"}));
+    const report::Figures figures = report::figures(flight);
+    EXPECT_FALSE(figures.saturated_fraction) << cell;
+    EXPECT_NE(report::verdict(flight, figures).text.find("the log does not say when canards were at their limit"),
+              std::string::npos);
+    if (*cell != '\0') {
+      EXPECT_EQ(joined(flight.notes),
+                "1 of 4 cells of saturated hold neither 0 nor 1, nor a word for it; they are taken as not known.\n");
+    }
+    EXPECT_FALSE(read(csv(flight)).rows[2].saturated);
+  }
+}
+
+TEST(FlightCsv, ARowThatWasNotReplayedMayBeMarkedByAWord) {
+  EXPECT_EQ(read("time_s,roll_angle_deg,replayed\n0,1,True\n1,9,False\n2,9,0.0\n3,4,1\n").rows.size(), 2U);
+}
+
+TEST(FlightCsv, ATableOfTwoFlightsIsRefusedWithTheTimeAtWhichItBeginsAnew) {
+  const auto refused = [](const char* phases, std::initializer_list<const char*> words) {
+    std::string text = "time_s,phase,roll_angle_deg\n";
+    double time_s = 0.0;
+    for (const char* phase = phases; *phase != '\0'; ++phase, time_s += 0.5) {
+      text += fmt::format("{},{},0\n", time_s,
+                          core::name(*phase == 's'   ? core::Phase::safe
+                                     : *phase == 'a' ? core::Phase::armed
+                                     : *phase == 'l' ? core::Phase::launched
+                                     : *phase == 'c' ? core::Phase::controlling
+                                                     : core::Phase::finished));
+    }
+    if (words.size() == 0) {
+      (void)read(text);
+    } else {
+      expect_refused(ErrorKind::bad_data, words, [&] { (void)read(text); });
+    }
+  };
+  refused("alccfsalccf", {"log.csv: holds more than one flight", "begins anew at 2.500 s", "safe", "after control"});
+  refused("acfcf", {"begins anew at 1.500 s"});
+  refused("acacf", {"begins anew at 1.000 s"});
+  refused("alcfl", {"begins anew at 2.000 s"});
+  refused("alalccf", {});  // detected by mistake
+  refused("alcsccf", {});  // resumed after a reset
+  refused("alcfsss", {});  // reset after control
+  refused("alcsa", {});
 }
 
 TEST(FlightCsv, ATableWithoutAFlightIsRefusedWithItsPlace) {

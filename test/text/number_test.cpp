@@ -22,6 +22,25 @@ TEST(Number, WhatIsNoFiniteNumberIsNone) {
   }
 }
 
+TEST(Number, BeyondAllDecimalsIsPrintedInAFewDigits) {
+  EXPECT_EQ(fixed(1e300, 1), "1e+300");
+  EXPECT_EQ(fixed(-1.234567e20, 2), "-1.235e+20");
+  EXPECT_EQ(brief(1e20, 2), "1e+20");
+  EXPECT_EQ(fixed(123456789012345.25, 2), "123456789012345.25");
+}
+
+TEST(Flag, IsOneOfFourWordsInWhateverLettersOrAZeroOrAOne) {
+  for (const char* on : {"1", " true\r", "True", "YES", "1.0"}) {
+    EXPECT_EQ(flag(on), true) << on;
+  }
+  for (const char* off : {"0", "False", "no", "0.0", "-0"}) {
+    EXPECT_EQ(flag(off), false) << off;
+  }
+  for (const char* none : {"", "2", "-1", "0.4", "nan", "y", "on"}) {
+    EXPECT_EQ(flag(none), std::nullopt) << none;
+  }
+}
+
 TEST(Trimmed, LosesSpacesTabsAndACarriageReturnAtTheEndAndNothingInside) {
   EXPECT_EQ(trimmed("  a b\t \r"), "a b");
   EXPECT_EQ(trimmed("\ra"), "\ra");

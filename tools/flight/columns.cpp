@@ -45,7 +45,8 @@ constexpr std::array all{
     measured<&Row::excitation_rad>("excitation_deg", Unit::degrees),
     measured<&Row::offset_estimate_rad>("offset_estimate_deg", Unit::degrees),
     measured<&Row::command_rad>("command_deg", Unit::degrees),
-    Column{"saturated", Unit::flag, false, [](const Row& row) { return row.saturated ? 1.0 : 0.0; },
+    Column{"saturated", Unit::flag, false,
+           [](const Row& row) { return row.saturated ? (*row.saturated ? 1.0 : 0.0) : unknown; },
            [](Row& row, double value) { row.saturated = value != 0.0; }},
     of_canard<&Row::commands_rad, 0>("command_1_deg"),
     of_canard<&Row::commands_rad, 1>("command_2_deg"),
@@ -84,6 +85,7 @@ Row unknown_row() {
   row.roll_angle_rad = row.roll_rate_rad_s = row.reference_rad = row.excitation_rad = row.offset_estimate_rad =
       row.command_rad = unknown;
   row.specific_force_m_s2 = row.height_m = row.speed_m_s = unknown;
+  row.saturated.reset();
   return row;
 }
 

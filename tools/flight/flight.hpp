@@ -37,7 +37,7 @@ struct Row {
   double excitation_rad = 0.0;
   double offset_estimate_rad = 0.0;  ///< of the fin offset; the law takes it off the command
   double command_rad = 0.0;
-  bool saturated = false;
+  std::optional<bool> saturated = false;
   std::array<std::optional<double>, core::canard_count> commands_rad{};  ///< shaft angles; empty: servo output off
   std::array<std::optional<double>, core::canard_count> encoders_rad{};
   std::optional<double> canard_rad{};  ///< encoder mean

@@ -16,6 +16,7 @@
 #include "flight/found_columns.hpp"
 #include "input/messages.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::flight {
 namespace {
@@ -46,7 +47,7 @@ class Rows {
   void read_all() {
     flight_.rows.reserve(table_.rows());
     for (std::size_t line = 0; line < table_.rows(); ++line) {
-      if (replayed_ && table_.cell(line, *replayed_) == "0") {
+      if (replayed_ && text::flag(table_.cell(line, *replayed_)) == false) {
         ++not_replayed_;
       } else if (const auto row = read(line); !row) {
         ++left_out_;
@@ -60,21 +61,30 @@ class Rows {
     judge_count();
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       if (wrong_[i] > 0) {
+        const bool is_flag = columns_[i].column->unit == Column::Unit::flag;
         flight_.notes.push_back(
-            fmt::format("{} of {} cells of {} hold something that is no number; they are taken as not "
-                        "known.",
-                        wrong_[i], table_.rows(), table_.columns()[columns_[i].index]));
+            fmt::format("{} of {} cells of {} hold {}; they are taken as not known.", wrong_[i], table_.rows(),
+                        table_.columns()[columns_[i].index],
+                        is_flag ? "neither 0 nor 1, nor a word for it" : "something that is no number"));
       }
     }
     flight_.known.phase = phase_.has_value();
   }
 
  private:
+  [[nodiscard]] std::optional<double> number(std::size_t line, const FoundColumn& found) const {
+    if (found.column->unit != Column::Unit::flag) {
+      return table_.number(line, found.index);
+    }
+    const std::optional<bool> flag = text::flag(table_.cell(line, found.index));
+    return flag ? std::optional{*flag ? 1.0 : 0.0} : std::nullopt;
+  }
+
   std::optional<Row> read(std::size_t line) {
     Row row = unknown_row();
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const auto& [index, column, needed, si] = columns_[i];
-      if (const auto value = table_.number(line, index)) {
+      if (const auto value = number(line, columns_[i])) {
         column->set(row, *value * si);
       } else if (!needed) {
         wrong_[i] += table_.cell(line, index).empty() ? 0 : 1;
@@ -162,6 +172,28 @@ class Rows {
   std::size_t last_ = 0;  ///< row of the table that gave the last of the flight
 };
 
+// Control comes once in a flight, and is over with it. Only a reset leads from control to Safe, and from there back.
+std::optional<std::size_t> second_flight(const std::vector<Row>& rows) {
+  bool was_controlled = false;
+  bool is_over = false;
+  std::optional<std::size_t> anew;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const core::Phase phase = rows[i].phase;
+    const bool is_control = phase == core::Phase::controlling;
+    if (was_controlled && (phase == core::Phase::launched || (is_control && is_over))) {
+      return anew.value_or(i);
+    }
+    if (is_control || phase == core::Phase::finished) {
+      anew.reset();
+    } else if (was_controlled && !anew) {
+      anew = i;
+    }
+    was_controlled = was_controlled || is_control;
+    is_over = is_over || (was_controlled && (phase == core::Phase::finished || phase == core::Phase::armed));
+  }
+  return {};
+}
+
 // What the phases of the rows tell; why they changed stands in no table. Nor does when, where it was in a hole.
 void note_phases(Flight& flight) {
   const double usual_step_s =
@@ -191,6 +223,12 @@ Flight read_flight_csv(const Table& table, const Reading& reading, const Needs& 
   flight.notes = columns.notes();
   Rows{table, columns, flight}.read_all();
   if (flight.known.phase) {
+    if (const auto anew = second_flight(flight.rows)) {
+      refuse(fmt::format(
+          "{}: holds more than one flight: it begins anew at {:.3f} s, where the phase is {} after control; "
+          "give each flight a table of its own",
+          table.name(), flight.rows[*anew].time_s, core::name(flight.rows[*anew].phase)));
+    }
     note_phases(flight);
   }
   return flight;

@@ -48,8 +48,8 @@ struct Needs {
 ///
 /// Throws text::Error: bad_configuration for a name in `reading.columns` that Fantail does not know; bad_data for a
 /// needed or mapped column that is not there (naming it and listing those that are), for nothing that Fantail knows,
-/// time that goes back, two different rows with one time (nobody knows which is right), more than 1 % of rows without a
-/// number, no row. Messages name file and line.
+/// control or a launch after control, which is another flight, time that goes back, two different rows with one time
+/// (nobody knows which is right), more than 1 % of rows without a number, no row. Messages name file and line.
 [[nodiscard]] Flight read_flight_csv(const Table& table, const Reading& reading, const Needs& needs);
 
 }  // namespace fantail::flight

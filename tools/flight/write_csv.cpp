@@ -21,7 +21,7 @@ void write_number(std::string& out, double value) {
 
 void write_cell(std::string& out, const Column& column, const Row& row) {
   const double value = column.written(row);
-  if (column.unit == Column::Unit::flag) {
+  if (column.unit == Column::Unit::flag && !std::isnan(value)) {
     out.push_back(value != 0.0 ? '1' : '0');
   } else {
     write_number(out, value);

@@ -25,7 +25,7 @@ struct Figures {
   std::optional<double> max_speed_m_s;  ///< likewise; over ground where the flight has a path
   std::optional<double> control_start_height_m;   ///< likewise
   std::optional<double> control_time_s;           ///< first to last tick under control
-  std::optional<double> saturated_fraction;       ///< of the ticks under control
+  std::optional<double> saturated_fraction;       ///< of the ticks under control, all of which know it
   std::optional<double> largest_hold_error_rad;   ///< largest |true roll angle - (R + u_d / kp)| over the settled part
   std::optional<double> mean_hold_error_rad;      ///< mean of the same
   std::optional<double> largest_disturbance_rad;  ///< u_d of largest magnitude under control, with its sign

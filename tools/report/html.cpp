@@ -52,8 +52,9 @@ std::string figure_list(const flight::Flight& flight, const Figures& f, bool rol
       rows_are_sparse(flight, f) ? "from its first row to its last" : "");
   add("Largest hold error", roll_is_judged ? text::in_degrees(f.largest_hold_error_rad) : std::nullopt, 1, "deg",
       f.mean_hold_error_rad ? "mean " + fixed(text::degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
-  add("Saturated", f.saturated_fraction ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1, "%",
-      "of control time");
+  add("Saturated",
+      f.saturated_fraction && *f.control_time_s > 0.0 ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1,
+      "%", "of control time");
   add("Largest fin offset", text::in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
   add("Authority margin", text::in_degrees(f.authority_margin_rad), 1, "deg",
       f.authority_rad ? "of " + text::brief(text::degrees(*f.authority_rad), 1) + " deg" : "");

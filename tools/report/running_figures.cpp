@@ -125,7 +125,8 @@ void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight
 }
 
 void RunningFigures::judge_saturation(const flight::Row& row) {
-  if (!row.saturated) {
+  knows_saturation_ = knows_saturation_ && row.saturated;
+  if (!row.saturated.value_or(false)) {
     saturation_.reset();
     return;
   }
@@ -172,7 +173,9 @@ void RunningFigures::tell_authority(Figures& f, const flight::Flight& flight) co
 }
 
 void RunningFigures::tell_saturation(Figures& f, const flight::Flight& flight, const flight::Clock& clock) const {
-  f.saturated_fraction = static_cast<double>(saturated_) / static_cast<double>(controlled_);
+  if (knows_saturation_) {
+    f.saturated_fraction = static_cast<double>(saturated_) / static_cast<double>(controlled_);
+  }
   if (!saturation_ || clock(saturation_->end_s) - clock(saturation_->begin_s) < lasting_saturation_s) {
     return;
   }

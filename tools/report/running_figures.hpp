@@ -105,6 +105,7 @@ class RunningFigures {
   std::optional<double> least_offset_rad_{};
   std::optional<double> most_offset_rad_{};
   std::size_t saturated_ = 0;
+  bool knows_saturation_ = true;  ///< of every row under control
   std::optional<Saturation> saturation_{};
   OscillationWatch oscillation_;
 

@@ -31,6 +31,10 @@ std::string sentence(std::string clause) {
 }
 
 std::string saturation(const Figures& f) {
+  if (f.saturated_fraction && *f.control_time_s == 0.0) {
+    return fmt::format("at the only tick under control that is on record the canards were {}at their limit",
+                       *f.saturated_fraction > 0.0 ? "" : "not ");
+  }
   return f.saturated_fraction
              ? fmt::format("canards at their limit {} % of control time", text::fixed(100.0 * *f.saturated_fraction, 1))
              : "the log does not say when canards were at their limit";

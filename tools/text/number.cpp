@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "text/number.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -31,6 +33,19 @@ std::optional<double> number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+std::optional<bool> flag(std::string_view text) {
+  std::string word{trimmed(text)};
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (word == "true" || word == "yes") {
+    return true;
+  }
+  if (word == "false" || word == "no") {
+    return false;
+  }
+  const std::optional<double> value = number(word);
+  return value == 1.0 || value == 0.0 ? std::optional{value == 1.0} : std::nullopt;
+}
+
 std::optional<std::uint64_t> whole_number(std::string_view text) {
   std::uint64_t value = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -41,7 +56,8 @@ std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) {
     return "not a number";
   }
-  std::string text = fmt::format("{:.{}f}", value, decimals);
+  constexpr double most = 1e15;  // a double has no decimals beyond it
+  std::string text = std::abs(value) < most ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.4g}", value);
   if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) {
     text.erase(0, 1);
   }

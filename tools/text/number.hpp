@@ -14,10 +14,14 @@ namespace fantail::text {
 /// The finite number that `text` is, spaces around it allowed; empty for anything else, "nan" and "1,5" too.
 [[nodiscard]] std::optional<double> number(std::string_view text);
 
+/// What a cell of an on/off column says: 1, true and yes, or 0, false and no, in whatever letters and with spaces
+/// around them. Empty for anything else.
+[[nodiscard]] std::optional<bool> flag(std::string_view text);
+
 /// The whole number from 0 on that `text` is, with no sign and nothing else.
 [[nodiscard]] std::optional<std::uint64_t> whole_number(std::string_view text);
 
-/// "-7.30" for (-7.3, 2); never "-0.0". Not a number reads "not a number".
+/// "-7.30" for (-7.3, 2); never "-0.0". Not a number reads "not a number"; beyond 1e15 it is "1.234e+20".
 [[nodiscard]] std::string fixed(double value, int decimals);
 
 /// The same with no trailing zeros after the point: "6", "-7.3".
