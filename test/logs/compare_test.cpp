@@ -99,6 +99,22 @@ TEST(Compare, BIsNeverTakenAcrossAGap) {
   EXPECT_GE(result.time_s.size(), 1001U - 99U - 2U);
 }
 
+TEST(Compare, WhereAHasNoSamplesIsSaid) {
+  RollLog a = line({0, 10, 0.01}, 0, 1);
+  for (auto* column : {&a.time_s, &a.roll_angle_rad, &a.roll_rate_rad_s}) {
+    column->erase(column->begin() + 601, column->begin() + 650);
+    column->erase(column->begin() + 201, column->begin() + 300);
+  }
+  const RollLog b = line({0, 10, 0.01}, 0, 1);
+  EXPECT_EQ(compare(a, b, {}).warnings,
+            std::vector<std::string>{"A has no samples between 2.000 s and 3.000 s, nor in 1 more gap: nothing is "
+                                     "compared there."});
+  EXPECT_EQ(compare(a, b, {.from_s = 5.0}).warnings,
+            std::vector<std::string>{"A has no samples between 6.000 s and 6.500 s: nothing is compared there."});
+  EXPECT_TRUE(compare(a, b, {.from_s = 7.0}).warnings.empty());
+  EXPECT_TRUE(compare(line({0, 10, 0.2}, 0, 1), b, {}).warnings.empty());  // they are all so far apart
+}
+
 TEST(Compare, ALogOfTenSamplesASecondHasNoGaps) {
   EXPECT_EQ(compare(line({0, 9, 0.01}, 0, 1), line({0, 9, 0.1}, 0, 1), {}).time_s.size(), 901U);
 }

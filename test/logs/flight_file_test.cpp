@@ -2,13 +2,13 @@
 #include "logs/flight_file.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "flight_log/made_flight.hpp"
-#include "logs/one_flight.hpp"
 #include "logs/refused.hpp"
 #include "logs/roll_log.hpp"
 #include "system/folder.hpp"
@@ -125,7 +125,7 @@ TEST_F(FlightFile, AFolderWhoseSummaryNamesNoScenarioIsCalledByItsOwnName) {
 TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanFromTheLog) {
   folder_.write("flown/flight.ftl", as_text(made_.bytes));
   folder_.write("flown/flight.csv",
-                "time_s,phase,roll_angle_deg,true_roll_angle_deg\n0,armed,1,2\n1,launched,1,2\n2,controlling,3,4\n");
+                "time_s,phase,roll_angle_deg,true_roll_angle_deg\n0,armed,1,2\n1,launched,1,2\n2,controlling,,4\n");
   folder_.write("flown/summary.json",
                 R"({"scenario":"s","vehicle":"v","plan":"p","seed":5,"version":"1","events":{"apogee_s":1.5},)"
                 R"("phase_changes":[{"time_s":1,"phase":"launched","reason":"launch_detected"}],)"
@@ -186,26 +186,6 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
                  [&] { (void)flown_plan(folder_.path() / "mixed/flight.csv"); });
   summary(text::sha256(made_.bytes));
   EXPECT_TRUE(read_flight(folder_.path() / "mixed").known.plan);
-}
-
-TEST_F(FlightFile, WithoutASummaryATableThatIsLongerUnderControlThanTheLogIsRefused) {
-  flight_log::Flight log;
-  const auto change = [&log](core::Phase phase, double time_s) {
-    log.events.push_back({.time = std::chrono::duration_cast<core::Microseconds>(std::chrono::duration<double>{time_s}),
-                          .kind = protocol::LogEventKind::phase,
-                          .value = static_cast<std::uint8_t>(phase)});
-  };
-  change(core::Phase::controlling, 100.0);
-  change(core::Phase::finished, 102.0);
-  flight::Flight rows;
-  rows.events = {.control_start_s = 1.0, .control_end_s = 3.0};
-  expect_rows_of_log(rows, log, "day");
-  rows.events.control_end_s = 3.2;
-  expect_refused(ErrorKind::bad_data,
-                 {"day: its files are of two flights: control lasts 2.20 s", "2.00 s in flight.ftl"},
-                 [&] { expect_rows_of_log(rows, log, "day"); });
-  rows.events.control_end_s.reset();  // of a part
-  expect_rows_of_log(rows, log, "day");
 }
 
 TEST_F(FlightFile, ASummaryThatIsNoneIsRefused) {

@@ -125,6 +125,9 @@ TEST_F(FlownLog, ADamagedOneIsShownAsFarAsItGoesWithExitCode1) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("damaged: 1 record lost in 1 gap"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("outside the intact records"), std::string::npos);
+  EXPECT_NE(outcome.out.find("longest step from one tick to the next, but for the gaps in the log: 1.000 ms"),
+            std::string::npos)
+      << outcome.out;
 }
 
 TEST_F(FlownLog, OneThatWasCutOffIsIntactAsFarAsItGoes) {

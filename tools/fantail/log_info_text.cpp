@@ -45,9 +45,9 @@ std::string duration_words(const flight_log::LoopTimes& loop) {
                      loop.late == 0 ? "none was late" : fmt::format("{} took a millisecond or more", loop.late));
 }
 
-std::string loop_words(const flight_log::LoopTimes& loop) {
-  return fmt::format("{}\n{:12}longest step from one tick to the next: {:.3f} ms", duration_words(loop), "",
-                     1e-3 * loop.longest_step_us);
+std::string loop_words(const flight_log::LoopTimes& loop, bool has_gaps) {
+  return fmt::format("{}\n{:12}longest step from one tick to the next{}: {:.3f} ms", duration_words(loop), "",
+                     has_gaps ? ", but for the gaps in the log" : "", 1e-3 * loop.longest_step_us);
 }
 
 std::string health_words(const flight_log::HealthFigures& health) {
@@ -84,7 +84,7 @@ std::string log_info_text(const FlightInfo& info) {
   text += line("integrity", flight_log::integrity_text(flight));
   text += line("replay", flight_log::replay_text(flight, info.replay));
   if (info.loop) {
-    text += line("loop", loop_words(*info.loop));
+    text += line("loop", loop_words(*info.loop, !flight.gaps.empty()));
   }
   if (info.health) {
     text += line("health", health_words(*info.health));

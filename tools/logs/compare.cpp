@@ -149,6 +149,25 @@ double mean_square_of_rate(const RollLog& log, Extent extent) {
   return square;
 }
 
+/// Between samples that are farther apart than this, and than A's usually are, nothing is known of A either.
+void note_holes_of_a(const RollLog& a, const CompareOptions& options, Extent extent,
+                     std::vector<std::string>& warnings) {
+  const double longest_s = std::max(options.longest_gap_s, 3.0 * usual_interval_s(a.time_s));
+  std::size_t holes = 0;
+  std::string first;
+  for (std::size_t i = extent.begin + 1; i < extent.end; ++i) {
+    if (a.time_s[i] - a.time_s[i - 1] > longest_s + 1e-9 && ++holes == 1) {
+      first = fmt::format("A has no samples between {:.3f} s and {:.3f} s", a.time_s[i - 1], a.time_s[i]);
+    }
+  }
+  if (holes > 0) {
+    warnings.push_back(fmt::format("{}{}: nothing is compared there.", first,
+                                   holes == 1   ? ""
+                                   : holes == 2 ? ", nor in 1 more gap"
+                                                : fmt::format(", nor in {} more gaps", holes - 1)));
+  }
+}
+
 double choose_shift(const RollLog& a, const RollLog& b, const CompareOptions& options, Extent extent,
                     std::vector<std::string>& warnings) {
   if (!options.find_shift) {
@@ -205,6 +224,7 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
                 fmt::format("{} and {}: only one sample is there to compare, at {:g} s of A: that is too few", a.name,
                             b.name, result.time_s.front())};
   }
+  note_holes_of_a(a, options, extent, result.warnings);
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
     result.warnings.push_back(
         fmt::format("{} of A's {} samples in the window have no counterpart in B and are left out.", lost,

@@ -49,9 +49,7 @@ void add_plan(flight::Flight& flight, const flight_log::LogFile& log, const std:
   flight.plan = *log.flights.front().plan;
   flight.known.plan = true;
   flight.tunnel = flight.plan.run.start == core::Start::tunnel;
-  if (!is_there(folder / "summary.json") && log.flights.size() == 1) {
-    expect_rows_of_log(flight, log.flights.front(), folder);
-  }
+  expect_rows_of_log(flight, log, folder);
 }
 
 }  // namespace
@@ -81,6 +79,14 @@ std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path&
 std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path) {
   const std::optional<flight_log::LogFile> log = log_of(path);
   return log && flight_log::is_one_flight(*log) ? log->flights.front().plan : std::nullopt;
+}
+
+void expect_rows_of_log_beside(const flight::Flight& rows, const std::filesystem::path& path) {
+  const std::optional<flight_log::LogFile> log = log_of(path);
+  if (log && flight_log::is_one_flight(*log)) {
+    std::error_code ignored;
+    expect_rows_of_log(rows, *log, std::filesystem::is_directory(path, ignored) ? path : path.parent_path());
+  }
 }
 
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }

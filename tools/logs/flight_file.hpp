@@ -21,6 +21,10 @@ namespace fantail::logs {
 /// none.
 [[nodiscard]] std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path);
 
+/// A table at `path`, which is as flown_plan() has it, does not lie beside the log of another flight, as far as these
+/// rows of it tell. Throws text::Error (bad_data).
+void expect_rows_of_log_beside(const flight::Flight& rows, const std::filesystem::path& path);
+
 /// A flight log (.ftl) by its name.
 [[nodiscard]] bool is_flight_log(const std::filesystem::path& path);
 

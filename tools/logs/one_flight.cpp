@@ -89,26 +89,4 @@ void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::p
   }
 }
 
-void expect_rows_of_log(const flight::Flight& rows, const flight_log::Flight& log,
-                        const std::filesystem::path& folder) {
-  std::optional<core::Microseconds> begin;
-  std::optional<core::Microseconds> end;
-  for (const protocol::LogEvent& event : log.events) {
-    if (event.kind == protocol::LogEventKind::phase) {
-      auto& time = static_cast<core::Phase>(event.value) == core::Phase::controlling ? begin : end;
-      time = event.time;
-    }
-  }
-  const flight::Events& events = rows.events;
-  if (!begin || !end || !events.control_start_s || !events.control_end_s || *end < *begin) {
-    return;
-  }
-  const double logged_s = 1e-6 * static_cast<double>((*end - *begin).count());
-  const double rows_s = *events.control_end_s - *events.control_start_s;
-  if (std::abs(logged_s - rows_s) > 0.05 + 2.0 * report::figures(rows).roll.usual_step_s) {
-    refuse(folder, fmt::format("control lasts {} s in flight.csv, and {} s in flight.ftl", text::fixed(rows_s, 2),
-                               text::fixed(logged_s, 2)));
-  }
-}
-
 }  // namespace fantail::logs

@@ -8,8 +8,8 @@
 
 namespace fantail::logs {
 
-// A folder whose files are of two flights would make a page about neither. Both throw text::Error (bad_data), and know
-// nothing of a folder without summary.json.
+// A folder whose files are of two flights would make a page about neither. All throw text::Error (bad_data). The first
+// two know nothing of a folder without summary.json.
 
 /// The folder's flight.ftl is the log that summary.json was written with.
 void expect_log_of_summary(const std::filesystem::path& folder);
@@ -18,7 +18,10 @@ void expect_log_of_summary(const std::filesystem::path& folder);
 /// They may be a part of the flight's.
 void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::path& folder);
 
-/// Its table, without summary.json, is as long under control as its log.
-void expect_rows_of_log(const flight::Flight& rows, const flight_log::Flight& log, const std::filesystem::path& folder);
+/// The rows of the folder's flight.csv are under control for as long as its flight.ftl says, and have its roll commands
+/// and roll angles there, as far as both have them: but for how the table is rounded, and for whole turns. Their clocks
+/// may have different zeros. `log` holds one flight.
+void expect_rows_of_log(const flight::Flight& rows, const flight_log::LogFile& log,
+                        const std::filesystem::path& folder);
 
 }  // namespace fantail::logs

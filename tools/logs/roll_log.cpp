@@ -151,6 +151,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
     flight.events.apogee_s = events.apogee_s;
     flight.unmeasured = report::summary_unmeasured(path / "summary.json");
   }
+  expect_rows_of_log_beside(flight, path);
   RollLog log = roll_log(flight, path.string(), mapped);
   if (needs.roll_angle && !present.roll_angle) {
     integrate_roll_rate(log, mapped);
