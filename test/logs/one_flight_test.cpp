@@ -109,6 +109,8 @@ TEST_F(TableBesideLog, WithACommandThatTheLogDoesNotHaveIsRefusedWithTheTime) {
 TEST_F(TableBesideLog, WithARollThatTheLogDoesNotHaveIsRefused) {
   controlled(500).roll_angle_rad += text::radians(1.0);
   expect_two_flights({"do not show one and the same flight", "the roll angle is "});
+  controlled(500).roll_angle_rad = 1e300;
+  expect_two_flights({"the roll angle is 5.73e+301 deg in flight.csv, and near that time at most "});
 }
 
 TEST_F(TableBesideLog, WithoutTheBeginOfControlIsLaidBesideItAllTheSame) {

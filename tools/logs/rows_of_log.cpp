@@ -149,8 +149,8 @@ class Beside {
         std::minmax_element(first, last, [value = value](const Tick& a, const Tick& b) { return a.*value < b.*value; });
     constexpr double turn_rad = 2.0 * std::numbers::pi;
     const double table_rad = rows_[row].*value;
-    const double turns =
-        std::round((0.5 * (*low.*value + *high.*value) - table_rad) / turn_rad);  // it may be kept in one
+    double turns = std::round((0.5 * (*low.*value + *high.*value) - table_rad) / turn_rad);  // it may be kept in one
+    turns = std::abs(turns) < 1e6 ? turns : 0.0;
     const double here_rad = table_rad + turns * turn_rad;
     const double log_rad = std::clamp(here_rad, *low.*value, *high.*value);
     if (!(std::abs(here_rad - log_rad) > tolerance_rad_[signal])) {  // nor where the table has no number
