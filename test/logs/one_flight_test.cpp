@@ -52,6 +52,9 @@ TEST(OneFlight, ATableThatIsLongerUnderControlThanTheLogIsRefused) {
                  {"day: flight.csv and flight.ftl do not show one and the same flight: control lasts 2.20 s",
                   "2.00 s in flight.ftl"},
                  [&] { expect_rows_of_log(rows, log, "day"); });
+  const test::Folder folder;
+  folder.write("summary.json", "{}");  // knows of outages
+  expect_rows_of_log(rows, log, folder.path());
   rows.events.control_end_s.reset();  // of a part
   expect_rows_of_log(rows, log, "day");
 }

@@ -18,9 +18,9 @@ void expect_log_of_summary(const std::filesystem::path& folder);
 /// They may be a part of the flight's.
 void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::path& folder);
 
-/// The rows of the folder's flight.csv are under control for as long as its flight.ftl says, and have its roll commands
-/// and roll angles there, as far as both have them: but for how the table is rounded, and for whole turns. Their clocks
-/// may have different zeros. `log` holds one flight.
+/// The rows of the folder's flight.csv have the roll commands and roll angles of its flight.ftl under control, as far
+/// as both have them: but for how the table is rounded, and for whole turns. Their clocks may have different zeros.
+/// Without summary.json they are under control for as long as the log says, too. `log` holds one flight.
 void expect_rows_of_log(const flight::Flight& rows, const flight_log::LogFile& log,
                         const std::filesystem::path& folder);
 

@@ -3,11 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -222,7 +224,9 @@ void expect_as_long(const flight::Flight& rows, const flight_log::Flight& log, c
 
 void expect_rows_of_log(const flight::Flight& rows, const flight_log::LogFile& log,
                         const std::filesystem::path& folder) {
-  if (log.flights.size() == 1) {
+  std::error_code ignored;
+  // A summary takes an outage out of the time under control, and is held against the table itself.
+  if (log.flights.size() == 1 && !std::filesystem::exists(folder / "summary.json", ignored)) {
     expect_as_long(rows, log.flights.front(), folder);
   }
   const Table table = table_of(rows);
