@@ -22,7 +22,7 @@ class DelayLine {
 
   double after(double value) {
     values_[next_] = value;
-    next_ = (next_ + 1) % values_.size();
+    next_ = next_ + 1 == values_.size() ? 0 : next_ + 1;
     return values_[next_];
   }
 
