@@ -90,16 +90,17 @@ TEST(Exercise, ItsFirstTurnsAreAnExerciseThatEndsWithThem) {
   EXPECT_NEAR(asked_deg(two, 1, 4.4 + 1.0), 9.0, 1e-5);
   EXPECT_THROW((void)whole.beginning(0), std::invalid_argument);
   EXPECT_THROW((void)whole.beginning(6), std::invalid_argument);
-  EXPECT_EQ(whole.turns_over_at(8.7), 1U);
-  EXPECT_EQ(whole.turns_over_at(8.9), 2U);
+  EXPECT_EQ(whole.turns_before(whole.stretch_at(8.7)), 1U);
+  EXPECT_EQ(whole.turns_before(whole.stretch_at(8.9)), 2U);
 }
 
 TEST(Exercise, SaysWhatItDoes) {
   const Exercise exercise = Exercise::limits(six_degrees());
-  EXPECT_EQ(exercise.doing(0.1), "canard 1 alone: at the centre");
-  EXPECT_EQ(exercise.doing(4.4 + 1.0), "canard 2 alone: held beyond the + limit");
-  EXPECT_EQ(exercise.doing(4.0 * 4.4 + 2.5), "all four together: held beyond the \u2212 limit");
-  EXPECT_EQ(exercise.doing(1e6), "all four together: at once to the centre");
+  const auto doing = [&](double time_s) { return exercise.doing(exercise.stretch_at(time_s)); };
+  EXPECT_EQ(doing(0.1), "canard 1 alone: at the centre");
+  EXPECT_EQ(doing(4.4 + 1.0), "canard 2 alone: held beyond the + limit");
+  EXPECT_EQ(doing(4.0 * 4.4 + 2.5), "all four together: held beyond the \u2212 limit");
+  EXPECT_EQ(doing(1e6), "all four together: at once to the centre");
 }
 
 TEST(Exercise, ASineSwingsAboutTheCentreOfOneCanard) {

@@ -74,6 +74,7 @@ struct Bench {
   double commands_beyond_rad = 0.0;  ///< an avionics that does not keep its limit
   bool reports_limited = true;
   int requests_every_ms = 1;
+  double pace = 1.0;  ///< of the exercise, by the rocket's clock: a slow PC falls behind
 
   link::Recording record(const Exercise& exercise) {
     core::RandomStream random{seed};
@@ -83,10 +84,10 @@ struct Bench {
     }
     std::size_t marked = 0;
     Each<double> command = exercise.bounds().centre_rad;
-    const int ticks = static_cast<int>(std::lround(exercise.duration_s() * 1000.0));
+    const int ticks = static_cast<int>(std::lround(exercise.duration_s() * 1000.0 / pace));
     for (int t = 0; t < ticks; ++t) {
       link::Tick tick{.number = first_tick + t};
-      const auto asked = exercise.asked(0.001 * (t - t % requests_every_ms));
+      const auto asked = exercise.asked(0.001 * pace * (t - t % requests_every_ms));
       for (std::size_t i = 0; i < canards.size(); ++i) {
         tick.encoder_rad[i] = canards[i].read(random);  // read before the servos are told
       }
@@ -101,7 +102,7 @@ struct Bench {
         canards[i].move(command[canards[i].answers_to < 4 ? canards[i].answers_to : i]);
       }
       const int late = marks_late_ms + (marks_scatter_ms > 0 ? random.whole(0, marks_scatter_ms) : 0);
-      marked = std::max(marked, exercise.stretch_at(0.001 * (t - late)));
+      marked = std::max(marked, exercise.stretch_at(0.001 * pace * (t - late)));
       tick.stretch = marked;
       if (!random.chance(lost_share)) {
         recording.add(tick);

@@ -49,6 +49,7 @@ void show_live(const bench::Exercise& exercise) {
   auto next = std::chrono::steady_clock::now();
   for (const link::Tick& tick : recording.ticks()) {
     page.take(tick);
+    page.progress(1e-3 * static_cast<double>(tick.number - recording.ticks().front().number));
     std::this_thread::sleep_until(next += between_ticks);
   }
   std::printf("%s\n", page.finish(bench::examine(recording, exercise, {}, heading), recording, exercise).c_str());

@@ -74,7 +74,9 @@ class Browser {
 
 struct Served {
   explicit Served(std::string greeting = "hello")
-      : server{{.port = 0}, "<p>the page</p>", [greeting = std::move(greeting)] { return greeting; }},
+      : server{{.port = 0},
+               {.html = "<p>the page</p>", .about = "whose"},
+               [greeting = std::move(greeting)] { return greeting; }},
         port{server.address().port},
         host{"127.0.0.1:" + std::to_string(port)} {}
 
@@ -118,7 +120,7 @@ TEST(LiveServer, AViewerIsGreetedAndThenSentEveryFrame) {
   Served served;
   Browser browser = served.open("/events");
   EXPECT_NE(browser.read_to("\r\n\r\n").find("text/event-stream"), std::string::npos);
-  EXPECT_NE(browser.read_to("\n\n").find("data: hello\n\n"), std::string::npos);
+  EXPECT_NE(browser.read_to("hello\n\n").find("event: page\ndata: whose\n\ndata: hello\n\n"), std::string::npos);
   for (int i = 0; i < 20; ++i) {
     served.server.show("frame " + std::to_string(i));
     const std::string event = browser.read_to("\n\n");
@@ -129,6 +131,18 @@ TEST(LiveServer, AViewerIsGreetedAndThenSentEveryFrame) {
     std::this_thread::sleep_for(10ms);  // counted behind the write
   }
   EXPECT_EQ(served.server.figures().frames_sent, 21U);
+}
+
+TEST(LiveServer, TheGreetingComesBeforeTheFramesThatWereShownMeanwhile) {
+  Server* serving = nullptr;
+  Server server{{.port = 0}, {.html = "", .about = "whose"}, [&serving] {
+                  serving->show("meanwhile");
+                  return std::string{"hello"};
+                }};
+  serving = &server;
+  Browser browser{server.address().port};
+  browser.get("/events", "127.0.0.1:" + std::to_string(server.address().port));
+  EXPECT_EQ(browser.read_to("data: hello\n\n").find("meanwhile"), std::string::npos);
 }
 
 TEST(LiveServer, TenViewersAtOnceGetTheSameFrames) {
@@ -261,13 +275,13 @@ TEST(LiveServer, APartOfThePageThatIsAskedForAThousandTimesIsThePageOnce) {
 TEST(LiveServer, AnAddressThatIsTakenIsSaidAndNotShared) {
   const Served served;
   try {
-    const Server second{{.port = served.port}, "", [] { return std::string{}; }};
+    const Server second{{.port = served.port}, {}, [] { return std::string{}; }};
     FAIL() << "two servers at one port";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string{error.what()}.find("another program listens there"), std::string::npos) << error.what();
     EXPECT_NE(std::string{error.what()}.find(std::to_string(served.port)), std::string::npos) << error.what();
   }
-  EXPECT_THROW((Server{{.host = "192.0.2.1", .port = 0}, "", [] { return std::string{}; }}), std::runtime_error)
+  EXPECT_THROW((Server{{.host = "192.0.2.1", .port = 0}, {}, [] { return std::string{}; }}), std::runtime_error)
       << "an address that no computer has";
 }
 

@@ -15,9 +15,9 @@ TEST(SheetFeed, SaysWhereTheCanardsAreAndWhatIsDone) {
   SheetFeed feed;
   EXPECT_EQ(frame_of(feed)["of_s"], 0.0) << "nothing has begun";
   feed.begin(22.0, {text::radians(6.0), text::radians(6.0), text::radians(5.0), text::radians(6.0)});
-  feed.move(1.5, "canard 1 alone: at the centre", {text::radians(2.0)}, {text::radians(1.25)});
+  feed.move(1.5, 1.4, "canard 1 alone: at the centre", {text::radians(2.0)}, {text::radians(1.25)});
   const json::Value frame = frame_of(feed);
-  EXPECT_EQ(frame["time_s"], 1.5);
+  EXPECT_EQ(frame["time_s"], 1.4) << "what the exercise has done, not the rocket's clock";
   EXPECT_EQ(frame["of_s"], 22.0);
   EXPECT_EQ(frame["now"], "canard 1 alone: at the centre");
   EXPECT_EQ(frame["ended"], false);
@@ -44,7 +44,7 @@ TEST(SheetFeed, AnExerciseOfAMinuteIsKeptFromItsBeginning) {
   SheetFeed feed;
   feed.begin(61.0, {});
   for (int ms = 0; ms <= 61'000; ++ms) {
-    feed.move(1e-3 * ms, "", {}, {});
+    feed.move(1e-3 * ms, 1e-3 * ms, "", {}, {});
   }
   (void)feed.frame();
   const json::Value told = json::parse(feed.greeting());
@@ -52,6 +52,15 @@ TEST(SheetFeed, AnExerciseOfAMinuteIsKeptFromItsBeginning) {
   EXPECT_LE(told["plot"].size(), 61.0 * 40.0 + 2.0);
   feed.end();
   EXPECT_EQ(frame_of(feed)["ended"], true);
+  EXPECT_EQ(frame_of(feed)["why"], "");
+}
+
+TEST(SheetFeed, AnEarlyEndIsToldWithItsReason) {
+  SheetFeed feed;
+  feed.end("interrupted; the canards are centred");
+  const json::Value frame = frame_of(feed);
+  EXPECT_EQ(frame["ended"], true);
+  EXPECT_EQ(frame["why"], "interrupted; the canards are centred");
 }
 
 }  // namespace

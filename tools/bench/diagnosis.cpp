@@ -2,9 +2,7 @@
 #include "bench/diagnosis.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -22,23 +20,6 @@ constexpr double short_share = 0.95;  // of the way; above it a canard is only i
 constexpr double same_share = 0.15;   // slipping takes about as much from one side as from the other
 constexpr double right_share = 0.07;  // off by no more than this, the way is right and only its place is wrong
 const double still_rad_s = text::radians(3.0);
-
-// In the order of Cause.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 13> causes{
-    {{"healthy", "is healthy"},
-     {"stuck", "is stuck"},
-     {"dead", "is dead"},
-     {"reversed", "is reversed"},
-     {"slipping", "slips"},
-     {"slow", "is slow"},
-     {"encoder_unplugged", "has no usable encoder reading"},
-     {"encoder_noisy", "has a noisy encoder"},
-     {"wrong_trim", "has a wrong trim"},
-     {"wrong_canard_moves", "moves another canard"},
-     {"out_of_tolerance", "is out of tolerance"},
-     {"limit_not_kept", "was commanded beyond its limit"},
-     {"not_measured", "could not be measured"}}};
-static_assert(static_cast<std::size_t>(Cause::not_measured) + 1 == causes.size());
 
 std::string signed_degrees(double angle_rad) {
   const std::string number = fixed(degrees(angle_rad), 2);
@@ -115,9 +96,12 @@ class Diagnoser {
           "plan."};
     }
     if (stands_off()) {
+      const std::string off = signed_degrees(*f_.centring_error_rad);
       return {Cause::wrong_trim,
-              fmt::format("it follows the command, but with an offset of {} everywhere",
-                          signed_degrees(f_.centring_error_rad.value_or(0.0))),
+              f_.amplitude_ratio
+                  ? fmt::format("it follows the sine, but at rest it is off its trim by {}", off)
+                  : fmt::format("it follows the command, but with an offset of {}{}", off,
+                                failed(Measure::reached) ? ", at its trim and at the angle commanded" : " everywhere"),
               "Check its pulse centre, trim and encoder zero in the plan, and that the horn sits on the right tooth."};
     }
     return failed_checks();
@@ -142,8 +126,12 @@ class Diagnoser {
 
   /// An exercise that does not stop at the limits knows no such angles.
   [[nodiscard]] std::string told_and_reached() const {
-    if (!f_.told_positive_rad || !f_.told_negative_rad || !f_.reached_positive_rad || !f_.reached_negative_rad) {
+    if (!f_.told_positive_rad || !f_.reached_positive_rad) {
       return {};
+    }
+    if (!f_.told_negative_rad || !f_.reached_negative_rad) {  // a step
+      return fmt::format(": commanded to {}, it reached {}", signed_degrees(*f_.told_positive_rad),
+                         signed_degrees(*f_.reached_positive_rad));
     }
     return fmt::format(": commanded to {} and {}, it reached {} and {}", signed_degrees(*f_.told_positive_rad),
                        signed_degrees(*f_.told_negative_rad), signed_degrees(*f_.reached_positive_rad),
@@ -198,17 +186,31 @@ class Diagnoser {
   }
 
   [[nodiscard]] bool slips() const {
+    if (failed(Measure::reached)) {  // play leaves a step short, too, but not its centre where it was
+      return f_.gain && *f_.gain < short_share && std::abs(*f_.from_above_rad) <= t_.centring_rad &&
+             std::abs(*f_.from_below_rad) <= t_.centring_rad;
+    }
     return f_.gain && f_.positive_share && f_.negative_share && *f_.positive_share < short_share &&
            *f_.negative_share < short_share && std::abs(*f_.positive_share - *f_.negative_share) < same_share &&
            (failed(Measure::reached_positive) || failed(Measure::reached_negative));
   }
 
   [[nodiscard]] bool stands_off() const {
-    if (!f_.centring_error_rad || !f_.gain || !f_.reached_positive_rad || !f_.reached_negative_rad ||
-        std::abs(*f_.centring_error_rad) <= t_.centring_rad || std::abs(*f_.gain - 1.0) > right_share) {
+    if (!f_.centring_error_rad || std::abs(*f_.centring_error_rad) <= t_.centring_rad) {
       return false;
     }
-    return same_offset(*f_.reached_positive_rad, f_.told_positive_rad.value_or(limit_rad_)) &&
+    if (f_.amplitude_ratio) {
+      return !failed(Measure::amplitude_ratio);
+    }
+    if (!f_.gain || !f_.reached_positive_rad || std::abs(*f_.gain - 1.0) > right_share) {
+      return false;
+    }
+    if (failed(Measure::reached)) {
+      return same_offset(*f_.reached_positive_rad, *f_.told_positive_rad) &&
+             std::abs(*f_.from_above_rad - *f_.from_below_rad) <= t_.backlash_rad;
+    }
+    return f_.reached_negative_rad &&
+           same_offset(*f_.reached_positive_rad, f_.told_positive_rad.value_or(limit_rad_)) &&
            same_offset(*f_.reached_negative_rad, f_.told_negative_rad.value_or(-limit_rad_));
   }
 
@@ -239,17 +241,21 @@ class Diagnoser {
                   : fmt::format("{} {}{}", label, check.value ? fixed(*check.value, about.decimals) : "not measured",
                                 check.value && !about.unit.empty() ? fmt::format(" {}", about.unit) : "");
       if (check.value && check.measure != Measure::limit_reported) {
-        const bool reach = check.measure == Measure::reached_positive || check.measure == Measure::reached_negative;
+        const bool reach = check.measure == Measure::reached_positive || check.measure == Measure::reached_negative ||
+                           check.measure == Measure::reached;
         text += reach && beyond_bus(text::radians(*check.value)) ? " or farther" : "";
         text += fmt::format(" (must be {})", allowed_text(check));
       }
     }
     if (text.empty()) {
-      return {Cause::healthy, "every figure is within its tolerance", ""};
+      return {Cause::healthy, "every figure that is judged is within its tolerance", ""};
     }
     // What nobody measured accuses nobody.
     if (std::ranges::none_of(checks_, [](const Check& check) { return !check.passed && check.value; })) {
       return {Cause::not_measured, text, "Run again with nothing else running on this PC."};
+    }
+    if (failed(Measure::amplitude_ratio)) {
+      return {Cause::out_of_tolerance, text, "A sine does not show why: fantail bench limits looks for the cause."};
     }
     return {Cause::out_of_tolerance, text,
             "Look at its plots: no single fault explains these figures. Check linkage, play and cable, and run again."};
@@ -263,10 +269,6 @@ class Diagnoser {
 };
 
 }  // namespace
-
-std::string_view name(Cause cause) { return causes[static_cast<std::size_t>(cause)].first; }
-
-std::string_view cause_text(Cause cause) { return causes[static_cast<std::size_t>(cause)].second; }
 
 Diagnosis diagnose(const Figures& figures, std::span<const Check> checks, const Bounds& bounds, std::size_t canard,
                    const sim::CanardTolerances& tolerances) {

@@ -135,9 +135,8 @@ std::size_t Exercise::stretch_at(double time_s) const {
   return after == stretches_.begin() ? 0 : static_cast<std::size_t>(after - stretches_.begin()) - 1;
 }
 
-std::size_t Exercise::turns_over_at(double time_s) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(turns_, [&](const Turn& turn) { return stretches_[turn.last].end_s <= time_s; }));
+std::size_t Exercise::turns_before(std::size_t stretch) const {
+  return static_cast<std::size_t>(std::ranges::count_if(turns_, [&](const Turn& turn) { return turn.last < stretch; }));
 }
 
 Exercise Exercise::beginning(std::size_t turn_count) const {
@@ -148,11 +147,10 @@ Exercise Exercise::beginning(std::size_t turn_count) const {
   return first;
 }
 
-std::string Exercise::doing(double time_s) const {
-  const std::size_t at = stretch_at(time_s);
-  const auto turn = std::ranges::find_if(turns_, [&](const Turn& one) { return at <= one.last; });
+std::string Exercise::doing(std::size_t stretch) const {
+  const auto turn = std::ranges::find_if(turns_, [&](const Turn& one) { return stretch <= one.last; });
   const std::string who = turn->canard ? fmt::format("canard {} alone", *turn->canard + 1) : "all four together";
-  return fmt::format("{}: {}", who, part_text(stretches_[at].part));
+  return fmt::format("{}: {}", who, part_text(stretches_[stretch].part));
 }
 
 void Exercise::begin_turn(std::optional<std::size_t> canard) {

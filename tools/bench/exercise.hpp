@@ -98,12 +98,12 @@ class Exercise {
   /// The stretch that a time belongs to: what Tick::stretch of the ticks received then should be.
   [[nodiscard]] std::size_t stretch_at(double time_s) const;
 
-  /// How many of its turns are over then.
-  [[nodiscard]] std::size_t turns_over_at(double time_s) const;
+  /// How many of its turns are over when this stretch is done.
+  [[nodiscard]] std::size_t turns_before(std::size_t stretch) const;
   /// Its first turns, one at least, as an exercise of their own.
   [[nodiscard]] Exercise beginning(std::size_t turn_count) const;
-  /// What is done then, for people: "canard 2 alone: slowly beyond the + limit".
-  [[nodiscard]] std::string doing(double time_s) const;
+  /// What is done in it, for people: "canard 2 alone: slowly beyond the + limit".
+  [[nodiscard]] std::string doing(std::size_t stretch) const;
 
  private:
   Exercise(ExerciseKind kind, const Bounds& bounds) : kind_{kind}, bounds_{bounds} {}

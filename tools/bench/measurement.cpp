@@ -98,4 +98,22 @@ Figures measure(const link::Recording& recording, const Exercise& exercise, cons
   return f;
 }
 
+std::optional<double> slowest_ratio(const link::Recording& recording, const Exercise& exercise, const Turn& turn,
+                                    std::size_t canard, const sim::CanardTolerances& tolerances) {
+  CanardTrace trace = trace_of(recording, exercise, turn, canard);
+  if (trace.size() == 0) {
+    return std::nullopt;
+  }
+  const double factor = 1.0 - std::exp(-tick_s * std::log(9.0) / tolerances.longest_step_time_s);
+  const double most_rad = tick_s * tolerances.slowest_slew_rad_s;
+  double angle_rad = trace.command_rad.front();
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    trace.encoder_rad[i] = angle_rad;
+    angle_rad += std::clamp(factor * (trace.command_rad[i] - angle_rad), -most_rad, most_rad);
+  }
+  Figures slowest;
+  add_wave(trace, exercise.wave()->frequency_hz, slowest);
+  return slowest.amplitude_ratio;
+}
+
 }  // namespace fantail::bench

@@ -6,6 +6,7 @@
 
 #include "bench/exercise.hpp"
 #include "link/avionics_link.hpp"
+#include "sim/canard_tolerances.hpp"
 
 namespace fantail::bench {
 
@@ -24,7 +25,7 @@ struct Figures {
   std::optional<double> negative_share;
 
   std::optional<double> largest_command_rad;  ///< without sign
-  std::optional<double> told_positive_rad;    ///< command in the hold
+  std::optional<double> told_positive_rad;    ///< command in the hold; of a step: whichever way it goes
   std::optional<double> told_negative_rad;
   std::optional<double> reached_positive_rad;  ///< encoder in the hold; of a step: where it went
   std::optional<double> reached_negative_rad;
@@ -32,10 +33,10 @@ struct Figures {
 
   std::optional<double> lag_s;  ///< delay and lag together
   std::optional<double> tracking_error_rad;
-  std::optional<double> tracking_rms_rad;  ///< of the same difference, tick by tick
-  std::optional<double> from_above_rad;    ///< encoder - command at the centre
-  std::optional<double> from_below_rad;
-  std::optional<double> centring_error_rad;  ///< mean of the two
+  std::optional<double> tracking_rms_rad;    ///< of the same difference, tick by tick
+  std::optional<double> from_above_rad;      ///< encoder - command at the centre; of a step: before it
+  std::optional<double> from_below_rad;      ///< of a step: after it
+  std::optional<double> centring_error_rad;  ///< mean of the two; of a sine: of before and after it
   std::optional<double> backlash_rad;        ///< difference of the two, without sign
   std::optional<double> stands_at_rad;       ///< mean of all readings at rest
   std::optional<double> drift_rad_s;         ///< fastest still seen long after the command stood, without sign
@@ -46,7 +47,9 @@ struct Figures {
   std::optional<double> overshoot_rad;  ///< beyond where it came to rest
   std::optional<double> noise_rad;      ///< standard deviation at rest, drift taken off
 
+  std::optional<double> amplitude_rad;    ///< of the command, in a sine
   std::optional<double> amplitude_ratio;  ///< of a sine
+  std::optional<double> slowest_ratio;    ///< of a servo that is just quick enough, in the same sine
   std::optional<double> phase_lag_rad;    ///< of a sine, 0 to 2 pi
 
   std::optional<double> others_moved_rad;   ///< alone only: how far another canard went along at most
@@ -62,5 +65,11 @@ struct Figures {
 
 [[nodiscard]] Figures measure(const link::Recording& recording, const Exercise& exercise, const Turn& turn,
                               std::size_t canard);
+
+/// The amplitude ratio, in this turn of a sine, of a servo that just meets step time and slew rate:
+/// Figures::slowest_ratio.
+[[nodiscard]] std::optional<double> slowest_ratio(const link::Recording& recording, const Exercise& exercise,
+                                                  const Turn& turn, std::size_t canard,
+                                                  const sim::CanardTolerances& tolerances);
 
 }  // namespace fantail::bench

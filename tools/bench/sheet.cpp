@@ -45,6 +45,9 @@ bool shown_by(ExerciseKind kind, Measure measure) {
     case Measure::others_moved: return true;
     case Measure::slew:
     case Measure::step_time: return kind != ExerciseKind::sine;
+    case Measure::reached: return kind == ExerciseKind::step;
+    case Measure::amplitude_ratio: return kind == ExerciseKind::sine;
+    case Measure::centring_error: return kind != ExerciseKind::step;
     default: return kind == ExerciseKind::limits;
   }
 }
@@ -107,6 +110,9 @@ class Examination {
     TurnResult result{.figures = measure(recording_, exercise_, turn, canard)};
     if (turn.canard && result.figures.largest_command_rad) {
       result.figures.largest_command_rad = largest_rad_[canard];  // in others' turns too
+    }
+    if (exercise_.kind() == ExerciseKind::sine) {
+      result.figures.slowest_ratio = slowest_ratio(recording_, exercise_, turn, canard, sheet_.tolerances);
     }
     result.checks = check(result.figures, exercise_.bounds(), canard, turn.canard.has_value(), sheet_.tolerances);
     std::erase_if(result.checks, [&](const Check& c) { return !shown_by(exercise_.kind(), c.measure); });
@@ -237,8 +243,14 @@ std::vector<std::string> conclusions(const Sheet& sheet) {
         "nose up, its leading edge turns to the right where the plan's direction is normal, to the left where it is "
         "reversed.");
   } else if (all.empty()) {
-    all.push_back(fmt::format("Canard {} follows its command within the tolerances.",
-                              sheet.canards.empty() ? 0 : sheet.canards.front().canard + 1));
+    all.push_back(fmt::format("Canard {} {}", sheet.canards.front().canard + 1,
+                              sheet.kind == ExerciseKind::step
+                                  ? "went to the angle commanded, in the time and at the speed required. A step does "
+                                    "not show its other side, "
+                                    "its trim and its backlash: fantail bench limits judges them."
+                                  : "followed the sine as far as required, and stands at its trim. Its "
+                                    "phase lag is not judged; "
+                                    "fantail bench limits judges limits, backlash and speed."));
   }
   return all;
 }

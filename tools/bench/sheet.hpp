@@ -101,9 +101,12 @@ struct Sheet {
 /// The inside of that page.
 [[nodiscard]] std::string sheet_inner_html(const Sheet& sheet, const link::Recording& recording,
                                            const Exercise& exercise);
-/// The same of a sheet of the first turns (Exercise::beginning) while `turns_to_come` others are still to be done: what
-/// has failed so far, and no verdict.
+/// The same of a sheet of the first turns (Exercise::beginning): what has failed so far, and no verdict.
+/// `turns_to_come` others are still to be done, or will not be when `given_up_because` says why.
 [[nodiscard]] std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recording,
-                                            const Exercise& exercise, std::size_t turns_to_come);
+                                            const Exercise& exercise, std::size_t turns_to_come,
+                                            const std::string& given_up_because = {});
+/// The same where nothing is said of the canards, and `why`. `title`: the rocket.
+[[nodiscard]] std::string no_sheet_html(const std::string& title, const std::string& why);
 
 }  // namespace fantail::bench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,14 @@ page::Page::Finding finding(const std::string& sentence) {
              : page::Page::Finding{.about = sentence};
 }
 
+// What standard error says after "fantail: ".
+std::string as_sentence(std::string why) {
+  if (!why.empty()) {
+    why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
+  }
+  return why + ".";
+}
+
 void judge(page::Page& page, const Sheet& sheet) {
   page.tone = tone(sheet.judgement());
   page.verdict_heading = display_name(sheet.judgement());
@@ -52,17 +61,21 @@ std::string shown(const std::string& text, bool passed) {
   return (passed ? "" : "\u2717\u00a0") + (text == "none" ? "\u2013" : text == "-" ? "\u2212" : text::with_minus(text));
 }
 
-std::string figures(const Sheet& sheet) {
+// A step or a sine does not show enough for "healthy".
+bool shows_no_fault(const Sheet& sheet, const CanardResult& result) {
+  return sheet.kind != ExerciseKind::limits && result.diagnosis.cause == Cause::healthy;
+}
+
+std::string figures(const Sheet& sheet, bool judged) {
   std::vector<page::Column> columns{{""}, {"Allowed", true}};
   std::vector<std::vector<page::Cell>> rows{{{"Finding"}, {}}};
   std::vector<page::Cell> monitors{{"Avionics\u2019 own verdict"}, {"not judged"}};
-  const bool judged = sheet.judgement() != Judgement::none;
   bool two_turns = false;
   bool monitored = false;
   for (const CanardResult& result : sheet.canards) {
     columns.push_back({fmt::format("Canard {}", result.canard + 1), true});
     two_turns = two_turns || (result.alone && result.together);
-    std::string cause{name(result.diagnosis.cause)};
+    std::string cause{shows_no_fault(sheet, result) ? "no fault seen" : name(result.diagnosis.cause)};
     std::ranges::replace(cause, '_', ' ');
     rows.front().push_back(judged ? page::Cell{cause, result.passed() ? Tone::good : Tone::bad}
                                   : page::Cell{"not judged"});
@@ -95,11 +108,12 @@ std::string figures(const Sheet& sheet) {
                            page::list(checks));
 }
 
-std::string charts(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
+std::string charts(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise, bool judged) {
   std::string html;
   for (const CanardResult& result : sheet.canards) {
-    const std::string_view found =
-        sheet.judgement() == Judgement::none ? "is not judged" : cause_text(result.diagnosis.cause);
+    const std::string_view found = !judged                         ? "is not judged"
+                                   : shows_no_fault(sheet, result) ? "shows no fault here"
+                                                                   : cause_text(result.diagnosis.cause);
     html += page::section(fmt::format("Canard {} {}", result.canard + 1, found),
                           canard_charts(result, sheet, recording, exercise));
   }
@@ -109,7 +123,8 @@ std::string charts(const Sheet& sheet, const link::Recording& recording, const E
 page::Page whole(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise) {
   page::Page page = heading(sheet);
   judge(page, sheet);
-  page.body_html = figures(sheet) + charts(sheet, recording, exercise);
+  const bool judged = sheet.judgement() != Judgement::none;
+  page.body_html = figures(sheet, judged) + charts(sheet, recording, exercise, judged);
   if (!sheet.heading.notes.empty()) {
     page.body_html += page::section("Notes", page::list(sheet.heading.notes));
   }
@@ -128,18 +143,36 @@ std::string sheet_inner_html(const Sheet& sheet, const link::Recording& recordin
 }
 
 std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise,
-                              std::size_t turns_to_come) {
+                              std::size_t turns_to_come, const std::string& given_up_because) {
   page::Page page = heading(sheet);
-  page.verdict_heading =
-      fmt::format("Not finished: {} more turn{} to come", turns_to_come, turns_to_come == 1 ? "" : "s");
+  const char* plural = turns_to_come == 1 ? "" : "s";
+  if (given_up_because.empty()) {
+    page.verdict_heading = fmt::format("Not finished: {} more turn{} to come", turns_to_come, plural);
+  } else {
+    page.verdict_heading = fmt::format("Given up with {} more turn{} to do", turns_to_come, plural);
+    page.findings.push_back(finding(as_sentence(given_up_because)));
+  }
+  page.tone = given_up_because.empty() ? Tone::plain : Tone::unsure;
   for (const CanardResult& result : sheet.canards) {
-    if (sheet.judgement() != Judgement::none && !result.passed()) {
+    if (!result.passed()) {
+      page.tone = Tone::bad;
       page.findings.push_back(finding(sentence(result.canard, result.diagnosis)));
     }
   }
-  page.tone = page.findings.empty() ? Tone::plain : Tone::bad;
-  page.body_html = figures(sheet) + charts(sheet, recording, exercise);
+  for (const std::string& doubt : sheet.doubts) {
+    page.findings.push_back({.what = "As it stands there will be no verdict:", .about = doubt + "."});
+  }
+  constexpr bool judged = true;  // what a turn has shown is not taken back before the whole sheet is
+  page.body_html = figures(sheet, judged) + charts(sheet, recording, exercise, judged);
   return page::inner_html(page);
+}
+
+std::string no_sheet_html(const std::string& title, const std::string& why) {
+  return page::inner_html({.kind = "Fantail bench",
+                           .title = title,
+                           .tone = Tone::unsure,
+                           .verdict_heading = "No sheet",
+                           .findings = {finding(as_sentence(why))}});
 }
 
 }  // namespace fantail::bench

@@ -88,10 +88,8 @@ std::vector<SheetRow> sheet_rows(const Sheet& sheet) {
   };
   if (sheet.kind == ExerciseKind::step) {
     add("Commanded", "deg", 2, [](const Figures& f) { return in_degrees(f.told_positive_rad); });
-    add("Reached", "deg", 2, [](const Figures& f) { return in_degrees(f.reached_positive_rad); });
     add("Overshoot", "deg", 2, [](const Figures& f) { return in_degrees(f.overshoot_rad); });
   } else if (sheet.kind == ExerciseKind::sine) {
-    add("Amplitude ratio", "", 3, [](const Figures& f) { return f.amplitude_ratio; });
     add("Phase lag", "deg", 1, [](const Figures& f) { return in_degrees(f.phase_lag_rad); });
   }
   add("Lag and delay", "ms", 0,

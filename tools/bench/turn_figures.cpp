@@ -176,6 +176,14 @@ void add_steps(const CanardTrace& trace, Part widest, Figures& f) {
     if (widest == Part::step_out) {
       f.told_positive_rad = trace.command_rad[begin];
       f.reached_positive_rad = to;
+      f.saturated = beyond_bus(to.value_or(0.0));
+      const auto home = level_rad(trace, at_rest(trace, Part::step_home));
+      if (from && to && home) {
+        f.gain = (*to - *from) / told_rad;
+        f.from_above_rad = *from - trace.command_rad[begin - 1];
+        f.from_below_rad = *home - trace.command_rad[begin - 1];
+        f.centring_error_rad = 0.5 * (*f.from_above_rad + *f.from_below_rad);
+      }
     }
   }
   const std::size_t across = step_begin(trace, widest);
@@ -190,6 +198,11 @@ void add_wave(const CanardTrace& trace, double frequency_hz, Figures& f) {
   const auto last = std::find_if(first, trace.part.end(), [](Part part) { return part != Part::sine; });
   Window window{static_cast<std::size_t>(first - trace.part.begin()),
                 static_cast<std::size_t>(last - trace.part.begin())};
+  const auto before = level_rad(trace, at_rest(trace, Part::settle));
+  const auto after = level_rad(trace, {std::min(window.end + time_to_settle, trace.size()), trace.size()});
+  if (before && after) {
+    f.centring_error_rad = 0.5 * (*before + *after) - trace.command_rad.back();
+  }
   window.begin += std::min(window.size() / 3, swing_in);  // the servo takes some time constants to swing in
   const auto command = phasor(trace.command_rad, window, frequency_hz);
   const auto encoder = phasor(trace.encoder_rad, window, frequency_hz);
@@ -202,6 +215,7 @@ void add_wave(const CanardTrace& trace, double frequency_hz, Figures& f) {
   if (told_rad < least_rad) {
     return;
   }
+  f.amplitude_rad = told_rad;
   f.amplitude_ratio = moved_rad / told_rad;
   if (moved_rad > 0.05 * told_rad) {
     const double lag_rad = std::atan2(command->cosine, command->sine) - std::atan2(encoder->cosine, encoder->sine);

@@ -32,21 +32,33 @@ Check at_most(Measure measure, const std::optional<double>& radians, double high
   return between(measure, in_degrees(radians), std::nullopt, degrees(highest_rad));
 }
 
-Check reached(Measure measure, const std::optional<double>& radians, double limit_rad, const Figures& f,
+Check reached(Measure measure, const std::optional<double>& radians, double told_rad, const Figures& f,
               const sim::CanardTolerances& t) {
-  Check result = within(measure, radians, limit_rad, t.reach_rad);
+  Check result = within(measure, radians, told_rad, t.reach_rad);
   // The bus ends at 20.47 deg: what reads so may stand anywhere beyond.
   result.passed = result.passed && !f.saturated;
   return result;
+}
+
+// As far as a servo that is just quick enough, give or take what may be missing at a limit.
+Check follows_wave(const Figures& f, const sim::CanardTolerances& t) {
+  if (!f.amplitude_rad || !f.slowest_ratio) {
+    return between(Measure::amplitude_ratio, std::nullopt, std::nullopt, std::nullopt);
+  }
+  const double share = t.reach_rad / *f.amplitude_rad;
+  const double lowest = *f.slowest_ratio - share;
+  return between(Measure::amplitude_ratio, f.amplitude_ratio, lowest > 0.0 ? std::optional{lowest} : std::nullopt,
+                 1.0 + share);
 }
 
 }  // namespace
 
 const MeasureText& text_of(Measure measure) {
   // In the order of Measure.
-  static constexpr std::array<MeasureText, 13> texts{{{"sign", "Sign", "", 0},
+  static constexpr std::array<MeasureText, 15> texts{{{"sign", "Sign", "", 0},
                                                       {"reached_positive_deg", "Reached, positive", "deg", 2},
                                                       {"reached_negative_deg", "Reached, negative", "deg", 2},
+                                                      {"reached_positive_deg", "Reached", "deg", 2},
                                                       {"largest_command_deg", "Largest command", "deg", 2},
                                                       {"limit_reported", "Clamping reported", "", 0},
                                                       {"tracking_error_deg", "Tracking error", "deg", 2},
@@ -56,6 +68,7 @@ const MeasureText& text_of(Measure measure) {
                                                       {"step_time_s", "Step, 10 to 90 %", "s", 3},
                                                       {"noise_deg", "Encoder noise", "deg", 3},
                                                       {"dropout_percent", "Encoder dropouts", "%", 2},
+                                                      {"amplitude_ratio", "Amplitude ratio", "", 3},
                                                       {"others_moved_deg", "Others moved", "deg", 2}}};
   static_assert(static_cast<std::size_t>(Measure::others_moved) + 1 == texts.size());
   return texts[static_cast<std::size_t>(measure)];
@@ -99,18 +112,22 @@ std::vector<Check> check(const Figures& f, const Bounds& bounds, std::size_t can
       between(Measure::sign, sign, 1.0, 1.0),
       reached(Measure::reached_positive, f.reached_positive_rad, limit_rad, f, t),
       reached(Measure::reached_negative, f.reached_negative_rad, -limit_rad, f, t),
+      reached(Measure::reached, f.reached_positive_rad, f.told_positive_rad.value_or(0.0), f, t),
       at_most(Measure::limit_kept, f.largest_command_rad, limit_rad),
       between(Measure::limit_reported, reported, 1.0, 1.0),
       at_most(Measure::tracking_error, f.tracking_error_rad, t.tracking_rad),
-      within(Measure::centring_error, f.centring_error_rad, 0.0, t.centring_rad),
+      within(Measure::centring_error, f.centring_error_rad, 0.0,
+             // A sine shows the centre from one side alone: half of the play is in it.
+             t.centring_rad + (f.amplitude_rad ? 0.5 * t.backlash_rad : 0.0)),
       at_most(Measure::backlash, f.backlash_rad, t.backlash_rad),
       between(Measure::slew, in_degrees(f.slew_rad_s),
               degrees(required_slew_rad_s(f.slew_way_rad.value_or(2.0 * limit_rad), t)), std::nullopt),
       between(Measure::step_time, f.step_time_s, std::nullopt, t.longest_step_time_s),
       at_most(Measure::noise, f.noise_rad, t.noise_rad),
       between(Measure::dropouts, 100.0 * f.dropout_share(), std::nullopt, 100.0 * t.dropout_share),
+      follows_wave(f, t),
   };
-  all[3].passed = f.largest_command_rad && !beyond_limit(f, limit_rad);  // reports come in steps
+  all[4].passed = f.largest_command_rad && !beyond_limit(f, limit_rad);  // reports come in steps
   if (alone) {
     Check others = at_most(Measure::others_moved, f.others_moved_rad, most_others_move_rad());
     // Nobody to be seen is nobody's fault: the others' encoders have their own turn.

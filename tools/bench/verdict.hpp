@@ -17,6 +17,7 @@ enum class Measure : std::uint8_t {
   sign,
   reached_positive,
   reached_negative,
+  reached,  ///< of a step: held against the angle commanded
   limit_kept,
   limit_reported,  ///< asked beyond it, the avionics has to say that it gave less
   tracking_error,
@@ -26,6 +27,7 @@ enum class Measure : std::uint8_t {
   step_time,
   noise,
   dropouts,
+  amplitude_ratio,  ///< of a sine
   others_moved,
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <fmt/core.h>
@@ -12,6 +13,7 @@
 #include "bench/exercise.hpp"
 #include "bench/perform.hpp"
 #include "bench/sheet.hpp"
+#include "bench/too_slow.hpp"
 #include "fantail/bench_desk.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/bench_page.hpp"
@@ -70,7 +72,11 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
   Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = exercise.duration_s()}};
   try {
     link::Recording recording = bench::perform(
-        exercise, session, link, [&](double done_s) { progress.show(done_s); },
+        exercise, session, link,
+        [&](double done_s) {
+          progress.show(done_s);
+          page.progress(done_s);
+        },
         [&](const link::Tick& tick) { page.take(tick); });
     if (!session.close()) {
       say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
@@ -81,15 +87,18 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
   }
 }
 
-void exercise(const ExerciseOptions& options, const MakeExercise& make) {
-  Desk on_desk = desk(options.vehicle, options.plan);
-  const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
-  expect_room(folder, "the sheet with --out");
-  CanPlace place{options.bench.interface};
-  link::AvionicsLink link{place.bus()};
-  await_rocket(options.bench, place, link);
-  expect_plan_in_force(on_desk, options.bench, link);
-  BenchPage page{options.page, on_desk.heading.vehicle + " on " + options.bench.interface};
+// What can be asked of no canard is said before anything moves.
+void expect_possible(const ExerciseOptions& options, const MakeExercise& make) {
+  try {
+    (void)make({}, options);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError{error.what()};
+  }
+}
+
+// The session ends with it, so what it throws is caught with the canards told to go to their centres.
+void exercise(const ExerciseOptions& options, const MakeExercise& make, const std::filesystem::path& folder,
+              Desk& on_desk, CanPlace& place, link::AvionicsLink& link, BenchPage& page) {
   page.wait_for_viewer();
   const auto session = open_session(place, link);
   const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims());
@@ -99,12 +108,11 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   complete(on_desk.heading, options.bench, link);
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
   const std::string json = bench::sheet_json(sheet);
-  const std::string viewers = page.finish(sheet, recording, what);
-
   const std::array<text::NamedFile, 3> files{{{"sheet.html", bench::sheet_html(sheet, recording, what)},
                                               {"sheet.json", json},
                                               {"sheet.csv", bench::sheet_csv(recording, what)}}};
   text::OutputFolder{folder}.write(files);
+  const std::string viewers = page.finish(sheet, recording, what);
   if (options.bench.json) {
     fmt::print("{}", json);
   } else {
@@ -116,6 +124,30 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make) {
   }
   if (!sheet.passed()) {
     throw RequirementNotMet{""};
+  }
+}
+
+void run(const ExerciseOptions& options, const MakeExercise& make) {
+  expect_possible(options, make);
+  Desk on_desk = desk(options.vehicle, options.plan);
+  const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
+  expect_room(folder, "the sheet with --out");
+  CanPlace place{options.bench.interface};
+  link::AvionicsLink link{place.bus()};
+  await_rocket(options.bench, place, link);
+  expect_plan_in_force(on_desk, options.bench, link);
+  BenchPage page{options.page, on_desk.heading.vehicle + " on " + options.bench.interface};
+  try {
+    exercise(options, make, folder, on_desk, place, link, page);
+  } catch (const bench::TooSlow& error) {
+    page.give_up(error.what(), false);
+    throw;
+  } catch (const text::OutputError& error) {
+    page.give_up(error.what(), false);
+    throw;
+  } catch (const std::exception& error) {
+    page.give_up(error.what(), true);
+    throw;
   }
 }
 
@@ -132,7 +164,7 @@ Verb add(const Verb& bench, const char* name, const char* meaning, const std::sh
       .value_name("PLAN");
   add_page_options(verb, options->page, "the canards and the sheet, which fills while they move,");
   verb.option("--out", options->out, "Folder for sheet.html, sheet.json and sheet.csv [out/bench]").offers(folders);
-  verb.action([options, make] { exercise(*options, make); });
+  verb.action([options, make] { run(*options, make); });
   return verb;
 }
 

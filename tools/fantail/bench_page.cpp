@@ -2,12 +2,14 @@
 #include "fantail/bench_page.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "bench/filling_sheet.hpp"
 #include "bench/trace.hpp"
 #include "live/broadcast.hpp"
 #include "live/panel.hpp"
@@ -19,7 +21,8 @@ namespace fantail::tool {
 class BenchPage::Work {
  public:
   Work(const PageOptions& options, const std::string& source)
-      : page_{address_of(options),
+      : source_{source},
+        page_{address_of(options),
               live::sheet_panel({.source = source, .command = page::made_by_command(), .version = FANTAIL_VERSION}),
               [this] { return feed_.frame(); }, [this] { return feed_.greeting(); }} {}
   ~Work() { stop(); }
@@ -28,8 +31,7 @@ class BenchPage::Work {
 
   void begin(const bench::Exercise& exercise, const sim::CanardTolerances& tolerances, const bench::Heading& heading) {
     exercise_ = exercise;
-    tolerances_ = tolerances;
-    heading_ = heading;
+    sheet_.emplace(exercise, tolerances, heading);
     feed_.begin(exercise.duration_s(), exercise.bounds().limit_rad);
     thread_ = std::thread{[this] { run(); }};
   }
@@ -39,11 +41,22 @@ class BenchPage::Work {
     waiting_.push_back(tick);
   }
 
+  void progress(double done_s) {
+    const std::scoped_lock lock{mutex_};
+    done_s_ = done_s;
+  }
+
   void finish(std::string sheet_html) {
     stop();
-    feed_.fill(std::move(sheet_html));
-    feed_.end();
-    page_.finish();
+    end(std::move(sheet_html), "");
+  }
+
+  void give_up(const std::string& why, bool turns_count) {
+    if (ended_) {
+      return;
+    }
+    stop();
+    end(sheet_ && turns_count ? sheet_->given_up(why) : bench::no_sheet_html(source_, why), why);
   }
 
   [[nodiscard]] const live::Broadcast& page() const { return page_; }
@@ -59,49 +72,51 @@ class BenchPage::Work {
     }
   }
 
-  // True: go on.
-  bool take_waiting(std::vector<link::Tick>& ticks) {
+  void end(std::string sheet_html, const std::string& why) {
+    ended_ = true;
+    feed_.fill(std::move(sheet_html));
+    feed_.end(why);
+    page_.finish();
+  }
+
+  // True: go on behind them.
+  bool take_waiting(std::vector<link::Tick>& ticks, double& done_s) {
     ticks.clear();
     const std::scoped_lock lock{mutex_};
     std::swap(ticks, waiting_);
+    done_s = done_s_;
     return !end_;
   }
 
   void run() {
     constexpr std::chrono::milliseconds between_looks{20};
     std::vector<link::Tick> ticks;
-    while (take_waiting(ticks)) {
+    double done_s = 0.0;
+    for (bool more = true; more;) {
+      more = take_waiting(ticks, done_s);
       for (const link::Tick& tick : ticks) {
-        (void)recording_.add(tick);
-        const double done_s = bench::tick_s * static_cast<double>(tick.number - recording_.ticks().front().number);
-        feed_.move(done_s, exercise_->doing(done_s), tick.command_rad, tick.encoder_rad);
-        fill_sheet(exercise_->turns_over_at(done_s));
+        first_tick_ = first_tick_.value_or(tick.number);
+        feed_.move(bench::tick_s * static_cast<double>(tick.number - *first_tick_), done_s,
+                   exercise_->doing(tick.stretch), tick.command_rad, tick.encoder_rad);
+        if (auto html = sheet_->take(tick)) {
+          feed_.fill(std::move(*html));
+        }
       }
-      std::this_thread::sleep_for(between_looks);
+      std::this_thread::sleep_for(more ? between_looks : std::chrono::milliseconds{0});
     }
   }
 
-  void fill_sheet(std::size_t turns_over) {
-    const std::size_t all = exercise_->turns().size();
-    if (turns_over <= turns_shown_ || turns_over == all) {
-      return;  // the whole sheet comes with its verdict
-    }
-    turns_shown_ = turns_over;
-    const bench::Exercise first = exercise_->beginning(turns_over);
-    const bench::Sheet sheet = bench::examine(recording_, first, tolerances_, heading_);
-    feed_.fill(bench::sheet_so_far_html(sheet, recording_, first, all - turns_over));
-  }
-
+  std::string source_;
   live::SheetFeed feed_;
   live::Broadcast page_;
   std::optional<bench::Exercise> exercise_;
-  sim::CanardTolerances tolerances_;
-  bench::Heading heading_;
+  bool ended_ = false;
   std::mutex mutex_;
   std::vector<link::Tick> waiting_;
+  double done_s_ = 0.0;
   bool end_ = false;
-  link::Recording recording_;  ///< of the thread
-  std::size_t turns_shown_ = 0;
+  std::optional<bench::FillingSheet> sheet_;  ///< of the thread, while it runs
+  std::optional<std::int64_t> first_tick_;    ///< of the thread
   std::thread thread_;
 };
 
@@ -130,6 +145,18 @@ void BenchPage::begin(const bench::Exercise& exercise, const sim::CanardToleranc
 void BenchPage::take(const link::Tick& tick) {
   if (work_) {
     work_->take(tick);
+  }
+}
+
+void BenchPage::progress(double done_s) {
+  if (work_) {
+    work_->progress(done_s);
+  }
+}
+
+void BenchPage::give_up(const std::string& why, bool turns_count) {
+  if (work_) {
+    work_->give_up(why, turns_count);
   }
 }
 

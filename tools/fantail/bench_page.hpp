@@ -27,6 +27,11 @@ class BenchPage {
   void begin(const bench::Exercise& exercise, const sim::CanardTolerances& tolerances, const bench::Heading& heading);
   /// Of every tick; it costs a lock and a copy.
   void take(const link::Tick& tick);
+  /// So much of the exercise is done.
+  void progress(double done_s);
+  /// It ends before its end, and the page says why. `turns_count`: what the turns that are over have shown stays.
+  /// Nothing is done when the end has been shown.
+  void give_up(const std::string& why, bool turns_count);
   /// The whole sheet is shown; one sentence on the viewers, empty without the option.
   std::string finish(const bench::Sheet& sheet, const link::Recording& recording, const bench::Exercise& exercise);
 

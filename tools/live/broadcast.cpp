@@ -13,9 +13,9 @@ constexpr std::chrono::milliseconds between_frames{25};
 
 }  // namespace
 
-Broadcast::Broadcast(const Address& address, std::string page_html, std::function<std::string()> frame,
+Broadcast::Broadcast(const Address& address, Page page, std::function<std::string()> frame,
                      const std::function<std::string()>& greeting)
-    : frame_{std::move(frame)}, server_{address, std::move(page_html), greeting}, thread_{[this] { work(); }} {}
+    : frame_{std::move(frame)}, server_{address, std::move(page), greeting}, thread_{[this] { work(); }} {}
 
 Broadcast::~Broadcast() {
   end_ = true;
@@ -23,14 +23,19 @@ Broadcast::~Broadcast() {
 }
 
 void Broadcast::finish() {
-  server_.show(frame_());
+  show_next();
   // Viewers take a frame within milliseconds; the connection goes with the program.
   std::this_thread::sleep_for(std::chrono::milliseconds{100});
 }
 
+void Broadcast::show_next() {
+  const std::scoped_lock lock{mutex_};
+  server_.show(frame_());
+}
+
 void Broadcast::work() {
   for (auto next = Clock::now(); !end_; next = std::max(next, Clock::now())) {
-    server_.show(frame_());
+    show_next();
     next += between_frames;
     std::this_thread::sleep_until(next);
   }

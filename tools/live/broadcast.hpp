@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -15,7 +16,7 @@ class Broadcast {
  public:
   /// `frame` is called 40 times a second and makes what every viewer is sent; `greeting` what a new one is sent first.
   /// Both for threads of this. Throws std::runtime_error when the address cannot be listened at.
-  Broadcast(const Address& address, std::string page_html, std::function<std::string()> frame,
+  Broadcast(const Address& address, Page page, std::function<std::string()> frame,
             const std::function<std::string()>& greeting);
   ~Broadcast();
   Broadcast(const Broadcast&) = delete;
@@ -28,8 +29,10 @@ class Broadcast {
   [[nodiscard]] ServerFigures figures() const { return server_.figures(); }
 
  private:
+  void show_next();
   void work();
 
+  std::mutex mutex_;  ///< of the order of frames
   std::function<std::string()> frame_;
   Server server_;
   std::atomic<bool> end_ = false;

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "live/server.hpp"
+
 namespace fantail::live {
 
 struct PanelWords {
@@ -12,8 +14,8 @@ struct PanelWords {
 };
 
 /// The whole page of a rocket that is heard; it loads nothing but the frames at /events (Feed). The words are escaped.
-[[nodiscard]] std::string panel(const PanelWords& words);
+[[nodiscard]] Page panel(const PanelWords& words);
 /// The same of the sheet of a bench, which fills while canards move (SheetFeed).
-[[nodiscard]] std::string sheet_panel(const PanelWords& words);
+[[nodiscard]] Page sheet_panel(const PanelWords& words);
 
 }  // namespace fantail::live

@@ -34,6 +34,8 @@ std::string own_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string{name.data()} : std::string{};
 }
 
+std::string event_of(const std::string& frame) { return "data: " + frame + "\n\n"; }
+
 // The library's own options let two programs listen at one port, each for a part of the viewers.
 void set_options(int socket) {
   constexpr int on = 1;
@@ -46,7 +48,7 @@ void set_options(int socket) {
 struct Server::Http {
   HttpServer server{most_connections};
   Address address;
-  std::string page;
+  Page page;
   std::function<std::string()> greeting;
   mutable std::mutex mutex;
   std::set<std::shared_ptr<Viewer>> viewers;
@@ -85,7 +87,7 @@ void Server::Http::answer_all() {
         return httplib::Server::HandlerResponse::Unhandled;
       });
   server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
-    response.set_content(page, "text/html; charset=utf-8");
+    response.set_content(page.html, "text/html; charset=utf-8");
   });
   server.Get("/favicon.ico", [](const httplib::Request&, httplib::Response& response) { response.status = 204; });
   server.Get("/events", [this](const httplib::Request&, httplib::Response& response) { answer_events(response); });
@@ -112,7 +114,8 @@ void Server::Http::answer_events(httplib::Response& response) {
     figures.most_viewers = std::max(figures.most_viewers, viewers.size());
   }
   // Entered first and greeted then: a frame may come twice, and none is missed. The page knows them by their number.
-  viewer->put(std::make_shared<const std::string>(greeting()));
+  viewer->put_first(
+      std::make_shared<const std::string>("event: page\ndata: " + page.about + "\n\n" + event_of(greeting())));
   response.set_chunked_content_provider(
       "text/event-stream", [this, viewer](std::size_t, httplib::DataSink& sink) { return feed(viewer, sink); },
       [this, viewer](bool) { leave(viewer); });
@@ -124,7 +127,7 @@ bool Server::Http::feed(const std::shared_ptr<Viewer>& viewer, httplib::DataSink
   }
   const Viewer::Frame frame = viewer->take();
   // A line that begins with a colon says nothing: it finds out whether anybody is still there.
-  return write(sink, frame ? "data: " + *frame + "\n\n" : ":\n\n");
+  return write(sink, frame ? *frame : ":\n\n");
 }
 
 bool Server::Http::write(httplib::DataSink& sink, const std::string& event) {
@@ -137,11 +140,11 @@ bool Server::Http::write(httplib::DataSink& sink, const std::string& event) {
   return true;
 }
 
-Server::Server(const Address& address, std::string page_html, std::function<std::string()> greeting)
+Server::Server(const Address& address, Page page, std::function<std::string()> greeting)
     : http_{std::make_unique<Http>()} {
   Http& http = *http_;
   http.address = address;
-  http.page = std::move(page_html);
+  http.page = std::move(page);
   http.greeting = std::move(greeting);
   http.server.set_socket_options(set_options);
   http.server.set_payload_max_length(0);
@@ -181,8 +184,8 @@ Server::~Server() {
 
 const Address& Server::address() const { return http_->address; }
 
-void Server::show(std::string frame) {
-  const auto shared = std::make_shared<const std::string>(std::move(frame));
+void Server::show(const std::string& frame) {
+  const auto shared = std::make_shared<const std::string>(event_of(frame));
   const std::scoped_lock lock{http_->mutex};
   for (const auto& viewer : http_->viewers) {
     http_->figures.frames_dropped += viewer->put(shared) ? 1 : 0;

@@ -21,6 +21,12 @@ struct ServerFigures {
   std::uint64_t refused = 0;  ///< viewers and other connections that were too many
 };
 
+struct Page {
+  std::string html{};
+  /// What tells a browser whose page this is, in one line: another program may be served where it had its page from.
+  std::string about{};
+};
+
 /// Serves one page, and to each browser that shows it the same frames as server-sent events. Read-only: GET / and GET
 /// /events are answered, and everything else is refused. Whoever calls show() never waits for a viewer.
 class Server {
@@ -31,7 +37,7 @@ class Server {
 
   /// `greeting` makes what a viewer is sent first; it is called in the server's threads. Throws std::runtime_error when
   /// the address cannot be listened at.
-  Server(const Address& address, std::string page_html, std::function<std::string()> greeting);
+  Server(const Address& address, Page page, std::function<std::string()> greeting);
   /// Ends every connection.
   ~Server();
   Server(const Server&) = delete;
@@ -40,7 +46,7 @@ class Server {
   /// With the port that was found.
   [[nodiscard]] const Address& address() const;
   /// One frame, without a line break, to each viewer.
-  void show(std::string frame);
+  void show(const std::string& frame);
   [[nodiscard]] ServerFigures figures() const;
 
  private:

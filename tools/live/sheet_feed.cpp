@@ -20,7 +20,7 @@ void SheetFeed::begin(double duration_s, const Each<double>& limit_rad) {
   limit_rad_ = limit_rad;
 }
 
-void SheetFeed::move(double time_s, std::string_view now, const Each<std::optional<double>>& command_rad,
+void SheetFeed::move(double time_s, double done_s, std::string_view now, const Each<std::optional<double>>& command_rad,
                      const Each<std::optional<double>>& encoder_rad) {
   std::array<std::optional<double>, signal_count> sample;
   for (std::size_t i = 0; i < core::canard_count; ++i) {
@@ -28,7 +28,7 @@ void SheetFeed::move(double time_s, std::string_view now, const Each<std::option
     sample[2 * i + 1] = in_degrees(encoder_rad[i]);
   }
   const std::scoped_lock lock{mutex_};
-  time_s_ = time_s;
+  done_s_ = done_s;
   now_ = now;
   command_rad_ = command_rad;
   encoder_rad_ = encoder_rad;
@@ -41,9 +41,10 @@ void SheetFeed::fill(std::string html) {
   sheet_is_new_ = true;
 }
 
-void SheetFeed::end() {
+void SheetFeed::end(std::string why) {
   const std::scoped_lock lock{mutex_};
   ended_ = true;
+  why_ = std::move(why);
 }
 
 std::string SheetFeed::frame() {
@@ -75,9 +76,13 @@ Json SheetFeed::now_json() const {
                        {"encoder_deg", json::printed(in_degrees(encoder_rad_[i]), 2)},
                        {"limit_deg", json::printed(text::degrees(limit_rad_[i]), 2)}});
   }
-  return {
-      {"frame", number_}, {"time_s", json::printed(time_s_, 1)}, {"of_s", json::printed(duration_s_, 1)}, {"now", now_},
-      {"ended", ended_},  {"canards", std::move(canards)}};
+  return {{"frame", number_},
+          {"time_s", json::printed(done_s_, 1)},
+          {"of_s", json::printed(duration_s_, 1)},
+          {"now", now_},
+          {"ended", ended_},
+          {"why", why_},
+          {"canards", std::move(canards)}};
 }
 
 }  // namespace fantail::live

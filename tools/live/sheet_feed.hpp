@@ -23,13 +23,14 @@ class SheetFeed {
 
   /// Before the first angle.
   void begin(double duration_s, const Each<double>& limit_rad);
-  /// `time_s` since the beginning; `now` is what is done, in words.
-  void move(double time_s, std::string_view now, const Each<std::optional<double>>& command_rad,
+  /// `time_s` since the beginning, by the rocket's clock; `done_s` of the exercise are done, less on a slow PC. `now`
+  /// is what is done, in words.
+  void move(double time_s, double done_s, std::string_view now, const Each<std::optional<double>>& command_rad,
             const Each<std::optional<double>>& encoder_rad);
   /// HTML, trusted: it is put into the page as it is.
   void fill(std::string html);
-  /// Nothing moves any more.
-  void end();
+  /// Nothing moves any more. `why` it ended early, for people; empty: it did not.
+  void end(std::string why = {});
 
   /// One line of JSON; the sheet is in it when it is new.
   [[nodiscard]] std::string frame();
@@ -46,13 +47,14 @@ class SheetFeed {
   PlotHistory plots_{signal_count, longest};
   double duration_s_ = 0.0;
   Each<double> limit_rad_{};
-  double time_s_ = 0.0;
+  double done_s_ = 0.0;
   std::string now_;
   Each<std::optional<double>> command_rad_{};
   Each<std::optional<double>> encoder_rad_{};
   std::string sheet_html_;
   bool sheet_is_new_ = false;
   bool ended_ = false;
+  std::string why_;
   std::uint64_t number_ = 0;  ///< of the last frame
 };
 

@@ -29,6 +29,12 @@ class Viewer {
     news_.notify_one();
     return full;
   }
+  /// Before all that waits.
+  void put_first(const Frame& frame) {
+    const std::scoped_lock lock{mutex_};
+    waiting_.push_front(frame);
+    news_.notify_one();
+  }
   /// Null: nothing has come for a while.
   Frame take() {
     std::unique_lock lock{mutex_};

@@ -5,6 +5,18 @@
 // Frames of /events: take(frame) for each, lost() when the connection has gone.
 function fantailListen(take, lost) {
   const source = new EventSource("events");
+  source.addEventListener("page", (message) => {  // another program may be served by now where this page came from
+    const page = JSON.parse(message.data);
+    if (page.page !== document.body.dataset.page || page.version !== document.getElementById("version").textContent) {
+      location.reload();
+      return;
+    }
+    document.title = page.title;
+    for (const id of ["source", "command"]) {
+      const at = document.getElementById(id);
+      if (at) at.textContent = page[id];
+    }
+  });
   source.onmessage = (message) => take(JSON.parse(message.data));
   source.onerror = () => {  // a browser tries again by itself, but not after every kind of failure
     source.close();

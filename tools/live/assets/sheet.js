@@ -9,12 +9,15 @@
   const signed = (value) => value == null ? "\u2013" : (value > -.005 ? "+" : "\u2212") + Math.abs(value).toFixed(2);
   const nothing = () => Array.from({length: 2 * canards + 1}, () => []);  // time, command and encoder of each canard
 
+  const empty = $("sheet").innerHTML;
   let now = null, connected = false, changed = false, columns = nothing();
 
   function take(frame) {
     connected = true;
-    if (frame.first) columns = nothing();
-    else if (now && frame.frame <= now.frame) return;
+    if (frame.first) {
+      columns = nothing();
+      if (frame.sheet === undefined) $("sheet").innerHTML = empty;  // that of another exercise
+    } else if (now && frame.frame <= now.frame) return;
     now = frame;
     for (const row of frame.plot) fantailAddStretch(columns, row);
     if (frame.sheet !== undefined) $("sheet").innerHTML = frame.sheet;  // made by this program, its texts escaped
@@ -23,16 +26,17 @@
 
   function showWords() {
     const state = !now ? ["connecting", ""]
-      : now.ended ? ["Ended", "ended"]
+      : now.ended ? ["Ended", now.why ? "failed" : "ended"]
       : !connected ? ["No connection: the exercise did not end while this page was connected", "old"]
       : now.of_s === 0 ? ["Waiting", ""] : ["Moving", "moving"];
     text("state", state[0]);
     $("now-bar").className = "now " + state[1];
     document.body.classList.toggle("is-old", state[1] === "old");
-    if (!now || now.of_s === 0) return;
-    text("doing", now.ended ? "the canards have been told to go to their centres" : now.now);
+    if (!now) return;
+    text("doing", now.why || (now.ended ? "the canards have been told to go to their centres" : now.now));
+    if (now.of_s === 0) return;
     text("clock", `${now.time_s.toFixed(1)} of ${now.of_s.toFixed(1)} s`);
-    $("progress").value = now.ended ? 1 : now.time_s / now.of_s;
+    $("progress").value = now.ended && !now.why ? 1 : now.time_s / now.of_s;
     plots.forEach(({value}, i) => { value.textContent = signed(now.canards[i].encoder_deg) + "\u00b0"; });
   }
 
@@ -52,7 +56,7 @@
       const wide = () => 1.25 * Math.max(now?.canards[i].limit_deg ?? 0, 1);
       const reach = (chart, low, high) => { const most = Math.max(wide(), -(low ?? 0), high ?? 0); return [-most, most]; };
       plot.chart = new uPlot({width: place.clientWidth, height, legend: {show: false}, cursor: {show: false},
-        scales: {x: {time: false, range: () => [0, now?.of_s || 1]}, y: {range: reach}}, axes, series}, data(plot), place);
+        scales: {x: {time: false, range: () => [0, Math.max(now?.of_s || 1, columns[0].at(-1) ?? 0)]}, y: {range: reach}}, axes, series}, data(plot), place);
     });
     changed = true;
   }
