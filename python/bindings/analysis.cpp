@@ -103,7 +103,7 @@ std::string identify_log(const logs::RollLog& log, const std::optional<flight::F
 std::string identify_file(const std::string& path, const Question& asked) {
   const logs::RollLog log =
       logs::read_roll_log(path, {.truth = asked.truth}, {.canard = true, .speed = !asked.speed_m_s});
-  return identify_log(log, logs::flown_airframe(path), asked);
+  return identify_log(log, logs::flown_airframe(path, {.truth = asked.truth}), asked);
 }
 
 std::string identify_flight(const Flown& flown, const Question& asked) {

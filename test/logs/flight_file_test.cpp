@@ -65,12 +65,12 @@ TEST_F(FlightFile, OfAFolderTheTableIsTakenAndWithoutOneTheLog) {
 
 TEST_F(FlightFile, ThePlanThatFlewIsInTheLogOrInTheOneBesideTheTable) {
   const auto kp = [](const std::filesystem::path& path) {
-    const std::optional<core::FlightPlan> plan = flown_plan(path);
+    const std::optional<core::FlightPlan> plan = flown_plan(path, {});
     return plan ? std::optional{plan->controller.proportional_gain} : std::nullopt;
   };
   const std::optional<float> flown = made_.plan.controller.proportional_gain;
   const std::filesystem::path log = folder_.write("both/flight.ftl", as_text(made_.bytes));
-  const std::filesystem::path table = folder_.write("both/flight.csv", "time_s\n");
+  const std::filesystem::path table = folder_.write("both/flight.csv", "time_s,roll_angle_deg\n0,1\n");
   EXPECT_EQ(kp(log), flown);
   EXPECT_EQ(kp(table), flown);
   EXPECT_EQ(kp(table.parent_path()), flown);
@@ -183,9 +183,54 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
   expect_refused(ErrorKind::bad_data, {"mixed: its files are of two flights: flight.ftl has not the SHA-256"},
                  [&] { (void)read_flight(folder_.path() / "mixed"); });
   expect_refused(ErrorKind::bad_data, {"mixed: its files are of two flights"},
-                 [&] { (void)flown_plan(folder_.path() / "mixed/flight.csv"); });
+                 [&] { (void)flown_plan(folder_.path() / "mixed/flight.csv", {}); });
   summary(text::sha256(made_.bytes));
   EXPECT_TRUE(read_flight(folder_.path() / "mixed").known.plan);
+}
+
+// Whoever takes something from beside a file takes it from a file of the same flight.
+TEST_F(FlightFile, TheSummaryOfAnotherFlightSaysNothingOfALog) {
+  constexpr const char* rocket =
+      R"("vehicle":"v","vehicle_file":"v","roll_inertia_kg_m2":0.004,"reference_area_m2":5e-5})";
+  const auto summary = [&](const std::string& sha256) {
+    folder_.write("day/summary.json", R"({"log_sha256":")" + sha256 + R"(",)" + rocket);
+  };
+  const std::filesystem::path log = folder_.write("day/flight.ftl", as_text(made_.bytes));
+  const std::filesystem::path day = log.parent_path();
+  summary(text::sha256(made_.bytes));
+  for (const std::filesystem::path& path : {log, day}) {
+    EXPECT_EQ(flown_airframe(path, {}).value().roll_inertia_kg_m2, 0.004);
+    EXPECT_EQ(read_roll_log(path, {}, {}).time_s.size(), made_.records.size());
+  }
+  summary(std::string(64, '0'));
+  const std::initializer_list<const char*> words{"day: its files are of two flights: flight.ftl has not the SHA-256"};
+  for (const std::filesystem::path& path : {log, day}) {
+    expect_refused(ErrorKind::bad_data, words, [&] { (void)flown_airframe(path, {}); });
+  }
+  expect_refused(ErrorKind::bad_data, words, [&] { (void)read_roll_log(day, {}, {}); });
+  expect_refused(ErrorKind::bad_data, words, [&] { (void)read_flight(day); });
+  EXPECT_EQ(read_roll_log(log, {}, {}).time_s.size(), made_.records.size());  // takes nothing from beside it
+  EXPECT_EQ(read_flight(log).rows.size(), made_.records.size());
+  const std::filesystem::path table =
+      folder_.write("day/flight.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,0,0\n1,0,0\n");
+  expect_refused(ErrorKind::bad_data, words, [&] { (void)read_roll_log(day, {}, {}); });
+  expect_refused(ErrorKind::bad_data, words, [&] { (void)flown_airframe(table, {}); });
+  expect_refused(ErrorKind::bad_data, words, [&] { (void)flown_plan(table, {}); });
+  EXPECT_EQ(read_roll_log(table, {}, {}).time_s.size(), 2U);
+}
+
+TEST_F(FlightFile, NorDoesThatOfAnotherTableThanTheOneThatIsNamed) {
+  const std::filesystem::path table =
+      folder_.write("day/flight.csv", "t,phase,roll_angle_deg,roll_rate_deg_s\n0,launched,1,0\n1,controlling,1,0\n");
+  const auto airframe = [&](const char* control_start_s) {
+    folder_.write("day/summary.json", R"({"roll_inertia_kg_m2":0.004,"reference_area_m2":5e-5,)"
+                                      R"("events":{"control_start_s":)" +
+                                          std::string{control_start_s} + "}}");
+    return flown_airframe(table, {.columns = {{"time_s", "t"}}});
+  };
+  EXPECT_EQ(airframe("0.5").value().reference_area_m2, 5e-5);
+  expect_refused(ErrorKind::bad_data, {"day: its files are of two flights", "under control at 1.000 s"},
+                 [&] { (void)airframe("1.5"); });
 }
 
 TEST_F(FlightFile, ASummaryThatIsNoneIsRefused) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -69,6 +70,26 @@ TEST_F(IdentifiedFlight, BringsItsVehicleAlong) {
       fantail({"identify", "out/tasha3_launch2/flight.ftl", "--out", "log"}, {.working_folder = folder_->path()});
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_NE(text.out.find("tasha3_launch2 (summary.json), I 0.00393 kg m2"), std::string::npos) << text.out;
+}
+
+// Nobody would see it: a damping and a torque that are off by the ratio of the inertias.
+TEST_F(IdentifiedFlight, WithTheSummaryOfAnotherFlightIsRefusedByEveryVerbThatReadsIt) {
+  std::string summary = content(*folder_ / "out/tasha3_launch2/summary.json");
+  const std::size_t digits = summary.find(json::parse(summary)["log_sha256"].text());
+  ASSERT_NE(digits, std::string::npos);
+  summary[digits] = summary[digits] == '0' ? '1' : '0';
+  const std::string log = content(*folder_ / "out/tasha3_launch2/flight.ftl");
+  const std::vector<std::pair<std::string, std::string>> files{{"day/summary.json", summary}, {"day/flight.ftl", log}};
+  for (const Words& words : {Words{"identify", "day"},
+                             {"identify", "day/flight.ftl"},
+                             {"identify", "day/flight.ftl", "--vehicle", "tasha3_launch1"},
+                             {"tunnel", "steps", "day", "--speed", "22"},
+                             {"tunnel", "stability", "day"},
+                             {"compare", "day", "day"},
+                             {"report", "day", "day"},
+                             {"report", "day"}}) {
+    Refusal(files, words, 65, {"day: its files are of two flights: flight.ftl has not the SHA-256 that summary.json"});
+  }
 }
 
 TEST_F(IdentifiedFlight, AnotherVehicleThanTheOneThatFlewIsUsedAndNamed) {

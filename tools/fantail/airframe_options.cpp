@@ -61,8 +61,9 @@ void add_airframe_options(const Verb& verb, AirframeOptions& options) {
       .value_name("M2");
 }
 
-NamedAirframe named_airframe(const AirframeOptions& options, const std::filesystem::path& log) {
-  const std::optional<flight::FlownAirframe> flown = logs::flown_airframe(log);
+NamedAirframe named_airframe(const AirframeOptions& options, const std::filesystem::path& log,
+                             const flight::Reading& reading) {
+  const std::optional<flight::FlownAirframe> flown = logs::flown_airframe(log, reading);
   NamedAirframe result;
   if (options.vehicle) {
     const sim::Vehicle vehicle =

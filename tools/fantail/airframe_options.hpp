@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fantail/command_line.hpp"
+#include "flight/read_csv.hpp"
 #include "identify/model/roll_model.hpp"
 
 namespace fantail::tool {
@@ -29,7 +30,9 @@ struct NamedAirframe {
 void add_airframe_options(const Verb& verb, AirframeOptions& options);
 
 /// The numbers that are given, and the rest from the vehicle that is named or else from the summary of the flight in
-/// `log`. Nobody's airframe is assumed. Throws UsageError when a number is not known, text::Error for a bad vehicle.
-[[nodiscard]] NamedAirframe named_airframe(const AirframeOptions& options, const std::filesystem::path& log);
+/// `log`, which `reading` says how to read. Nobody's airframe is assumed. Throws UsageError when a number is not known,
+/// text::Error for a bad vehicle, and as logs::flown_airframe() does.
+[[nodiscard]] NamedAirframe named_airframe(const AirframeOptions& options, const std::filesystem::path& log,
+                                           const flight::Reading& reading);
 
 }  // namespace fantail::tool

@@ -105,7 +105,7 @@ core::FlightPlan plan_of(const IdentifyOptions& o, const std::string& data) {
   if (!wants_flown_plan(o)) {
     return core::default_plan();
   }
-  const std::optional<core::FlightPlan> flown = logs::flown_plan(data);
+  const std::optional<core::FlightPlan> flown = logs::flown_plan(data, reading(o.log));
   if (!flown) {
     throw UsageError{
         "--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit; or a flight log (.ftl), "

@@ -71,7 +71,7 @@ void apply_changes(const flight::FlownAirframe& flown, input::Document& document
 }
 
 void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& heading) {
-  const auto flown = logs::flown_airframe(options.logs.front());
+  const auto flown = logs::flown_airframe(options.logs.front(), {});
   if (!options.vehicle && !flown) {
     if (!std::filesystem::exists(options.logs.front())) {
       throw text::Error{text::ErrorKind::no_such_input, options.logs.front() + ": no such file"};

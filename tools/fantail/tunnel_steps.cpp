@@ -70,7 +70,7 @@ void steps(const StepsVerbOptions& options) {
   if (options.logs.save_map) {
     save_column_map(options.logs.map, options.run, "--columns");
   }
-  const NamedAirframe frame = named_airframe(options.airframe, options.run);
+  const NamedAirframe frame = named_airframe(options.airframe, options.run, reading(options.logs));
   log.warnings.insert(log.warnings.end(), frame.warnings.begin(), frame.warnings.end());
   const tunnel::StepsHeading head = heading(options, log, frame);
   std::optional<Progress> progress;

@@ -65,7 +65,7 @@ std::filesystem::path output_folder(const IdentifyOptions& o) {
 
 identify::result::Study study_of(const IdentifyOptions& o, const std::string& data) {
   identify::Question q = question(o, data);
-  const NamedAirframe rocket = named_airframe(o.airframe, data);
+  const NamedAirframe rocket = named_airframe(o.airframe, data, reading(o.log));
   q.airframe = rocket.airframe;
   const identify::model::Grid published = identify::model::published_grid(q.airframe);
   q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(published.alpha_m2);

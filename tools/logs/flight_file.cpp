@@ -23,6 +23,18 @@ bool is_there(const std::filesystem::path& path) {
   return std::filesystem::exists(path, ignored);
 }
 
+/// Of what fantail fly writes together: a folder, or flight.csv or flight.ftl in one. Empty for every other file.
+std::filesystem::path folder_of_flight(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return path;
+  }
+  if (path.filename() != "flight.csv" && path.filename() != "flight.ftl") {
+    return {};
+  }
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
 /// The log at `path`, or the one beside the flight.csv of fantail fly; empty where there is none.
 std::optional<flight_log::LogFile> log_of(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -32,24 +44,39 @@ std::optional<flight_log::LogFile> log_of(const std::filesystem::path& path) {
     return {};
   }
   const std::filesystem::path log = is_log ? path : (is_folder ? path : path.parent_path()) / "flight.ftl";
-  if (!is_there(log)) {
-    return {};
+  return is_there(log) ? std::optional{flight_log::read_log_file(log)} : std::nullopt;
+}
+
+/// The rows of a table, with what the column map beside it says.
+flight::Flight read_rows(const std::filesystem::path& file, flight::Reading reading) {
+  const std::string mapped = apply_map_beside(file, reading);
+  flight::Flight flight =
+      flight::read_flight_csv(load_table(file, reading), reading, {.roll_angle = false, .roll_rate = false});
+  if (!mapped.empty()) {
+    flight.notes.insert(flight.notes.begin(), mapped);
   }
-  if (!is_log) {
-    expect_log_of_summary(log.parent_path());
+  return flight;
+}
+
+/// Before something is taken from beside `path`.
+void expect_one_flight_beside(const std::filesystem::path& path, const std::filesystem::path& folder,
+                              const flight::Reading& reading) {
+  if (path.filename() == "flight.csv") {
+    const flight::Flight rows = read_rows(path, reading);
+    expect_one_flight(folder, &rows);
+  } else {
+    expect_one_flight(folder, nullptr);
   }
-  return flight_log::read_log_file(log);
 }
 
 // It knows the plan; a run in the tunnel shows in it too.
-void add_plan(flight::Flight& flight, const flight_log::LogFile& log, const std::filesystem::path& folder) {
+void add_plan(flight::Flight& flight, const flight_log::LogFile& log) {
   if (!flight_log::is_one_flight(log) || !log.flights.front().plan) {
     return;
   }
   flight.plan = *log.flights.front().plan;
   flight.known.plan = true;
   flight.tunnel = flight.plan.run.start == core::Start::tunnel;
-  expect_rows_of_log(flight, log, folder);
 }
 
 }  // namespace
@@ -67,18 +94,24 @@ std::filesystem::path flight_file(const std::filesystem::path& path) {
   throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
 }
 
-std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const bool is_folder = std::filesystem::is_directory(path, ignored);
-  if (!is_folder && path.filename() != "flight.csv" && path.filename() != "flight.ftl") {
-    return {};
+std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path, const flight::Reading& reading) {
+  const std::filesystem::path folder = folder_of_flight(path);
+  auto airframe = folder.empty() ? std::nullopt : report::summary_airframe(folder / "summary.json");
+  if (airframe) {
+    expect_one_flight_beside(path, folder, reading);
   }
-  return report::summary_airframe((is_folder ? path : path.parent_path()) / "summary.json");
+  return airframe;
 }
 
-std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path) {
+std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path, const flight::Reading& reading) {
   const std::optional<flight_log::LogFile> log = log_of(path);
-  return log && flight_log::is_one_flight(*log) ? log->flights.front().plan : std::nullopt;
+  if (!log || !flight_log::is_one_flight(*log)) {
+    return {};
+  }
+  if (!is_flight_log(path)) {
+    expect_one_flight_beside(path, folder_of_flight(path), reading);
+  }
+  return log->flights.front().plan;
 }
 
 void expect_rows_of_log_beside(const flight::Flight& rows, const std::filesystem::path& path) {
@@ -126,20 +159,17 @@ flight::Flight read_flight_log(const std::filesystem::path& file) {
 flight::Flight read_flight(const std::filesystem::path& path) {
   const std::filesystem::path file = flight_file(path);
   if (is_flight_log(file)) {
+    if (file != path) {
+      expect_one_flight(path, nullptr);
+    }
     return read_flight_log(file);
   }
-  flight::Reading reading{.options = ""};
-  const std::string mapped = apply_map_beside(file, reading);
-  flight::Flight flight =
-      flight::read_flight_csv(load_table(file, reading), reading, {.roll_angle = false, .roll_rate = false});
-  if (!mapped.empty()) {
-    flight.notes.insert(flight.notes.begin(), mapped);
-  }
+  flight::Flight flight = read_rows(file, {.options = ""});
   if (file == path) {
     flight.scenario = path.filename().string();
     return flight;
   }
-  expect_rows_of_summary(flight, path);
+  expect_one_flight(path, &flight);
   report::add_summary(flight, path / "summary.json");
   if (flight.scenario.empty()) {  // no summary, or one that names none
     flight.scenario = std::filesystem::absolute(file).lexically_normal().parent_path().filename().string();
@@ -156,7 +186,7 @@ flight::Flight read_flight(const std::filesystem::path& path) {
     flight.without_control = flight::read_free_roll(flight::Table::load((path / "without_control.csv").string()));
   }
   if (const std::optional<flight_log::LogFile> log = log_of(path)) {
-    add_plan(flight, *log, path);
+    add_plan(flight, *log);
   }
   return flight;
 }

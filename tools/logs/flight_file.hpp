@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "flight/flight.hpp"
+#include "flight/read_csv.hpp"
 
 namespace fantail::logs {
 
@@ -13,13 +14,17 @@ namespace fantail::logs {
 [[nodiscard]] std::filesystem::path flight_file(const std::filesystem::path& path);
 
 /// Which airframe a flight of fantail fly was flown with, as the summary.json beside it says; `path` is its folder, or
-/// flight.csv or flight.ftl in it. Empty for every other log. Throws text::Error (bad_data) for a damaged summary.
-[[nodiscard]] std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path);
+/// flight.csv or flight.ftl in it. Empty for every other log. Throws text::Error (bad_data) for a damaged summary, and
+/// as expect_one_flight() does: of a folder's flight.csv the rows are for read_roll_log() to look at; named by itself
+/// it is read as `reading` says.
+[[nodiscard]] std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path,
+                                                                  const flight::Reading& reading);
 
 /// The plan of a flight: of the flight log at `path`, or of the one beside the flight.csv of fantail fly; `path` may be
 /// their folder. Empty where there is no such log, or none of one flight with a plan. Throws text::Error when it is
-/// none.
-[[nodiscard]] std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path);
+/// none, and as flown_airframe() does.
+[[nodiscard]] std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path,
+                                                         const flight::Reading& reading);
 
 /// A table at `path`, which is as flown_plan() has it, does not lie beside the log of another flight, as far as these
 /// rows of it tell. Throws text::Error (bad_data).

@@ -54,8 +54,7 @@ Change find_change(const std::vector<flight::Row>& rows, bool begins, const std:
   return change;
 }
 
-}  // namespace
-
+/// The folder's flight.ftl is the log that summary.json was written with.
 void expect_log_of_summary(const std::filesystem::path& folder) {
   const std::optional<std::string> said = report::summary_log_sha256(folder / "summary.json");
   std::ifstream stream{folder / "flight.ftl", std::ios::binary};
@@ -86,6 +85,22 @@ void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::p
       std::abs(*said.roll_turns - *figures.roll_turns) > 0.001) {
     refuse(folder, fmt::format("under control flight.csv turns by {} turns, and by summary.json it was {}",
                                text::fixed(*figures.roll_turns, 3), text::fixed(*said.roll_turns, 3)));
+  }
+}
+
+}  // namespace
+
+void expect_one_flight(const std::filesystem::path& folder, const flight::Flight* rows) {
+  if (rows != nullptr) {
+    expect_rows_of_summary(*rows, folder);
+  }
+  expect_log_of_summary(folder);
+  std::error_code ignored;
+  if (rows != nullptr && std::filesystem::exists(folder / "flight.ftl", ignored)) {
+    const flight_log::LogFile log = flight_log::read_log_file(folder / "flight.ftl");
+    if (flight_log::is_one_flight(log)) {
+      expect_rows_of_log(*rows, log, folder);
+    }
   }
 }
 

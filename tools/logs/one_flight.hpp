@@ -8,15 +8,13 @@
 
 namespace fantail::logs {
 
-// A folder whose files are of two flights would make a page about neither. All throw text::Error (bad_data). The first
-// two know nothing of a folder without summary.json.
+// A folder whose files are of two flights would make a page about neither. Both throw text::Error (bad_data).
 
-/// The folder's flight.ftl is the log that summary.json was written with.
-void expect_log_of_summary(const std::filesystem::path& folder);
-
-/// The rows of the folder's flight.csv begin and end control when summary.json says so, and turn as far in between.
-/// They may be a part of the flight's.
-void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::path& folder);
+/// What there is of flight.csv, flight.ftl and summary.json in the folder is of one flight. `rows` are those of its
+/// flight.csv, and may be a part of the flight's; null: it has none, or they are not used. By summary.json they begin
+/// and end control when it says so, and turn as far in between, and it was written with that flight.ftl. And
+/// expect_rows_of_log().
+void expect_one_flight(const std::filesystem::path& folder, const flight::Flight* rows);
 
 /// The rows of the folder's flight.csv have the roll commands and roll angles of its flight.ftl under control, as far
 /// as both have them: but for how the table is rounded, and for whole turns. Their clocks may have different zeros.

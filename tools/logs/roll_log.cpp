@@ -133,6 +133,9 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
   const std::filesystem::path file = flight_file(path);
   if (is_flight_log(file)) {
     refuse_what_only_a_table_has(file.string(), reading);
+    if (file != path) {
+      expect_one_flight(path, nullptr);
+    }
     return roll_log(read_flight_log(file), file.string(), reading);
   }
   flight::Reading mapped = reading;
@@ -145,13 +148,14 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
     flight.notes.insert(flight.notes.begin(), said);
   }
   if (file != path) {
-    expect_rows_of_summary(flight, path);
+    expect_one_flight(path, &flight);
     const flight::Events events = report::summary_events(path / "summary.json");
     flight.events.burnout_s = events.burnout_s;
     flight.events.apogee_s = events.apogee_s;
     flight.unmeasured = report::summary_unmeasured(path / "summary.json");
+  } else {
+    expect_rows_of_log_beside(flight, path);
   }
-  expect_rows_of_log_beside(flight, path);
   RollLog log = roll_log(flight, path.string(), mapped);
   if (needs.roll_angle && !present.roll_angle) {
     integrate_roll_rate(log, mapped);
