@@ -20,7 +20,9 @@ Prediction good() {
   Prediction p;
   p.reach.angle_rad = radians(9.0);
   p.flown = input::load_scenario("tasha3_launch2", {});
-  p.runs.resize(200, {.airframe = {.damping_m2 = 19.4, .torque_m = 9.6}, .outcome = report::Outcome::held});
+  p.runs.resize(200, {.airframe = {.damping_m2 = 19.4, .torque_m = 9.6},
+                      .authority_margin_rad = radians(4.9),
+                      .outcome = report::Outcome::held});
   p.authority = share(200, 200);
   p.held = share(200, 200);
   p.offset_size_rad = {.mean = radians(4.1), .p5 = radians(3.0), .p50 = radians(4.1), .p95 = radians(5.2)};
@@ -70,6 +72,15 @@ TEST(Decision, IsNoGoWhenTheOffsetIsLargerThanTheLimit) {
             "No go: the fin offset of about 7.1 degrees is larger than the 6 degree canard limit in 98 % of the runs.");
   EXPECT_EQ(criterion(d, "authority").judgement, Judgement::not_met);
   EXPECT_EQ(criterion(d, "held").judgement, Judgement::met);
+}
+
+TEST(Decision, AnOffsetAtTheLimitIsNotCalledLarger) {
+  Prediction p = good();
+  p.authority = share(0, 200);
+  p.offset_size_rad.p50 = radians(9.0);
+  p.runs[5].authority_margin_rad = -1e-8;
+  EXPECT_EQ(decide(p, {}).text,
+            "No go: the fin offset of about 9.0 degrees is not smaller than the 9 degree canard limit in all runs.");
 }
 
 TEST(Decision, IsNoGoWhenTheLoopIsTooNearToSwinging) {

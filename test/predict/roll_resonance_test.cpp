@@ -29,8 +29,7 @@ sim::Scenario scenario() {
 // alpha 8.5 m2, beta 10 m: u = k alpha / beta = 0.0660 rad = 3.78 degrees.
 struct Run run(double offset_deg) {
   struct Run run;
-  run.airframe = {.damping_m2 = 8.5, .torque_m = 10.0};
-  run.offset_rad = offset_deg * degree;
+  run.airframe = {.damping_m2 = 8.5, .torque_m = 10.0, .offset_end_rad = offset_deg * degree};
   return run;
 }
 
@@ -55,6 +54,14 @@ TEST(RollResonance, TellsRunsThatStayNearItFromThoseThatSpinThroughAndThoseThatO
   const std::string text = warning(*found, 2.0 * degree);
   EXPECT_NE(text.find("angle of 3.8 degrees"), std::string::npos) << text;
   EXPECT_NE(text.find("would keep 2 of 5 runs near that and spin 1 of 5 runs through it"), std::string::npos) << text;
+}
+
+TEST(RollResonance, IsNotKeptByAnOffsetThatIsOver) {
+  struct Run falling = run(-1.0);
+  falling.airframe.offset_begin_rad = falling.offset_rad = -12.0 * degree;
+  const auto found = roll_resonance(scenario(), {falling}, 1.0 * degree);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->near + found->past + found->with_canards, 0U);
 }
 
 TEST(RollResonance, SaysNothingWhereNothingComesNear) {

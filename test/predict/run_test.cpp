@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "input/scenario_file.hpp"
+#include "report/figures.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {
@@ -26,6 +27,42 @@ TEST(Run, NoSpinWhereTheCanardsCanBalanceTheOffset) {
   EXPECT_FALSE(spin_rate_rad_s(first_launch, radians(-6.0), radians(6.0), 60.0));
   EXPECT_FALSE(spin_rate_rad_s(first_launch, radians(5.9), radians(6.0), 60.0));
   EXPECT_GT(*spin_rate_rad_s(first_launch, radians(7.0), radians(6.0), 60.0), 0.0);
+}
+
+// -9 degrees as a plan has them are a float, a little off the number.
+TEST(Run, NoSpinOfAnOffsetThatIsAtTheLimit) {
+  const auto limit_rad = static_cast<double>(core::Angle::from_degrees(9.0F).radians());
+  for (const double offset_rad : {radians(-9.0), limit_rad, 1.0000001 * limit_rad}) {
+    EXPECT_FALSE(spin_rate_rad_s(first_launch, offset_rad, limit_rad, 60.0)) << offset_rad;
+  }
+}
+
+// It falls from 12 degrees at lift-off to one at 1.7 s; control starts at 0.6 s, and top speed is at 2 s.
+TEST(Run, AnOffsetThatIsOverBeforeControlOrTopSpeedIsNotThatOfItsFigures) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const TunnelStep falling{
+      .damping_m2 = 23.0, .torque_m = 9.0, .offset_begin_rad = radians(-12.0), .offset_end_rad = radians(-1.0)};
+  const auto run = fly_run(scenario, falling, 1);
+  const flight::Flight flight = fly_airframe(scenario, falling, 1, fly::Log::dropped);
+  const double control_start_s = flight.events.control_start_s.value_or(0.0);
+  const double expected_deg = -12.0 + 11.0 * control_start_s / 1.7;
+  EXPECT_NEAR(degrees(run.offset_rad), expected_deg, 0.02);
+  EXPECT_EQ(run.authority_margin_rad, report::figures(flight).authority_margin_rad) << "as in the report of the run";
+  EXPECT_NEAR(degrees(run.authority_margin_rad), 9.0 + expected_deg, 0.02);
+  EXPECT_FALSE(run.spin_rate_rad_s);
+  ASSERT_TRUE(run.settle_rad);
+  EXPECT_NEAR(degrees(*run.settle_rad), -20.0 - 1.0 / 0.5, 0.01);
+  sim::Scenario narrow = scenario;
+  narrow.plan.controller.canard_limit = core::Angle::from_degrees(0.5F);
+  const auto spinning = fly_run(narrow, falling, 1);
+  ASSERT_TRUE(spinning.spin_rate_rad_s);
+  EXPECT_NEAR(degrees(*spinning.spin_rate_rad_s), -spinning.top_speed_m_s * 9.0 * 0.5 / 23.0, 0.01);
+  sim::Scenario enough = scenario;
+  enough.plan.controller.canard_limit = core::Angle::from_degrees(4.0F);
+  const auto settles = fly_run(enough, falling, 1);
+  EXPECT_LT(settles.authority_margin_rad, 0.0);
+  EXPECT_FALSE(settles.spin_rate_rad_s);
+  EXPECT_TRUE(settles.settle_rad) << "the canards reach it as control ends";
 }
 
 TEST(Run, TheFirstLaunchIsNotHeldAndNobodyKnowsItsRollBeforehand) {

@@ -18,9 +18,6 @@
 namespace fantail::predict {
 namespace {
 
-/// More than floats differ by.
-constexpr double same_angle_rad = 1e-6;
-
 /// The first of all limits that ends a canard before the plan's own does; empty: none does.
 std::string stopped_by(const sim::Scenario& scenario) {
   double least_rad = static_cast<double>(scenario.plan.controller.canard_limit.radians()) - same_angle_rad;

@@ -7,6 +7,9 @@
 
 namespace fantail::predict {
 
+/// Angles that differ by less are the same: more than a float, as a plan has them, differs from the number.
+inline constexpr double same_angle_rad = 1e-6;
+
 /// The fin offset of one sense that all canards together can balance, and what ends it.
 struct CanardReach {
   double angle_rad = 0.0;

@@ -52,9 +52,14 @@ Criterion authority(const Prediction& p, double threshold) {
               .required = required_share(threshold),
               .judgement = judge(share.low >= threshold)};
   const bool within = c.judgement == Judgement::met || too_few_runs(share, threshold);
-  c.clause = fmt::format("the fin offset of about {} degrees is {} the {} in {}",
-                         fixed(degrees(p.offset_size_rad.p50), 1), within ? "within" : "larger than", p.reach.text(),
-                         of_the_runs(within ? share.value : 1.0 - share.value));
+  const bool some_at_limit =
+      std::ranges::any_of(p.runs, [](const Run& run) { return std::abs(run.authority_margin_rad) <= same_angle_rad; });
+  c.clause =
+      fmt::format("the fin offset of about {} degrees is {} the {} in {}", fixed(degrees(p.offset_size_rad.p50), 1),
+                  within          ? "within"
+                  : some_at_limit ? "not smaller than"
+                                  : "larger than",
+                  p.reach.text(), of_the_runs(within ? share.value : 1.0 - share.value));
   if (too_few_runs(share, threshold)) {
     c.clause += more_runs(share, threshold);
   }

@@ -64,7 +64,7 @@ void count(Prediction& p) {
   const auto came_to = [&number](report::Outcome outcome) {
     return number([outcome](const Run& run) { return run.outcome == outcome; });
   };
-  p.authority = share(number([](const Run& run) { return run.authority_margin_rad > 0.0; }), p.runs.size());
+  p.authority = share(number([](const Run& run) { return run.authority_margin_rad > same_angle_rad; }), p.runs.size());
   p.not_judged = came_to(report::Outcome::not_judged);
   p.without_control = came_to(report::Outcome::no_control);
   p.held = share(came_to(report::Outcome::held), p.runs.size());

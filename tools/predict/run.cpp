@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "campaign/judged_flight.hpp"
 #include "predict/canard_reach.hpp"
@@ -42,11 +43,30 @@ class Track {
     if (row.truth && row.time_s - zero_s_ >= next_s - clock_tolerance_s) {
       points_.push_back(row);
     }
+    if (row.truth && row.truth->speed_m_s > top_speed_m_s_) {
+      top_speed_m_s_ = row.truth->speed_m_s;
+      offset_at_top_speed_rad_ = row.truth->disturbance_rad;
+    }
     if (row.phase == core::Phase::controlling) {
       first_controlled_ = first_controlled_ ? first_controlled_ : row;
       last_controlled_ = row;
+      least_offset_rad_ = std::min(least_offset_rad_, row.truth->disturbance_rad);
+      most_offset_rad_ = std::max(most_offset_rad_, row.truth->disturbance_rad);
     }
   }
+
+  /// The offset that is harder to balance, of two alike the larger one: under control, as the flight report has it, and
+  /// without any of the airframe's two.
+  void keep_offset(Run& run, const flight::Flight& flight) const {
+    const double one_rad = first_controlled_ ? least_offset_rad_ : run.airframe.offset_begin_rad;
+    const double other_rad = first_controlled_ ? most_offset_rad_ : run.airframe.offset_end_rad;
+    const double one_margin_rad = flight::authority_margin_rad(flight, one_rad);
+    const double other_margin_rad = flight::authority_margin_rad(flight, other_rad);
+    run.offset_rad = one_margin_rad < other_margin_rad ? one_rad : other_rad;
+    run.authority_margin_rad = std::min(one_margin_rad, other_margin_rad);
+  }
+
+  [[nodiscard]] double offset_at_top_speed_rad() const { return offset_at_top_speed_rad_; }
 
   /// `clock`: from the rows' to the flight's.
   void keep(Run& run, const flight::Flight& flight, const flight::Clock& clock) const {
@@ -63,7 +83,7 @@ class Track {
       return;
     }
     run.speed_at_control_start_m_s = first_controlled_->truth->speed_m_s;
-    if (run.authority_margin_rad > 0.0) {
+    if (flight::authority_margin_rad(flight, last_controlled_->truth->disturbance_rad) > same_angle_rad) {
       flight::Row last = *last_controlled_;
       last.time_s = clock(last.time_s);
       run.settle_rad = flight::settle_point_rad(last, flight);
@@ -76,6 +96,10 @@ class Track {
   std::vector<flight::Row> points_;
   std::optional<flight::Row> first_controlled_;
   std::optional<flight::Row> last_controlled_;
+  double least_offset_rad_ = std::numeric_limits<double>::infinity();  // under control, as the next
+  double most_offset_rad_ = -std::numeric_limits<double>::infinity();
+  double top_speed_m_s_ = -1.0;
+  double offset_at_top_speed_rad_ = 0.0;
 };
 
 void keep_notes(Run& run, const flight::Flight& flight, const sim::Scenario& scenario) {
@@ -101,16 +125,11 @@ void keep_path(Run& run, const flight::Flight& flight, const sim::Scenario& scen
 }
 
 Run run_of(const flight::Flight& flight, const report::Figures& figures, const report::Verdict& verdict,
-           const sim::Scenario& scenario, const TunnelStep& airframe) {
+           const sim::Scenario& scenario, const TunnelStep& airframe, const Track& track) {
   Run run;
   run.seed = flight.seed.value_or(0);
   run.airframe = airframe;
-  // The offset that is harder to balance; of two alike the larger one.
-  const double begin_rad = flight::authority_margin_rad(flight, airframe.offset_begin_rad);
-  const double end_rad = flight::authority_margin_rad(flight, airframe.offset_end_rad);
-  run.offset_rad = begin_rad < end_rad ? airframe.offset_begin_rad : airframe.offset_end_rad;
-  run.authority_margin_rad = std::min(begin_rad, end_rad);
-  const double limit_rad = canard_reach(scenario, run.offset_rad).angle_rad;
+  track.keep_offset(run, flight);
   run.outcome = verdict.outcome;
   run.verdict = verdict.text;
   run.ended_early = verdict.ended_early;
@@ -120,7 +139,11 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
   run.saturated_share = figures.saturated_fraction;
   run.top_speed_m_s = figures.max_speed_m_s.value_or(0.0);
   run.apogee_m = figures.apogee_m;
-  run.spin_rate_rad_s = spin_rate_rad_s(airframe, run.offset_rad, limit_rad, run.top_speed_m_s);
+  if (run.authority_margin_rad < 0.0) {
+    const double offset_rad = track.offset_at_top_speed_rad();
+    run.spin_rate_rad_s =
+        spin_rate_rad_s(airframe, offset_rad, canard_reach(scenario, offset_rad).angle_rad, run.top_speed_m_s);
+  }
   keep_path(run, flight, scenario);
   return run;
 }
@@ -129,7 +152,7 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
 
 std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
                                       double speed_m_s) {
-  if (std::abs(offset_rad) <= limit_rad) {
+  if (std::abs(offset_rad) <= limit_rad + same_angle_rad) {
     return std::nullopt;
   }
   const double left_rad = offset_rad - std::copysign(limit_rad, offset_rad);
@@ -146,18 +169,18 @@ Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint
   const campaign::JudgedFlight judged =
       campaign::fly_and_judge(with_airframe(scenario, airframe, seed),
                               [&](const flight::Row& row, const flight::Flight& so_far) { track.add(row, so_far); });
-  Run run = run_of(judged.flight, judged.figures, judged.verdict, scenario, airframe);
+  Run run = run_of(judged.flight, judged.figures, judged.verdict, scenario, airframe, track);
   track.keep(run, judged.flight, judged.flight.clock);
   return run;
 }
 
 Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe) {
   const report::Figures figures = report::figures(flight);
-  Run run = run_of(flight, figures, report::verdict(flight, figures), scenario, airframe);
   Track track{0.0};
   for (const flight::Row& row : flight.rows) {
     track.add(row, flight);
   }
+  Run run = run_of(flight, figures, report::verdict(flight, figures), scenario, airframe, track);
   track.keep(run, flight, {});
   return run;
 }

@@ -22,7 +22,7 @@ inline constexpr double track_step_s = 0.02;
 struct Run {
   std::uint64_t seed = 0;
   TunnelStep airframe{};
-  double offset_rad = 0.0;            ///< the larger of the airframe's two
+  double offset_rad = 0.0;            ///< the largest under control; without control of the airframe's two
   double authority_margin_rad = 0.0;  ///< canard_reach() less |offset|
   report::Outcome outcome = report::Outcome::no_control;
   std::string verdict{};             ///< what the flight report says of it
@@ -37,7 +37,8 @@ struct Run {
   std::optional<double> apogee_m{};
   std::optional<sim::WindParameters> wind{};  ///< in six degrees of freedom, as the next
   std::optional<double> drift_m{};            ///< at apogee, over ground from the foot of the guide
-  /// At top speed, the canards at their limit against an offset that is larger: where the roll rate ends.
+  /// Without authority, at top speed, the canards at their limit against the offset of then, where that is larger:
+  /// where the roll rate ends.
   std::optional<double> spin_rate_rad_s{};
   std::vector<double> roll_angle_rad{};  ///< from lift-off to apogee, what truly was; every track_step_s
   std::vector<double> roll_rate_rad_s{};
