@@ -122,6 +122,21 @@ TEST(Figures, SaturationToTheEndIsSeenFromItsFirstTick) {
   EXPECT_NEAR(text::degrees(f.offset_at_limit_rad.value()), -9.5, 1e-9);
 }
 
+// The plan's limit is a float, a little off the number.
+TEST(Figures, AnOffsetThatIsAtTheLimitIsNotBeyondIt) {
+  SyntheticFlight synthetic;
+  for (const double more_rad : {0.0, 1e-8}) {
+    const double limit_rad = flight::canard_limit_rad(synthetic.flight.plan) + more_rad;
+    synthetic.each_controlled([&](flight::Row& row) {
+      row.saturated = row.time_s >= 1.4795;
+      row.command_rad = text::radians(9.0);
+      row.truth->disturbance_rad = -limit_rad;
+    });
+    EXPECT_TRUE(figures(synthetic.flight).at_limit_since_s);
+    EXPECT_FALSE(figures(synthetic.flight).offset_beyond_limit) << more_rad;
+  }
+}
+
 TEST(Figures, AShortSaturationAtTheEndIsNotALastingOne) {
   SyntheticFlight synthetic;
   synthetic.each_controlled([](flight::Row& row) { row.saturated = row.time_s > 4.1; });

@@ -12,6 +12,8 @@ namespace {
 double settling_time_s(bool tunnel) { return tunnel ? 2.0 : 1.0; }
 // Shorter than this, a saturation at the end of control is the excitation or the thin air near apogee.
 constexpr double lasting_saturation_s = 0.5;
+// More than a float, as a plan has its angles, differs from the number.
+constexpr double same_angle_rad = 1e-6;
 
 // The truth where it is known.
 double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
@@ -184,8 +186,8 @@ void RunningFigures::tell_saturation(Figures& f, const flight::Flight& flight, c
   if (const std::optional<flight::Truth>& truth = saturation_->truth) {
     // What is left turns the rocket against the command. A canard that broke in flight can happen to help.
     const bool unbalanced = (truth->disturbance_rad + truth->canard_rad) * saturation_->command_rad < 0.0;
-    f.offset_beyond_limit =
-        flight.known.plan && unbalanced && flight::authority_margin_rad(flight, truth->disturbance_rad) < 0.0;
+    f.offset_beyond_limit = flight.known.plan && unbalanced &&
+                            flight::authority_margin_rad(flight, truth->disturbance_rad) < -same_angle_rad;
   }
 }
 
