@@ -77,7 +77,7 @@ class TableBesideLog : public testing::Test {
     write();
     EXPECT_TRUE(read_flight(folder_.path() / "day").known.plan);
     EXPECT_FALSE(read_roll_log(folder_.path() / "day", {}, {}).time_s.empty());
-    EXPECT_TRUE(flown_plan(folder_.path() / "day"));
+    EXPECT_TRUE(flown_plan(folder_.path() / "day", {}));
   }
   void expect_two_flights(std::initializer_list<const char*> words) {
     write();
