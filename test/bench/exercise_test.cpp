@@ -121,6 +121,8 @@ TEST(Exercise, RefusesWhatCannotBeAsked) {
                std::invalid_argument);
   EXPECT_THROW((void)Exercise::sine(b, 0, {.amplitude_rad = 0.1, .frequency_hz = 1.0, .cycles = 61}),
                std::invalid_argument);
+  EXPECT_THROW((void)Exercise::sine(b, 0, {.amplitude_rad = 0.1, .frequency_hz = 50.0, .cycles = 4}),
+               std::invalid_argument);
   EXPECT_THROW((void)Exercise::sine(b, 0, {.amplitude_rad = 0.1, .frequency_hz = 1.0, .cycles = 0}),
                std::invalid_argument);
 }

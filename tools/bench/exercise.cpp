@@ -23,6 +23,7 @@ constexpr double hold_s = 0.3;
 constexpr double across_s = 0.4;  // twice the way of the other steps
 constexpr double verb_hold_s = 0.5;
 constexpr double longest_wave_s = 60.0;
+constexpr double shortest_wave_s = 0.1;  // in less no amplitude is found behind the swinging-in
 
 std::string_view part_text(Part part) {
   switch (part) {
@@ -102,8 +103,9 @@ Exercise Exercise::step(const Bounds& bounds, std::size_t canard, double to_rad)
 Exercise Exercise::sine(const Bounds& bounds, std::size_t canard, const Wave& wave) {
   require(std::abs(wave.amplitude_rad) <= widest_rad, "the amplitude of a sine must be at most 20.47 deg");
   require(wave.frequency_hz >= 0.05 && wave.frequency_hz <= 50.0, "the frequency of a sine must be 0.05 to 50 Hz");
-  require(wave.cycles >= 1 && wave.cycles <= longest_wave_s * wave.frequency_hz,
-          "a sine must last for at least one cycle and at most 60 s");
+  require(wave.cycles >= 1 && wave.cycles >= shortest_wave_s * wave.frequency_hz &&
+              wave.cycles <= longest_wave_s * wave.frequency_hz,
+          "a sine must last for at least one cycle, and for 0.1 to 60 s");
   Exercise exercise{ExerciseKind::sine, bounds};
   exercise.wave_ = wave;
   exercise.begin_turn(canard);

@@ -81,7 +81,7 @@ class Exercise {
   struct Wave {
     double amplitude_rad;  ///< about the centre
     double frequency_hz;   ///< 0.05 to 50
-    int cycles;            ///< 1 or more; together at most 60 s
+    int cycles;            ///< 1 or more; together 0.1 to 60 s
   };
   /// Throws std::invalid_argument for a value outside its range.
   [[nodiscard]] static Exercise sine(const Bounds& bounds, std::size_t canard, const Wave& wave);

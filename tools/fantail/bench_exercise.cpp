@@ -212,7 +212,7 @@ void add_bench_sine(const Verb& bench) {
       .value_name("DEG")
       .show_default();
   verb.option("--frequency", options->frequency_hz, "").range(0.05, 50.0).value_name("HZ").show_default();
-  verb.option("--cycles", options->cycles, "At most 60 s together").range(1, 3000).show_default();
+  verb.option("--cycles", options->cycles, "0.1 to 60 s together").range(1, 3000).show_default();
   verb.examples(
       "Examples:\n"
       "  fantail bench sine --can can0 --canard 3                              3 deg, 2 Hz, five times\n"
