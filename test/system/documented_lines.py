@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Usage: documented_lines.py PROJECT FANTAIL PAGE [--section HEADING]... [--in FOLDER]
+"""Usage: documented_lines.py PROJECT FANTAIL PAGE [--in FOLDER]
 
-The lines of a page, or of some of its sections, one by one, as a reader copies them (page_lines.py), with FANTAIL in the place of what
+The lines of a page, one by one, as a reader copies them (page_lines.py), with FANTAIL in the place of what
 ./dev would build. What a page shows as printed must be all that is printed, but for a line of three dots, which stands for any number
 of lines. With --in the results stay there.
 """
@@ -9,7 +9,6 @@ of lines. With --in the results stay there.
 import argparse
 import os
 import pathlib
-import re
 import sys
 import tempfile
 
@@ -19,24 +18,16 @@ import page_lines
 LEAST_LINES = 4  # fewer, and the page is not read as it should be
 
 
-def sections_of(text, headings):
-    for heading in headings:
-        if not (match := re.search(rf"^## {re.escape(heading)}.*?(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)):
-            raise SystemExit(f"FAILED: there is no section {heading}")
-        yield match[0]
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("project", type=pathlib.Path)
     parser.add_argument("fantail")
     parser.add_argument("page")
-    parser.add_argument("--section", action="append")
     parser.add_argument("--in", dest="folder")
     words = parser.parse_args()
     words.project, words.fantail = words.project.absolute(), pathlib.Path(words.fantail).absolute()
     text = (words.project / words.page).read_text(encoding="utf-8")
-    steps = list(page_lines.steps_of("".join(sections_of(text, words.section)) if words.section else text))
+    steps = list(page_lines.steps_of(text))
     with tempfile.TemporaryDirectory(prefix="documented_lines.") as temporary:
         os.chdir(words.folder or temporary)
         page_lines.make_folder(words.project, words.fantail)

@@ -56,7 +56,9 @@ std::optional<double> RunningHold::mean_error_rad() const {
 HoldRecord RunningHold::record(const flight::Clock& clock, double usual_step_s) const {
   HoldRecord result = record_;
   result.is_ever_known = last_known_s_.has_value();
-  result.known = known_.extent(clock, usual_step_s);
+  if (result.is_ever_known) {
+    result.known = known_.extent(clock, usual_step_s);
+  }
   result.control_from_s = clock(record_.control_from_s);
   result.control_to_s = clock(record_.control_to_s);
   return result;
