@@ -21,12 +21,6 @@ using flight_log::MadeFlight;
 using test::expect_refused;
 using text::ErrorKind;
 
-std::string as_text(const std::vector<std::byte>& bytes) {
-  std::string result(bytes.size(), '\0');
-  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
-  return result;
-}
-
 class FlightFile : public testing::Test {
  protected:
   [[nodiscard]] std::string log_with_damage() const {
@@ -34,7 +28,7 @@ class FlightFile : public testing::Test {
     std::vector<std::byte> bytes = made_.bytes;
     const auto begin = static_cast<std::ptrdiff_t>(made_.frame_ends[200]);
     std::fill(bytes.begin() + begin, bytes.begin() + static_cast<std::ptrdiff_t>(made_.frame_ends[300]), std::byte{0});
-    return as_text(bytes);
+    return test::as_text(bytes);
   }
 
   const MadeFlight made_ = flight_log::make_flight();
@@ -42,7 +36,7 @@ class FlightFile : public testing::Test {
 };
 
 TEST_F(FlightFile, AFlightLogGivesTheRollMotionOfItsReplay) {
-  const RollLog log = read_roll_log(folder_.write("flown.ftl", as_text(made_.bytes)), {}, {});
+  const RollLog log = read_roll_log(folder_.write("flown.ftl", test::as_text(made_.bytes)), {}, {});
   ASSERT_EQ(log.time_s.size(), made_.records.size());
   EXPECT_TRUE(log.warnings.empty());
   for (std::size_t i = 0; i < log.time_s.size(); ++i) {
@@ -56,9 +50,9 @@ TEST_F(FlightFile, AFlightLogGivesTheRollMotionOfItsReplay) {
 }
 
 TEST_F(FlightFile, OfAFolderTheTableIsTakenAndWithoutOneTheLog) {
-  folder_.write("only/flight.ftl", as_text(made_.bytes));
+  folder_.write("only/flight.ftl", test::as_text(made_.bytes));
   EXPECT_EQ(read_roll_log(folder_.path() / "only", {}, {}).time_s.size(), made_.records.size());
-  folder_.write("both/flight.ftl", as_text(made_.bytes));
+  folder_.write("both/flight.ftl", test::as_text(made_.bytes));
   folder_.write("both/flight.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,0,0\n1,0,0\n");
   EXPECT_EQ(read_roll_log(folder_.path() / "both", {}, {}).time_s.size(), 2U);
 }
@@ -69,7 +63,7 @@ TEST_F(FlightFile, ThePlanThatFlewIsInTheLogOrInTheOneBesideTheTable) {
     return plan ? std::optional{plan->controller.proportional_gain} : std::nullopt;
   };
   const std::optional<float> flown = made_.plan.controller.proportional_gain;
-  const std::filesystem::path log = folder_.write("both/flight.ftl", as_text(made_.bytes));
+  const std::filesystem::path log = folder_.write("both/flight.ftl", test::as_text(made_.bytes));
   const std::filesystem::path table = folder_.write("both/flight.csv", "time_s,roll_angle_deg\n0,1\n");
   EXPECT_EQ(kp(log), flown);
   EXPECT_EQ(kp(table), flown);
@@ -91,7 +85,7 @@ TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
 }
 
 TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
-  const auto path = folder_.write("flown.ftl", as_text(made_.bytes));
+  const auto path = folder_.write("flown.ftl", test::as_text(made_.bytes));
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "no true values"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "angle unit is fixed"},
@@ -103,14 +97,15 @@ TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
 TEST_F(FlightFile, OfSeveralFlightsNoneIsTakenAtRandom) {
   flight_log::MadeFlightOptions second;
   second.flight = 2;
-  const auto path = folder_.write("two.ftl", as_text(made_.bytes) + as_text(flight_log::make_flight(second).bytes));
+  const auto path =
+      folder_.write("two.ftl", test::as_text(made_.bytes) + test::as_text(flight_log::make_flight(second).bytes));
   expect_refused(ErrorKind::bad_data, {"two.ftl: contains 2 flights", "fantail log export", "--flight"},
                  [&] { (void)read_flight(path); });
 }
 
 TEST_F(FlightFile, AFlightThatCannotBeReplayedSaysWhy) {
   // Without its header nobody knows the plan: from the first record on to the last but one thousand.
-  const std::string bytes = as_text(made_.bytes);
+  const std::string bytes = test::as_text(made_.bytes);
   const auto path = folder_.write("tail.ftl", bytes.substr(made_.frame_ends[made_.frame_ends.size() - 100]));
   expect_refused(ErrorKind::bad_data, {"tail.ftl: the flight cannot be replayed"}, [&] { (void)read_flight(path); });
 }
@@ -123,7 +118,7 @@ TEST_F(FlightFile, AFolderWhoseSummaryNamesNoScenarioIsCalledByItsOwnName) {
 }
 
 TEST_F(FlightFile, OfAFolderRowsComeFromTheTableReasonsFromTheSummaryAndThePlanFromTheLog) {
-  folder_.write("flown/flight.ftl", as_text(made_.bytes));
+  folder_.write("flown/flight.ftl", test::as_text(made_.bytes));
   folder_.write("flown/flight.csv",
                 "time_s,phase,roll_angle_deg,true_roll_angle_deg\n0,armed,1,2\n1,launched,1,2\n2,controlling,,4\n");
   folder_.write("flown/summary.json",
@@ -175,7 +170,7 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
   EXPECT_EQ(read_flight(folder_.path() / "mixed").rows.size(), 4U);
   folder_.write("mixed/summary.json", R"({"events":{"control_start_s":1,"control_end_s":1.9}})");
   refused({"mixed: its files are of two flights", "leave control at 3.000 s", "it was at 1.900 s"});
-  folder_.write("mixed/flight.ftl", as_text(made_.bytes));
+  folder_.write("mixed/flight.ftl", test::as_text(made_.bytes));
   const auto summary = [&](const std::string& sha256) {
     folder_.write("mixed/summary.json", R"({"log_sha256":")" + sha256 + R"("})");
   };
@@ -195,7 +190,7 @@ TEST_F(FlightFile, TheSummaryOfAnotherFlightSaysNothingOfALog) {
   const auto summary = [&](const std::string& sha256) {
     folder_.write("day/summary.json", R"({"log_sha256":")" + sha256 + R"(",)" + rocket);
   };
-  const std::filesystem::path log = folder_.write("day/flight.ftl", as_text(made_.bytes));
+  const std::filesystem::path log = folder_.write("day/flight.ftl", test::as_text(made_.bytes));
   const std::filesystem::path day = log.parent_path();
   summary(text::sha256(made_.bytes));
   for (const std::filesystem::path& path : {log, day}) {

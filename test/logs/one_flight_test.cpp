@@ -27,12 +27,6 @@ using flight_log::MadeFlight;
 using test::expect_refused;
 using text::ErrorKind;
 
-std::string file_of(const std::vector<std::byte>& bytes) {
-  std::string result(bytes.size(), '\0');
-  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
-  return result;
-}
-
 TEST(OneFlight, ATableThatIsLongerUnderControlThanTheLogIsRefused) {
   flight_log::LogFile log;
   log.flights.emplace_back();
@@ -63,7 +57,7 @@ TEST(OneFlight, ATableThatIsLongerUnderControlThanTheLogIsRefused) {
 class TableBesideLog : public testing::Test {
  protected:
   TableBesideLog() {
-    folder_.write("day/flight.ftl", file_of(made_.bytes));
+    folder_.write("day/flight.ftl", test::as_text(made_.bytes));
     rows_ = read_flight_log(folder_.path() / "day/flight.ftl");
     for (flight::Row& row : rows_.rows) {
       row.time_s -= 0.006;
@@ -151,7 +145,7 @@ TEST_F(TableBesideLog, IsTakenWhereNothingOfItCanBeCompared) {
 TEST_F(TableBesideLog, UnderControlIsRefusedWhereTheWholeLogShowsNone) {
   flight_log::MadeFlightOptions on_the_pad;
   on_the_pad.length = core::Microseconds{400'000};
-  folder_.write("day/flight.ftl", file_of(flight_log::make_flight(on_the_pad).bytes));
+  folder_.write("day/flight.ftl", test::as_text(flight_log::make_flight(on_the_pad).bytes));
   expect_two_flights({"do not show one and the same flight", "no control in flight.ftl"});
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +17,12 @@ namespace fantail::test {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+[[nodiscard]] inline std::string as_text(const std::vector<std::byte>& bytes) {
+  std::string result(bytes.size(), '\0');
+  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
+  return result;
 }
 
 /// A new folder for one test, removed with it.

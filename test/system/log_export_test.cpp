@@ -21,14 +21,8 @@ namespace {
 
 using Json = json::Value;
 
-std::string text(const std::vector<std::byte>& bytes) {
-  std::string result(bytes.size(), '\0');
-  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
-  return result;
-}
-
 std::string made_log() {
-  static const std::string log = text(flight_log::make_flight().bytes);
+  static const std::string log = test::as_text(flight_log::make_flight().bytes);
   return log;
 }
 

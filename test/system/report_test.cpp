@@ -18,12 +18,7 @@ namespace {
 
 using Json = json::Value;
 
-std::string made_log() {
-  const std::vector<std::byte> bytes = flight_log::make_flight().bytes;
-  std::string result(bytes.size(), '\0');
-  std::ranges::transform(bytes, result.begin(), [](std::byte b) { return static_cast<char>(b); });
-  return result;
-}
+std::string made_log() { return test::as_text(flight_log::make_flight().bytes); }
 
 std::string content(const std::string& path) {
   std::ostringstream text;
