@@ -26,7 +26,7 @@ gates() {
     }
   done
   /usr/bin/python3 tools/dev/figures.py docs/figures/gates.md "Gates of every change" "./dev gates" \
-    build/figures/repository.json build/figures/package.json build/figures/complexity.json build/figures/proofs.json build/figures/coverage.json build/figures/mutation.json || failed=yes
+    build/figures/repository.json build/figures/package.json build/figures/docs.json build/figures/complexity.json build/figures/proofs.json build/figures/coverage.json build/figures/mutation.json || failed=yes
   echo "gates: $(($(date +%s) - begun)) s, ${failed:+not }passed"
   [ -z "$failed" ]
 }
