@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Usage: same_bytes.sh SOURCE_FOLDER WORK_FOLDER BUILD_FOLDER
-# Compiles what flies and its world once more, without optimisation by g++ and optimised by clang, links it with the rest
-# of the normal build's fly_alone (`fantail fly` and nothing else), flies every shipped scenario with each, and compares
-# the bytes with what the normal one writes. Exit code 77 (skipped) without clang.
+# Usage: same_bytes.sh SOURCE_FOLDER WORK_FOLDER BUILD_FOLDER [--without-optimisation]
+# Compiles what flies and its world once more, optimised by clang and, if asked for, by g++ without optimisation, links it with
+# the rest of the normal build's fly_alone (`fantail fly` and nothing else), flies every shipped scenario with each, and
+# compares the bytes with what the normal one writes. Exit code 77 (skipped) without clang.
 set -eu
 source_folder="$1"
 work="$2"
@@ -55,11 +55,16 @@ fly() { # NAME FLY_ALONE
 
 mkdir -p "$work"
 rm -rf "$work/flights"
-build gcc-O0 g++ -O0
+others="clang-O2"
 build clang-O2 "$optimising_clang" -O2
+[ "${4:-}" != --without-optimisation ] || {
+  others="$others gcc-O0"
+  build gcc-O0 g++ -O0
+}
 fly normal "$normal"
-fly gcc-O0 "$work/gcc-O0/fly_alone"
-fly clang-O2 "$work/clang-O2/fly_alone"
+for other in $others; do
+  fly "$other" "$work/$other/fly_alone"
+done
 
 # The C library chooses faster routines on processors with fused multiply-add; the bytes must not follow.
 GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA_Usable,-AVX2_Usable
@@ -68,7 +73,7 @@ fly older-processor "$normal"
 
 compared=0
 different=0
-for build in gcc-O0 clang-O2 older-processor; do
+for build in $others older-processor; do
   for flight in "$work/flights/$build"/*; do
     for file in "$work/flights/normal/$(basename "$flight")"/*; do
       compared=$((compared + 1))
