@@ -59,3 +59,7 @@ mandoc -T ascii -O width=500 "$build/manual/man5/fantail.toml.5" | sed 's/.\x08/
 while read -r key; do
   grep -q "^ *$key\( \|\$\)" "$work/toml.txt" || fail "fantail.toml(5) does not have the key $key"
 done <"$work/keys"
+# What is drawn at random has no keys of its own after --set.
+for word in '[[spread]]' next_row standard_deviation; do
+  grep -qF "$word" "$work/toml.txt" || fail "fantail.toml(5) does not have $word"
+done

@@ -12,26 +12,32 @@
 namespace fantail::test {
 namespace {
 
-TEST(Tune, WritesAPlanThatIsCheckedAndFlies) {
+TEST(Tune, WritesAPlanThatIsCheckedAndFliesWhereItSays) {
   const Folder folder;
-  const std::vector<std::string> command{"tune", "tasha3_launch2", "--flights", "4"};
+  std::string scenario = content(std::filesystem::path{FANTAIL_TEST_SOURCE} / "sim/scenarios/tasha3_launch2.toml");
+  folder.write("own/s.toml", scenario);
+  const std::vector<std::string> command{"tune", "own/s.toml", "--flights", "4"};
   const Outcome outcome = fantail(command, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("The new plan is better"), std::string::npos) << outcome.out;
-  EXPECT_NE(content(folder.path() / "out/tune/tasha3_launch2+flights=4/tune.html").find("Proposed"), std::string::npos);
+  EXPECT_NE(content(folder.path() / "out/tune/s+flights=4/tune.html").find("Proposed"), std::string::npos);
   const std::string plan = folder / "tasha3_launch2_tuned.toml";
-  EXPECT_TRUE(content(plan).starts_with("# Made by fantail tune tasha3_launch2 --flights=4 (Fantail "));
+  EXPECT_TRUE(content(plan).starts_with("# Made by fantail tune own/s.toml --flights=4 (Fantail "));
   const Outcome check = fantail({"plan", "check", plan, "--scenario", "tasha3_launch2"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_EQ(check.out.find("warning"), std::string::npos) << check.out;
 
-  const std::string scenario =
-      folder.write("s.toml", "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2_tuned.toml\"\n");
-  EXPECT_EQ(fantail({"fly", scenario, "--out", folder / "flown"}).exit_code, 0);
-
   const Outcome again = fantail(command, {.working_folder = folder.path()});
   EXPECT_EQ(again.exit_code, 64);
   EXPECT_NE(again.err.find("is there already"), std::string::npos) << again.err;
+
+  const std::string named = "plan = \"../tasha3_launch2_tuned.toml\"";
+  EXPECT_NE(outcome.out.find("to be named in own/s.toml: " + named + "\n"), std::string::npos) << outcome.out;
+  const std::string old = "plan = \"tasha3_launch2\"";
+  ASSERT_NE(scenario.find(old), std::string::npos);
+  folder.write("own/s.toml", scenario.replace(scenario.find(old), old.size(), named));
+  EXPECT_EQ(fantail({"fly", folder / "own/s.toml", "--out", folder / "flown"}).exit_code, 0);
+  EXPECT_NE(content(folder.path() / "flown/summary.json").find("tasha3_launch2_tuned"), std::string::npos);
 }
 
 TEST(Tune, OfAnOffsetBeyondTheLimitWritesNoPlan) {

@@ -110,7 +110,8 @@ std::string influences(const Report& report) {
                                      column_words(figure_columns[figure]).words, a.influence_runs)) +
          page::table(columns, rows) +
          page::note(fmt::format(
-             "Share of the variance: what would go if this quantity alone were known (Sobol's index of first order). "
+             "Share of the variance: what would go if this quantity alone were known (Sobol's index of first order), "
+             "estimated, so that a small one may come out below 0. "
              "Slope: by how many of its standard deviations the figure moves with one of the quantity's, the others "
              "held; straight lines of all quantities together explain {} % of the variance.",
              fixed(100.0 * a.explained, 0))) +

@@ -77,8 +77,12 @@ Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files
 std::vector<Spread> spreads_of(const Campaign& campaign, const input::ScenarioFiles& files) {
   std::vector<Spread> spreads = read_spreads(files);
   if (spreads.empty()) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      files.scenario().file() + ": says of nothing how it is spread; allowed: one [[spread]] or more"};
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        files.scenario().file() +
+            ": says of nothing how it is spread; needed: one table [[spread]] or more, each a field, a law "
+            "and what the law asks for, as field = \"body.roll_inertia_kg_m2\", law = \"normal\", effect = "
+            "\"factor\", standard_deviation = 0.03, a line each (man fantail.toml)"};
   }
   for (const input::Override& change : campaign.changes) {
     for (const Spread& spread : spreads) {

@@ -22,6 +22,7 @@
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
 #include "text/output_folder.hpp"
+#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -208,7 +209,8 @@ void make(const NewOptions& options) {
   for (const text::NamedFile& file : files.files) {
     show("  made  {}\n", (folder / file.name).string());
   }
-  show("\nNext: fantail airframe {0}/vehicle.toml, fantail fly {0}/scenario.toml\n", folder.string());
+  show("\nNext: fantail airframe {}, fantail fly {}\n", text::shell_word((folder / "vehicle.toml").string()),
+       text::shell_word((folder / "scenario.toml").string()));
 }
 
 void fill(const Verb& verb) {

@@ -135,6 +135,17 @@ void write(const std::filesystem::path& file, const std::string& content) {
   text::OutputFolder{folder}.write(std::array{text::NamedFile{.name = file.filename().string(), .content = content}});
 }
 
+/// A scenario that is shipped names a shipped plan, and is not to be written into.
+std::string how_to_fly(const TuneOptions& options, const std::filesystem::path& plan) {
+  const std::filesystem::path scenario = input::find_input(input::Shipped::scenario, options.scenario.scenario);
+  const std::filesystem::path folder = std::filesystem::absolute(scenario).parent_path();
+  if (std::error_code unknown; std::filesystem::equivalent(folder, input::data_folder() / "sim/scenarios", unknown)) {
+    return "in a scenario of your own";
+  }
+  return fmt::format("in {}: plan = \"{}\"", scenario.string(),
+                     std::filesystem::absolute(plan).lexically_relative(folder).generic_string());
+}
+
 void tune_scenario(const TuneOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   const std::filesystem::path file = plan_file(options);
@@ -159,7 +170,7 @@ void tune_scenario(const TuneOptions& options) {
     fmt::print("{}", json);
   } else {
     show("{}\n  page  {}\n  plan  {}\n", tune::tuning_text(tuning), (folder / "tune.html").string(),
-         plan_name.empty() ? "none written" : plan_name);
+         plan_name.empty() ? "none written" : plan_name + ", to be named " + how_to_fly(options, file));
   }
   if (!tuning.is_proposed()) {
     throw RequirementNotMet{""};
