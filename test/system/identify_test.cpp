@@ -66,10 +66,12 @@ TEST_F(IdentifiedFlight, GivesItVeryNearlyFromTheTruth) {
 TEST_F(IdentifiedFlight, BringsItsVehicleAlong) {
   const auto json = identified(*folder_, {"identify", "out/tasha3_launch2", "--json", "--out", "own"});
   EXPECT_EQ(json, identified(*folder_, identify("out/tasha3_launch2", {"--json", "--out", "named"})));
-  const Outcome text =
-      fantail({"identify", "out/tasha3_launch2/flight.ftl", "--out", "log"}, {.working_folder = folder_->path()});
+  const Outcome text = fantail({"identify", "out/tasha3_launch2/flight.ftl"}, {.working_folder = folder_->path()});
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_NE(text.out.find("tasha3_launch2 (summary.json), I 0.00393 kg m2"), std::string::npos) << text.out;
+  // Every flight.ftl would have one folder.
+  EXPECT_TRUE(std::filesystem::exists(*folder_ / "out/identify/tasha3_launch2/report.html")) << text.out;
+  EXPECT_FALSE(std::filesystem::exists(*folder_ / "out/identify/flight")) << text.out;
 }
 
 // Nobody would see it: a damping and a torque that are off by the ratio of the inertias.

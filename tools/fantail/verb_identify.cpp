@@ -12,6 +12,7 @@
 #include "fantail/command_line.hpp"
 #include "fantail/identify_options.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/log_file.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -41,16 +42,6 @@ std::vector<identify::Window> windows(const IdentifyOptions& o, const logs::Roll
   return identify::find_windows(log, o.windows);
 }
 
-// "tasha3_launch2" for a folder, "log" for log.csv.
-std::string name_of_data(const std::string& text) {
-  std::filesystem::path data = std::filesystem::absolute(text).lexically_normal();
-  if (!data.has_filename()) {  // it ended in a slash
-    data = data.parent_path();
-  }
-  const bool is_file = data.extension() == ".csv" || data.extension() == ".ftl";
-  return (is_file ? data.stem() : data.filename()).string();
-}
-
 std::filesystem::path output_folder(const IdentifyOptions& o) {
   if (!o.out.empty()) {
     return o.out;
@@ -58,7 +49,7 @@ std::filesystem::path output_folder(const IdentifyOptions& o) {
   constexpr std::size_t longest = 100;  // a file system takes 255 bytes, and a person reads less
   std::string name;
   for (const std::string& data : o.data) {
-    name += fmt::format("{}{}", name.empty() ? "" : "+", name_of_data(data));
+    name += fmt::format("{}{}", name.empty() ? "" : "+", name_of_log(data));
   }
   return std::filesystem::path{"out"} / (o.validate ? "validate" : "identify") / name.substr(0, longest);
 }
