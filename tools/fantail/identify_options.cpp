@@ -46,6 +46,8 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
               "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
               "without phases]")
       .one_word_each_time()
+      .offers(
+          [](std::string_view /*begun*/) { return manual::Offer{.words = {"control", "thrust", "coast", "step:"}}; })
       .excludes(from)
       .excludes(to);
   auto lag = verb.option("--lag", o.lag_s, "Seconds by which the canard column lags the gyro's")
