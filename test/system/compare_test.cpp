@@ -115,6 +115,25 @@ TEST(Compare, ADifferenceAboveTheRequiredOneIsExitCodeOneAndStillWritten) {
   EXPECT_NE(content(folder / "o/compare.html").find("Too far apart"), std::string::npos);
 }
 
+TEST(Compare, WhatHardlyOverlapsMeetsNoRequirement) {
+  const Folder folder;
+  folder.write("a.csv", line({}, 0.0, 20.0));
+  folder.write("enough.csv", line({.end_s = 9.0}, 0.0, 20.0));
+  folder.write("little.csv", line({.end_s = 8.99}, 0.0, 20.0));
+  const auto compared = [&](const char* b, const Words& rest) {
+    Words words{"compare", "a.csv", b, "--out", "o"};
+    words.insert(words.end(), rest.begin(), rest.end());
+    return fantail(words, {.working_folder = folder.path()});
+  };
+  EXPECT_EQ(compared("enough.csv", {"--require-angle", "1", "--from", "0"}).exit_code, 0);
+  EXPECT_EQ(compared("little.csv", {"--require-angle", "1"}).exit_code, 0);  // all that both have
+  EXPECT_EQ(compared("little.csv", {"--from", "0"}).exit_code, 0);
+  const Outcome outcome = compared("little.csv", {"--require-angle", "1", "--from", "0"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("900 of 1001, is less than the nine in ten"), std::string::npos) << outcome.err;
+  EXPECT_NE(content(folder / "o/compare.html").find("Too little to compare"), std::string::npos);
+}
+
 TEST(Compare, ReadsLoggersThatNameAndMeasureOtherwise) {
   const Folder folder;
   folder.write("a.csv", line({}, 0.0, 90.0));

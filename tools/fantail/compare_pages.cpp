@@ -136,7 +136,7 @@ std::string compare_html(const CompareResults& results) {
   if (results.required()) {
     const bool met = results.objections().empty();
     page.tone = met ? page::Tone::good : page::Tone::bad;
-    page.verdict_heading = met ? "Close enough" : "Too far apart";
+    page.verdict_heading = met ? "Close enough" : results.is_known() ? "Too far apart" : "Too little to compare";
     page.verdict = verdict_of(results);
   }
   std::vector<page::Figure> figures = differences(c);

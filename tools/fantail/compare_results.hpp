@@ -23,7 +23,10 @@ struct CompareResults {
   std::vector<std::string> warnings{};
 
   [[nodiscard]] bool required() const { return required_angle_rad || required_rate_rad_s; }
-  /// Which mean difference is larger than required, a sentence each; empty when the requirement is met.
+  /// A mean over a few samples says nothing of the others.
+  [[nodiscard]] bool is_known() const { return 10 * comparison.time_s.size() >= 9 * comparison.asked; }
+  /// Which mean difference is larger than required, or why that is not known, a sentence each; empty when the
+  /// requirement is met.
   [[nodiscard]] std::vector<std::string> objections() const;
 };
 

@@ -224,6 +224,12 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
                 fmt::format("{} and {}: only one sample is there to compare, at {:g} s of A: that is too few", a.name,
                             b.name, result.time_s.front())};
   }
+  const auto within = [&](double time_s) {
+    return options.from_s || options.to_s || (time_s >= result.time_s.front() && time_s <= result.time_s.back());
+  };
+  result.asked =
+      static_cast<std::size_t>(std::count_if(a.time_s.begin() + static_cast<std::ptrdiff_t>(extent.begin),
+                                             a.time_s.begin() + static_cast<std::ptrdiff_t>(extent.end), within));
   note_holes_of_a(a, options, extent, result.warnings);
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
     result.warnings.push_back(
