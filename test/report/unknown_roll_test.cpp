@@ -116,6 +116,21 @@ TEST(UnknownRoll, InATableWithARowASecondIsNotJudged) {
   EXPECT_NE(v.text.find(" The roll is known only every 0.5 s."), std::string::npos) << v.text;
 }
 
+// A tenth of a second is a fast swing at its worst, or missed.
+TEST(UnknownRoll, InATableOfTenRowsASecondIsJudgedWithAReservation) {
+  const auto every = [](double step_s) {
+    return verdict_of(flight_without([step_s](double time_s) {
+      const double steps = time_s / step_s;
+      return std::abs(steps - std::round(steps)) > 1e-6;
+    }));
+  };
+  EXPECT_EQ(every(0.1).outcome, Outcome::held);
+  EXPECT_NE(every(0.1).text.find(" The roll is known every 0.1 s, and may have been farther off in between."),
+            std::string::npos)
+      << every(0.1).text;
+  EXPECT_EQ(every(0.05).text.find("known every"), std::string::npos) << every(0.05).text;
+}
+
 TEST(UnknownRoll, OfARecordThatBeginsUnderControlNobodyKnowsSinceWhen) {
   flight::Flight flight = flight_without([](double time_s) { return time_s < 1.9995; });
   flight.events.control_start_s.reset();

@@ -124,6 +124,9 @@ std::string unknown_roll(const flight::Flight& flight, const Figures& f) {
     text = fmt::format(" The roll is known only every {} s.", text::brief(f.roll.usual_step_s, 2));
   } else if (const std::vector<Hole> holes = unexplained_holes(flight, f.roll); !holes.empty()) {
     text = fmt::format(" {}.", of_holes("The roll", holes));
+  } else if (f.roll.usual_step_s > 0.5 * RunningExtent::shortest_hole_s) {
+    text = fmt::format(" The roll is known every {} s, and may have been farther off in between.",
+                       text::brief(f.roll.usual_step_s, 2));
   }
   const auto& start_s = flight.events.control_start_s;
   if (start_s && *start_s < f.roll.begin_s - tolerance_s) {
