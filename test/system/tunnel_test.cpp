@@ -49,6 +49,7 @@ TEST(Tunnel, SwirlComparesTwoSessions) {
   EXPECT_EQ(outcome.err, "");
   const json::Value json = json::parse(outcome.out);
   EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 0.1);
+  EXPECT_EQ(json["alpha_and_beta"], "the means of the published tunnel steps of Tasha III");
   EXPECT_EQ(json["without"]["set_points"].size(), 2U);
   EXPECT_EQ(outcome.out, content(folder / "s/swirl.json"));
   // The truth of the simulator, which has no set points of the fan in it, needs times by hand.
@@ -56,6 +57,33 @@ TEST(Tunnel, SwirlComparesTwoSessions) {
                                     "--steady-with", "20:45,70:95", "--out", "t"});
   EXPECT_EQ(truth.exit_code, 0) << truth.err;
   EXPECT_NE(truth.out.find("equals -2.0"), std::string::npos) << truth.out;
+}
+
+// They were: a rocket of half the torque got a swirl a quarter too large, which is what predict then took off.
+TEST(Tunnel, SwirlTakesThePublishedDampingAndTorqueForNoOtherRocket) {
+  const Folder folder;
+  Words dart = session("tunnel_swirl_without", "dart");
+  dart.insert(dart.end(), {"--set", "body.name=\"Dart\"", "--set", "run.control_time_s=40"});
+  ASSERT_EQ(in(folder, dart).exit_code, 0);
+  Words weak = session("tunnel_swirl_without", "weak");
+  weak.insert(weak.end(), {"--set", "aerodynamics.torque_m=5", "--set", "run.control_time_s=40"});
+  ASSERT_EQ(in(folder, weak).exit_code, 0);
+  for (const auto& [name, extension] : {std::pair{"alone/x.ftl", "ftl"}, std::pair{"alone/x.csv", "csv"}}) {
+    folder.write(name, content(folder / (std::string{"dart/flight."} + extension)));
+  }
+  folder.write("alone/tunnel.csv", content(folder / "dart/tunnel.csv"));
+  for (const auto& [log, rocket] : {std::pair{"dart", "rolled here is Dart,"},
+                                    std::pair{"weak", "Tasha III, wind tunnel with aerodynamics.torque_m=5,"},
+                                    std::pair{"alone/x.ftl", "rolled here is Dart,"},
+                                    std::pair{"alone/x.csv", "nothing says which rocket rolled here"}}) {
+    const Outcome refused = in(folder, {"tunnel", "swirl", log, log});
+    EXPECT_EQ(refused.exit_code, 64) << refused.out;
+    EXPECT_NE(refused.err.find(rocket), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("--alpha M2 and --beta M; fantail tunnel steps"), std::string::npos) << refused.err;
+  }
+  const Outcome own = in(folder, {"tunnel", "swirl", "dart", "dart", "--alpha", "0.097", "--beta", "0.06"});
+  EXPECT_EQ(own.exit_code, 0) << own.err;
+  EXPECT_NE(own.out.find("error), with alpha 0.097 m2 and beta 0.06 m, as given.\n"), std::string::npos) << own.out;
 }
 
 TEST(Tunnel, StepsWritesTheTableThatAPredictionReads) {
@@ -156,6 +184,7 @@ TEST(Tunnel, AWrongWordIsAUsageError) {
   Refusal({}, {"tunnel", "flow", "x", "--column", "rpm"}, 64, {"--column"});
   Refusal({}, {"tunnel", "swirl", "x"}, 64, {"WITH"});
   Refusal({}, {"tunnel", "swirl", "x", "y", "--alpha", "nan"}, 64, {"--alpha"});
+  Refusal({}, {"tunnel", "swirl", "x", "y", "--alpha", "19.4"}, 64, {"--alpha requires --beta"});
   Refusal({}, {"tunnel", "steps", "x", "--method", "magic"}, 64, {"--method"});
   Refusal({}, {"tunnel", "steps", "x", "--speed", "-3"}, 64, {"--speed"});
   Refusal({}, {"tunnel", "steps", "x", "--intervals", "99"}, 64, {"--intervals"});

@@ -111,7 +111,8 @@ TEST(SimulatedTunnel, SwirlOfTwoDegreesComesBackFromTheTwoSessions) {
     made.steady = find_steady(made.wind, {});
     return made;
   };
-  const Swirl swirl = examine_swirl(session("tunnel_swirl_without"), session("tunnel_swirl_with"), {});
+  const Swirl swirl =
+      examine_swirl(session("tunnel_swirl_without"), session("tunnel_swirl_with"), {.roll = published_roll()});
   ASSERT_EQ(swirl.without.size(), 6U);
   ASSERT_EQ(swirl.with.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {

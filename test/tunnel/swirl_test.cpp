@@ -13,6 +13,8 @@
 namespace fantail::tunnel {
 namespace {
 
+const SwirlOptions tasha3{.roll = published_roll()};
+
 // A session of 60 s at each speed, rolling at the steady rate of an offset: p = beta v u / alpha.
 RollSession made_session(const std::vector<double>& speeds_m_s, double offset_deg) {
   RollSession session;
@@ -29,7 +31,8 @@ RollSession made_session(const std::vector<double>& speeds_m_s, double offset_de
 }
 
 TEST(Swirl, IsTheDifferenceOfTheTwoOffsets) {
-  const Swirl swirl = examine_swirl(made_session({10.0, 22.0, 30.0}, -6.1), made_session({10.0, 22.0, 30.0}, -4.1), {});
+  const Swirl swirl =
+      examine_swirl(made_session({10.0, 22.0, 30.0}, -6.1), made_session({10.0, 22.0, 30.0}, -4.1), tasha3);
   ASSERT_EQ(swirl.without.size(), 3U);
   ASSERT_EQ(swirl.with.size(), 3U);
   EXPECT_NEAR(swirl.without[1].rate_rad_s.mean / degree, -66.41, 0.005);
@@ -45,20 +48,23 @@ TEST(Swirl, IsTheDifferenceOfTheTwoOffsets) {
 TEST(Swirl, TheOffsetOfARollRateIsThatOfTheSteadyState) {
   RollSession session = made_session({22.0}, 0.0);
   session.roll.roll_rate_rad_s.assign(session.roll.time_s.size(), -66.0 * degree);
-  EXPECT_NEAR(examine_swirl(session, session, {}).without[0].offset_rad / degree, -6.0625, 1e-4);
-  EXPECT_NEAR(examine_swirl(session, session, {.alpha_m2 = 23.0, .beta_m = 9.0}).without[0].offset_rad / degree,
+  EXPECT_NEAR(examine_swirl(session, session, tasha3).without[0].offset_rad / degree, -6.0625, 1e-4);
+  EXPECT_NEAR(examine_swirl(session, session, {.roll = {.alpha_m2 = 23.0, .beta_m = 9.0, .source = "as given"}})
+                      .without[0]
+                      .offset_rad /
+                  degree,
               -23.0 * 66.0 / (9.0 * 22.0), 1e-9);
 }
 
 TEST(Swirl, WhatTheCanardsDidIsNoOffsetOfTheFins) {
   RollSession session = made_session({22.0}, -6.0);
   session.roll.canard_rad.assign(session.roll.time_s.size(), 0.5 * degree);
-  const Swirl swirl = examine_swirl(session, made_session({22.0}, -4.0), {});
+  const Swirl swirl = examine_swirl(session, made_session({22.0}, -4.0), tasha3);
   EXPECT_NEAR(swirl.without[0].canard_rad / degree, 0.5, 1e-9);
   EXPECT_NEAR(swirl.without[0].offset_rad / degree, -6.5, 1e-9);
   // An encoder that was silent for a while says nothing about the mean.
   session.roll.canard_rad[300] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NEAR(examine_swirl(session, session, {}).without[0].offset_rad / degree, -6.0, 1e-9);
+  EXPECT_NEAR(examine_swirl(session, session, tasha3).without[0].offset_rad / degree, -6.0, 1e-9);
 }
 
 TEST(Swirl, SpeedsOfOneSessionOnlyAreInterpolatedOrLeftOut) {
@@ -68,7 +74,8 @@ TEST(Swirl, SpeedsOfOneSessionOnlyAreInterpolatedOrLeftOut) {
     const double speed_m_s = with.roll.time_s[i] < 60.0 ? 12.0 : 24.0;
     with.roll.roll_rate_rad_s[i] = (speed_m_s / 12.0) * degree * 9.6 * speed_m_s / 19.4;  // 1 and 2 deg
   }
-  const Swirl swirl = examine_swirl(made_session({6.0, 12.2, 18.0, 24.0, 30.0}, 3.0), with, {.from_speed_m_s = 15.0});
+  const Swirl swirl = examine_swirl(made_session({6.0, 12.2, 18.0, 24.0, 30.0}, 3.0), with,
+                                    {.roll = published_roll(), .from_speed_m_s = 15.0});
   ASSERT_EQ(swirl.differences.size(), 3U);
   EXPECT_NEAR(swirl.differences[0].difference_rad / degree, 2.0, 1e-9);  // 12.2 m/s is the same as 12
   EXPECT_NEAR(swirl.differences[1].difference_rad / degree, 1.5, 1e-9);
@@ -79,7 +86,7 @@ TEST(Swirl, SpeedsOfOneSessionOnlyAreInterpolatedOrLeftOut) {
 
 // Without a common speed there is nothing to subtract, and that is a result.
 TEST(Swirl, WithoutACommonSpeedThatIsFastEnoughThereIsNone) {
-  const Swirl swirl = examine_swirl(made_session({10.0}, -6.0), made_session({10.0}, -4.0), {});
+  const Swirl swirl = examine_swirl(made_session({10.0}, -6.0), made_session({10.0}, -4.0), tasha3);
   EXPECT_FALSE(swirl.swirl.has_value());
   EXPECT_EQ(swirl.remarks.size(), 1U);
   EXPECT_NE(swirl_sentence(swirl).find("unknown"), std::string::npos);
@@ -88,7 +95,7 @@ TEST(Swirl, WithoutACommonSpeedThatIsFastEnoughThereIsNone) {
 // Speeds that scatter by a twentieth of a step of the sensor all read alike: the mean is not known better than that.
 TEST(Swirl, AConstantReadingIsNotKnownBetterThanItsRounding) {
   RollSession session = made_session({22.0, 24.3}, -6.0);
-  const Swirl swirl = examine_swirl(session, session, {});
+  const Swirl swirl = examine_swirl(session, session, tasha3);
   EXPECT_NEAR(swirl.without[0].speed_m_s.standard_error, 0.1 / std::sqrt(12.0), 1e-9);
   EXPECT_NEAR(swirl.without[0].standard_error_rad / degree, 6.0 * 0.1 / std::sqrt(12.0) / 22.0, 1e-6);
 }
@@ -113,7 +120,7 @@ TEST(Swirl, ItsUncertaintyHoldsInManySessions) {
   };
   int within = 0;
   for (int i = 0; i < sessions; ++i) {
-    const Swirl swirl = examine_swirl(noisy(-6.1), noisy(-4.1), {});
+    const Swirl swirl = examine_swirl(noisy(-6.1), noisy(-4.1), tasha3);
     within += std::abs(swirl.swirl->offset_rad / degree + 2.0) < 2.0 * swirl.swirl->standard_error_rad / degree ? 1 : 0;
   }
   EXPECT_GE(within, sessions * 92 / 100) << "seed " << seed;
@@ -126,26 +133,29 @@ TEST(Swirl, WhatCannotBeComparedIsRefused) {
     time_s += 1000.0;
   }
   test::expect_refused(text::ErrorKind::bad_data, {"rolls.csv", "no roll rates from 0 to 58 s", "1000"},
-                       [&] { (void)examine_swirl(elsewhere, session, {}); });
+                       [&] { (void)examine_swirl(elsewhere, session, tasha3); });
   RollSession still = session;
   still.wind.wind_speed_m_s.assign(still.wind.time_s.size(), 0.0);
   test::expect_refused(text::ErrorKind::bad_data, {"mean wind speed 0 m/s"},
-                       [&] { (void)examine_swirl(session, still, {}); });
+                       [&] { (void)examine_swirl(session, still, tasha3); });
   RollSession never = session;
   never.steady.found.clear();
   test::expect_refused(text::ErrorKind::bad_data, {"did not become steady"},
-                       [&] { (void)examine_swirl(never, session, {}); });
+                       [&] { (void)examine_swirl(never, session, tasha3); });
 }
 
 TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {
   const SwirlSessions sessions{made_session({22.0, 30.0}, -6.1), made_session({22.0, 30.0}, -4.1)};
-  const Swirl swirl = examine_swirl(sessions.without, sessions.with, {});
+  const Swirl swirl = examine_swirl(sessions.without, sessions.with, tasha3);
   EXPECT_NE(swirl_text(sessions, swirl).find("equals -2.000 +-"), std::string::npos) << swirl_text(sessions, swirl);
+  const std::string whose = "with alpha 19.4 m2 and beta 9.6 m, the means of the published tunnel steps of Tasha III.";
+  EXPECT_NE(swirl_sentence(swirl).find(whose), std::string::npos) << swirl_sentence(swirl);
   EXPECT_NE(swirl_text(sessions, swirl).find("clockwise, seen from the tail"), std::string::npos);
   const json::Value json = json::parse(swirl_json(sessions, swirl));
   EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["offset_deg"].number(), -6.1, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["roll_rate_deg_s"].number(), -66.41, 0.005);
+  EXPECT_EQ(json["alpha_and_beta"], "the means of the published tunnel steps of Tasha III");
   EXPECT_EQ(json["differences"].size(), 2U);
   EXPECT_NE(swirl_html(sessions, swirl).find("\u22122.000 \u00b1"), std::string::npos);
 }

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+
+#include <fmt/core.h>
 
 #include "fantail/command_line.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/tunnel_options.hpp"
+#include "logs/flight_file.hpp"
 #include "text/error.hpp"
 #include "tunnel/swirl.hpp"
 
@@ -25,7 +31,9 @@ struct SwirlVerbOptions {
   SessionOptions without;
   SessionOptions with;
   LogOptions logs;
-  tunnel::SwirlOptions swirl;
+  std::optional<double> alpha_m2;
+  std::optional<double> beta_m;
+  double from_speed_m_s = tunnel::SwirlOptions{}.from_speed_m_s;
   tunnel::SteadyOptions finding;
   TunnelOutput output;
 };
@@ -47,13 +55,44 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
   return session;
 }
 
+/// Which rocket rolled, or an empty text; with what was changed of its roll on the command line.
+std::string rocket_of(const SessionOptions& options, const logs::RollLog& log, const flight::Reading& reading) {
+  const auto flown = logs::flown_airframe(options.roll, reading);
+  if (!flown) {
+    return log.vehicle;
+  }
+  const auto changed = std::ranges::find_if(
+      flown->changes, [](const std::string& change) { return change.starts_with("aerodynamics."); });
+  return changed == flown->changes.end() ? flown->vehicle : flown->vehicle + " with " + *changed;
+}
+
+/// Nobody's roll is assumed but that of the rocket which the published numbers are of.
+tunnel::OwnRoll roll_of(const SwirlVerbOptions& options, const tunnel::SwirlSessions& sessions) {
+  if (options.alpha_m2 && options.beta_m) {
+    return {.alpha_m2 = *options.alpha_m2, .beta_m = *options.beta_m, .source = "as given"};
+  }
+  for (const auto& [typed, read] :
+       {std::pair{&options.without, &sessions.without}, std::pair{&options.with, &sessions.with}}) {
+    const std::string rocket = rocket_of(*typed, read->roll, reading(options.logs));
+    if (rocket != "Tasha III, wind tunnel") {
+      throw UsageError{fmt::format(
+          "{}: {}, and the published damping and torque constant are those of Tasha III alone: give "
+          "its own with --alpha M2 and --beta M; fantail tunnel steps finds both, as the means of its table",
+          typed->roll,
+          rocket.empty() ? "nothing says which rocket rolled here" : "the rocket that rolled here is " + rocket)};
+    }
+  }
+  return tunnel::published_roll();
+}
+
 void swirl(const SwirlVerbOptions& options) {
   Chapters chapters{"tunnel swirl", 3, "reading the run without straightener"};
   tunnel::SwirlSessions sessions{.without = read(options.without, options), .with = {}};
   chapters.next("reading the run with straightener");
   sessions.with = read(options.with, options);
   chapters.next("its page");
-  const tunnel::Swirl swirl = tunnel::examine_swirl(sessions.without, sessions.with, options.swirl);
+  const tunnel::Swirl swirl = tunnel::examine_swirl(
+      sessions.without, sessions.with, {.roll = roll_of(options, sessions), .from_speed_m_s = options.from_speed_m_s});
   const std::string json = tunnel::swirl_json(sessions, swirl);
   const std::string page = tunnel::swirl_html(sessions, swirl);
   chapters.end();
@@ -85,15 +124,13 @@ void add_tunnel_swirl(const Verb& tunnel) {
   verb.option("WITH", options->with.roll, "Roll log with flow straightener").offers(files).required();
   add_session(verb, "without", options->without);
   add_session(verb, "with", options->with);
-  verb.option("--alpha", options->swirl.alpha_m2, "Damping [mean of the published tunnel steps]")
-      .check(within(1e-6, 1e6))
-      .value_name("M2")
-      .show_default();
-  verb.option("--beta", options->swirl.beta_m, "Torque constant [mean of the published tunnel steps]")
-      .check(within(1e-6, 1e6))
-      .value_name("M")
-      .show_default();
-  verb.option("--from-speed", options->swirl.from_speed_m_s, "The swirl is the mean difference above this speed")
+  auto alpha = verb.option("--alpha", options->alpha_m2,
+                           "Damping of the rocket that rolled, as fantail tunnel steps finds it [of the shipped Tasha "
+                           "III, wind tunnel, the published 19.4]");
+  auto beta = verb.option("--beta", options->beta_m, "Torque constant, likewise [of that rocket the published 9.6]");
+  alpha.check(within(1e-6, 1e6)).value_name("M2").needs(beta);
+  beta.check(within(1e-6, 1e6)).value_name("M").needs(alpha);
+  verb.option("--from-speed", options->from_speed_m_s, "The swirl is the mean difference above this speed")
       .check(within(0.0, 1e4))
       .value_name("M/S")
       .show_default();
@@ -103,8 +140,8 @@ void add_tunnel_swirl(const Verb& tunnel) {
       "Examples:\n"
       "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with\n"
       "                                     the sessions of fantail fly\n"
-      "  fantail tunnel swirl bare.csv crate.csv --wind-without bare_wind.csv --wind-with crate_wind.csv\n"
-      "                                     rocket and tunnel logged apart, on one clock\n"
+      "  fantail tunnel swirl bare.csv crate.csv --wind-without bare_wind.csv --wind-with crate_wind.csv \\\n"
+      "      --alpha 0.097 --beta 0.06      rocket and tunnel logged apart, on one clock\n"
       "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with --alpha 23 --beta 9 --json\n"
       "                                     with another rocket's roll model, for a script");
   verb.action([options] { swirl(*options); });

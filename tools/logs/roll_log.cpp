@@ -105,6 +105,7 @@ void refuse_what_only_a_table_has(const std::string& file, const flight::Reading
 RollLog roll_log(const flight::Flight& flight, std::string name, const flight::Reading& reading) {
   RollLog log;
   log.name = std::move(name);
+  log.vehicle = flight.vehicle;
   if (flight.rows.size() < 2) {
     throw Error{ErrorKind::bad_data, log.name + ": fewer than two rows with numbers"};
   }

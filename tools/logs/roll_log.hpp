@@ -15,6 +15,7 @@ namespace fantail::logs {
 /// any time is empty, at some times not-a-number. Roll angles that are wrapped into one turn are continued.
 struct RollLog {
   std::string name;            ///< file or folder as the person wrote it
+  std::string vehicle;         ///< that a flight log (.ftl) says it flew in; empty: this file does not say
   std::vector<double> time_s;  ///< strictly increasing
   std::vector<double> roll_angle_rad;
   std::vector<double> roll_rate_rad_s;

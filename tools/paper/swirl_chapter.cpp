@@ -28,7 +28,7 @@ Chapter swirl_chapter(const Tell& tell) {
   const tunnel::RollSession without = roll_session(fly("tunnel_swirl_without", {}, tell));
   const tunnel::RollSession with = roll_session(fly("tunnel_swirl_with", {}, tell));
   tell("comparing the swirl sessions");
-  const tunnel::Swirl swirl = tunnel::examine_swirl(without, with, {});
+  const tunnel::Swirl swirl = tunnel::examine_swirl(without, with, {.roll = tunnel::published_roll()});
   Chapter chapter{.title = "Swirl",
                   .introduction =
                       "The rocket rolls freely with its canards at zero, once without and once with a flow "

@@ -59,10 +59,11 @@ OffsetPoint examine(const RollSession& session, const SteadySegment& segment, co
     point.canard_rad = mean.mean;
     canard_error_rad = mean.standard_error;
   }
-  const double rolls_as_rad = options.alpha_m2 * point.rate_rad_s.mean / (options.beta_m * point.speed_m_s.mean);
+  const double rolls_as_rad =
+      options.roll.alpha_m2 * point.rate_rad_s.mean / (options.roll.beta_m * point.speed_m_s.mean);
   point.offset_rad = rolls_as_rad - point.canard_rad;
   point.standard_error_rad = std::sqrt(
-      squared(options.alpha_m2 * point.rate_rad_s.standard_error / (options.beta_m * point.speed_m_s.mean)) +
+      squared(options.roll.alpha_m2 * point.rate_rad_s.standard_error / (options.roll.beta_m * point.speed_m_s.mean)) +
       squared(rolls_as_rad * point.speed_m_s.standard_error / point.speed_m_s.mean) + squared(canard_error_rad));
   return point;
 }
@@ -147,6 +148,10 @@ std::optional<SwirlOffset> mean_of(const std::vector<OffsetDifference>& differen
 }
 
 }  // namespace
+
+OwnRoll published_roll() {
+  return {.alpha_m2 = 19.4, .beta_m = 9.6, .source = "the means of the published tunnel steps of Tasha III"};
+}
 
 Swirl examine_swirl(const RollSession& without, const RollSession& with, const SwirlOptions& options) {
   Swirl swirl{.options = options};

@@ -19,9 +19,18 @@ struct RollSession {
   SteadySegments steady;  ///< of the wind
 };
 
+/// Damping and torque constant of the rocket that rolled. An offset depends on their ratio, and so on no area.
+struct OwnRoll {
+  double alpha_m2 = 0.0;
+  double beta_m = 0.0;
+  std::string source;  ///< whose numbers these are, a clause for the result: "as given"
+};
+
+/// Of Tasha III, which the shipped vehicle tasha3_tunnel is made like, and of no other rocket.
+[[nodiscard]] OwnRoll published_roll();
+
 struct SwirlOptions {
-  double alpha_m2 = 19.4;  ///< damping and torque constant: means of the published tunnel steps
-  double beta_m = 9.6;
+  OwnRoll roll;
   double from_speed_m_s = 20.0;  ///< the swirl is the mean difference from here on
 };
 

@@ -167,9 +167,9 @@ std::string swirl_sentence(const Swirl& swirl) {
   }
   return fmt::format(
       "The swirl equals {:.3f} +- {:.3f} deg of canard angle (mean over {} speeds from {:g} m/s on; +- is its standard "
-      "error).",
+      "error), with alpha {:g} m2 and beta {:g} m, {}.",
       degrees(swirl.swirl->offset_rad), degrees(swirl.swirl->standard_error_rad), swirl.swirl->speeds,
-      swirl.options.from_speed_m_s);
+      swirl.options.from_speed_m_s, swirl.options.roll.alpha_m2, swirl.options.roll.beta_m, swirl.options.roll.source);
 }
 
 std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl) {
@@ -185,7 +185,7 @@ std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl) {
   text += fmt::format(
       "\nOffsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, minus the mean canard angle. An error of\n"
       "these two scales both curves and the difference; the +- are standard errors and do not include it.\n",
-      swirl.options.alpha_m2, swirl.options.beta_m);
+      swirl.options.roll.alpha_m2, swirl.options.roll.beta_m);
   for (const std::string& remark : swirl.remarks) {
     text += "  " + remark + "\n";
   }
@@ -210,8 +210,9 @@ std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl) {
                     {"swirl_standard_error_deg", of_mean(&SwirlOffset::standard_error_rad)},
                     {"swirl_deviation_deg", has_deviation ? angle(*swirl.swirl->deviation_rad) : Json{}},
                     {"from_speed_m_s", rounded(swirl.options.from_speed_m_s)},
-                    {"alpha_m2", rounded(swirl.options.alpha_m2)},
-                    {"beta_m", rounded(swirl.options.beta_m)},
+                    {"alpha_m2", rounded(swirl.options.roll.alpha_m2)},
+                    {"beta_m", rounded(swirl.options.roll.beta_m)},
+                    {"alpha_and_beta", swirl.options.roll.source},
                     {"without", session(sessions.without, swirl.without)},
                     {"with", session(sessions.with, swirl.with)},
                     {"differences", differences},
@@ -235,7 +236,7 @@ std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl) {
               "Offsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, minus the mean canard angle. An "
               "error of these two scales both curves and the difference; standard errors come from the scatter of the "
               "samples and do not include it.",
-              swirl.options.alpha_m2, swirl.options.beta_m)));
+              swirl.options.roll.alpha_m2, swirl.options.roll.beta_m)));
   if (!swirl.remarks.empty()) {
     body += page::section("Remarks", page::list(swirl.remarks));
   }
