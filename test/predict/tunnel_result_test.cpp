@@ -5,6 +5,7 @@
 
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
+#include "logs/refused.hpp"
 #include "system/folder.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -62,16 +63,20 @@ TEST(TunnelResult, SwirlThatIsGivenCountsInsteadOfTheFiles) {
   EXPECT_EQ(result.swirl_words, "Swirl subtracted: -1 degrees (from --swirl).");
 }
 
-TEST(TunnelResult, WhatNobodySaysOfSwirlIsNotTakenOffAndThatIsSaid) {
+// It was taken for none: steps that the swirl had made look straighter became a go.
+TEST(TunnelResult, IsRefusedWhereNobodySaysWhatTheSwirlWas) {
   const Folder folder;
-  const TunnelResult result =
-      read_tunnel_result(folder.write("steps.csv",
-                                      "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n1,0,20,"
-                                      "9,-5,-6\n2,5,18,8,-4,-7\n3,9,18,8,-4,-7\n"),
-                         {});
-  EXPECT_NEAR(degrees(result.steps[1].offset_end_rad), -7.0, 1e-12);
-  EXPECT_EQ(result.swirl_words, "No swirl subtracted: steps.csv has no column swirl_deg, and --swirl was not given.");
-  EXPECT_TRUE(result.sources.empty());
+  const std::string file =
+      folder.write("steps.csv",
+                   "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n1,0,20,"
+                   "9,-5,-6\n2,5,18,8,-4,-7\n3,9,18,8,-4,-7\n");
+  test::expect_refused(text::ErrorKind::bad_configuration,
+                       {"steps.csv: nothing says", "--swirl DEG", "fantail tunnel swirl", "--swirl 0 says"},
+                       [&] { (void)read_tunnel_result(file, {}); });
+  const TunnelResult none = read_tunnel_result(file, 0.0);
+  EXPECT_NEAR(degrees(none.steps[1].offset_end_rad), -7.0, 1e-12);
+  EXPECT_EQ(none.swirl_words, "Swirl subtracted: 0 degrees (from --swirl).");
+  EXPECT_TRUE(none.sources.empty());
 }
 
 TEST(TunnelResult, ReadsTheStandardErrorsOfTheSteps) {
@@ -84,7 +89,7 @@ TEST(TunnelResult, ReadsTheStandardErrorsOfTheSteps) {
       read_tunnel_result(folder.write("steps.csv", head + errors +
                                                        "\n20,9,-5,-6,0.4,0.1,0.02,0.03\n18,8,-4,-7,0.5,0.1,0.02,0.03\n"
                                                        "19,9,-5,-6,0.4,0.1,0.02,0.03\n"),
-                         {});
+                         0.0);
   ASSERT_EQ(result.standard_errors.size(), 3U);
   EXPECT_EQ(result.standard_errors[1].damping_m2, 0.5);
   EXPECT_NEAR(degrees(result.standard_errors[0].offset_end_rad), 0.03, 1e-12);
@@ -109,7 +114,7 @@ TEST(TunnelResult, SaysWhoseItIsWhereItsFileDoes) {
       folder.write("steps.csv",
                    "alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,vehicle,reference_area_m2\n"
                    "20,9,-5,-6,\"A, B\",5e-3\n18,8,-4,-7,\"A, B\",5e-3\n18,8,-4,-7,\"A, B\",5e-3\n"),
-      {});
+      0.0);
   EXPECT_EQ(own.vehicle, "A, B");
   EXPECT_EQ(own.reference_area_m2, 5e-3);
 }

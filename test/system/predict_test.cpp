@@ -165,7 +165,8 @@ TEST(Predict, FindsTheFileThatAScenarioNamesBesideIt) {
   folder.write("mine/steps.csv", own_steps);
   folder.write("mine/flight.toml",
                "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\ntunnel_result = \"steps.csv\"\n");
-  const Outcome outcome = fantail({"predict", "mine/flight.toml", "--runs", "3"}, {.working_folder = folder.path()});
+  const Outcome outcome =
+      fantail({"predict", "mine/flight.toml", "--swirl", "0", "--runs", "3"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_NE(outcome.out.find("the 3 rows of steps.csv"), std::string::npos) << outcome.out;
 }
@@ -180,6 +181,8 @@ TEST(Predict, RefusesWhatItCannotPredictFromAndWritesNothing) {
   Refusal({{"steps.csv", "alpha_m2,beta_m\n19,9\n"}}, {"predict", "--tunnel", "steps.csv"}, 65,
           {"disturbance_begin_deg", "alpha_m2"});
   Refusal({}, {"predict", "tunnel_steps"}, 78, {"tunnel_steps: environment.surroundings"});
+  Refusal({{"steps.csv", own_steps}}, {"predict", "--tunnel", "steps.csv"}, 78,
+          {"steps.csv: nothing says which part of its disturbances is the swirl", "--swirl DEG"});
 }
 
 // Two rows used to be "Go" with a remark, and another rocket's rows were taken without a word.
@@ -188,13 +191,14 @@ TEST(Predict, RefusesTooFewRowsAndThoseOfAnotherVehicleAndTakesTheseOnPurpose) {
   Refusal({{"steps.csv", header + "20,9.5,-1,-2,Dart\n19,9,-2,-1,Dart\n"}}, {"predict", "--tunnel", "steps.csv"}, 65,
           {"steps.csv: has 2 of the rows", "3 or more"});
   const std::string dart = header + "20,9.5,-1,-2,Dart\n19,9,-2,-1,Dart\n21,9,-1,-1,Dart\n";
-  Refusal({{"steps.csv", dart}}, {"predict", "--tunnel", "steps.csv"}, 78,
+  Refusal({{"steps.csv", dart}}, {"predict", "--tunnel", "steps.csv", "--swirl", "0"}, 78,
           {"steps.csv: its rows are of the vehicle \"Dart\"", "tasha3_launch2 flies \"Tasha III, launch 2\"",
            "--other-vehicle"});
   const Folder folder;
   folder.write("steps.csv", dart);
-  const Outcome outcome = fantail({"predict", "--tunnel", "steps.csv", "--other-vehicle", "--runs", "2"},
-                                  {.working_folder = folder.path()});
+  const Outcome outcome =
+      fantail({"predict", "--tunnel", "steps.csv", "--swirl", "0", "--other-vehicle", "--runs", "2"},
+              {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_NE(outcome.out.find("accepted for Tasha III, launch 2 on purpose"), std::string::npos) << outcome.out;
 }

@@ -236,7 +236,9 @@ void fill(const Verb& verb) {
   verb.option("--swirl", options->swirl_deg,
               "Swirl of the tunnel as a fin offset in degrees, to be subtracted, with the sign of fantail tunnel swirl "
               "(above zero "
-              "it rolls clockwise, seen from the tail) [column swirl_deg of the file, or 0]")
+              "it rolls clockwise, seen from the tail); 0: there was none [column swirl_deg of the file; without it "
+              "this is "
+              "needed]")
       .range(-45.0, 45.0);
   verb.option("--damping-factor", options->damping_factor,
               "LOW:HIGH, damping in flight over damping in the tunnel, drawn from a uniform distribution")

@@ -48,23 +48,38 @@ class NumberColumn {
   Limits limits_;
 };
 
-std::string describe_swirl(const TunnelResult& result, bool given, const std::optional<NumberColumn>& column) {
+/// What is taken off each row; `given` goes before the column swirl_deg.
+std::vector<double> swirl_of_rows(const flight::Table& table, const Limits& angle, const std::optional<double>& given) {
   if (given) {
-    return fmt::format("Swirl subtracted: {} degrees (from --swirl).", brief(degrees(result.swirl_rad), 2));
+    return std::vector<double>(table.rows(), *given);
   }
-  if (column) {
-    double lowest_deg = (*column)[0];
-    double highest_deg = lowest_deg;
-    for (std::size_t row = 1; row < result.steps.size(); ++row) {
-      lowest_deg = std::min(lowest_deg, (*column)[row]);
-      highest_deg = std::max(highest_deg, (*column)[row]);
-    }
-    const std::string what = lowest_deg == highest_deg ? fmt::format("{} degrees", brief(lowest_deg, 2))
-                                                       : fmt::format("from each row its own, {} to {} degrees",
-                                                                     brief(lowest_deg, 2), brief(highest_deg, 2));
-    return fmt::format("Swirl subtracted: {} (column swirl_deg of {}).", what, result.name);
+  if (!table.find("swirl_deg")) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("{}: nothing says which part of its disturbances is the swirl of the tunnel, which is not there in "
+                    "flight and may hide what the fins do: give it with --swirl DEG (in Python swirl_deg), as fantail "
+                    "tunnel swirl finds it, or in a column swirl_deg; --swirl 0 says that there was none",
+                    table.name())};
   }
-  return fmt::format("No swirl subtracted: {} has no column swirl_deg, and --swirl was not given.", result.name);
+  const NumberColumn column{table, "swirl_deg", angle};
+  std::vector<double> all;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    all.push_back(radians(column[row]));
+  }
+  return all;
+}
+
+std::string describe_swirl(const std::string& file, const std::vector<double>& swirl_rad, bool given) {
+  const auto [lowest_rad, highest_rad] = std::ranges::minmax(swirl_rad);
+  const std::string lowest = brief(degrees(lowest_rad), 2);
+  if (given) {
+    return fmt::format("Swirl subtracted: {} degrees (from --swirl).", lowest);
+  }
+  return fmt::format("Swirl subtracted: {} (column swirl_deg of {}).",
+                     lowest_rad == highest_rad ? fmt::format("{} degrees", lowest)
+                                               : fmt::format("from each row its own, {} to {} degrees", lowest,
+                                                             brief(degrees(highest_rad), 2)),
+                     file);
 }
 
 /// What a column says in every row; empty where it is absent or its cells are.
@@ -134,10 +149,6 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
   const NumberColumn torque{table, "beta_m", {1e-3, 1e4}};
   const NumberColumn begin{table, "disturbance_begin_deg", angle};
   const NumberColumn end{table, "disturbance_end_deg", angle};
-  std::optional<NumberColumn> swirl;
-  if (!swirl_rad && table.find("swirl_deg")) {
-    swirl.emplace(table, "swirl_deg", angle);
-  }
   if (table.rows() < fewest_tunnel_steps) {
     throw text::Error{
         text::ErrorKind::bad_data,
@@ -153,14 +164,18 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
   result.inertia_kg_m2 = same_number_in_all_rows(table, "inertia_kg_m2", {1e-6, 1e3});
   result.standard_errors = read_standard_errors(table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double off_rad = swirl_rad ? *swirl_rad : swirl ? radians((*swirl)[row]) : 0.0;
-    result.swirl_rad += off_rad / static_cast<double>(table.rows());
     result.steps.push_back({.damping_m2 = damping[row],
                             .torque_m = torque[row],
-                            .offset_begin_rad = radians(begin[row]) - off_rad,
-                            .offset_end_rad = radians(end[row]) - off_rad});
+                            .offset_begin_rad = radians(begin[row]),
+                            .offset_end_rad = radians(end[row])});
   }
-  result.swirl_words = describe_swirl(result, swirl_rad.has_value(), swirl);
+  const std::vector<double> swirl = swirl_of_rows(table, angle, swirl_rad);
+  for (std::size_t row = 0; row < swirl.size(); ++row) {
+    result.steps[row].offset_begin_rad -= swirl[row];
+    result.steps[row].offset_end_rad -= swirl[row];
+    result.swirl_rad += swirl[row] / static_cast<double>(swirl.size());
+  }
+  result.swirl_words = describe_swirl(result.name, swirl, swirl_rad.has_value());
   return result;
 }
 
