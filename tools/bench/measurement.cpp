@@ -76,7 +76,10 @@ Figures measure(const link::Recording& recording, const Exercise& exercise, cons
       add_steps(own, Part::step_across, f);
       break;
     case ExerciseKind::step: add_steps(own, Part::step_out, f); break;
-    case ExerciseKind::sine: add_wave(own, exercise.wave()->frequency_hz, f); break;
+    case ExerciseKind::sine:
+      add_wave(own, exercise.wave()->frequency_hz, f);
+      add_sent_wave(own, exercise, canard, f);
+      break;
   }
   if (!turn.canard) {
     return f;

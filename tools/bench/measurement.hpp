@@ -47,10 +47,13 @@ struct Figures {
   std::optional<double> overshoot_rad;  ///< beyond where it came to rest
   std::optional<double> noise_rad;      ///< standard deviation at rest, drift taken off
 
-  std::optional<double> amplitude_rad;    ///< of the command, in a sine
-  std::optional<double> amplitude_ratio;  ///< of a sine
-  std::optional<double> slowest_ratio;    ///< of a servo that is just quick enough, in the same sine
-  std::optional<double> phase_lag_rad;    ///< of a sine, 0 to 2 pi
+  std::optional<double> asked_amplitude_rad;   ///< of the sine asked for, within the limit
+  std::optional<double> amplitude_rad;         ///< of the command, in a sine
+  std::optional<double> wave_difference;       ///< of the command from the sine asked for: SentWave::difference
+  std::optional<double> longest_standstill_s;  ///< of the command within the sine
+  std::optional<double> amplitude_ratio;       ///< of a sine
+  std::optional<double> slowest_ratio;         ///< of a servo that is just quick enough, in the same sine
+  std::optional<double> phase_lag_rad;         ///< of a sine, 0 to 2 pi
 
   std::optional<double> others_moved_rad;   ///< alone only: how far another canard went along at most
   std::optional<std::size_t> other_canard;  ///< which one went farthest

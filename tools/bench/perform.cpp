@@ -14,6 +14,12 @@ namespace {
 // measure.
 constexpr double longest_stride_s = 0.02;
 
+// A sine has no holds, and must keep its frequency.
+double latest_s(const Exercise& exercise, double done_s) {
+  const Stretch& stretch = exercise.stretches()[exercise.stretch_at(done_s)];
+  return stretch.part == Part::sine ? std::max(stretch.end_s, done_s + longest_stride_s) : done_s + longest_stride_s;
+}
+
 }  // namespace
 
 link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
@@ -29,9 +35,9 @@ link::Recording perform(const Exercise& exercise, link::Session& session, link::
     session.wait();
     // What has come since the last look was done under the request of that look, however long ago it was.
     const std::size_t stretch = exercise.stretch_at(done_s);
-    const double latest_s = done_s + longest_stride_s;
+    const double end_s = latest_s(exercise, done_s);
     while (auto tick = link.take_tick()) {
-      done_s = std::min(done_s + 1e-3 * static_cast<double>(tick->number - last.value_or(tick->number)), latest_s);
+      done_s = std::min(done_s + 1e-3 * static_cast<double>(tick->number - last.value_or(tick->number)), end_s);
       last = tick->number;
       tick->stretch = stretch;
       punctuality.note(*tick);

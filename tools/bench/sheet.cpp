@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "bench/sent_wave.hpp"
 #include "bench/trace.hpp"
 #include "core/flight_plan.hpp"
 #include "text/degrees.hpp"
@@ -89,6 +90,9 @@ class Examination {
             fixed(exercise_.duration_s(), 1));
     }
     for (const CanardResult& result : sheet_.canards) {
+      if (exercise_.wave()) {
+        sine_sent(result.alone->figures);
+      }
       if (result.diagnosis.cause == Cause::not_measured) {
         doubt("canard {} could not be measured ({})", result.canard + 1, result.diagnosis.seen);
       }
@@ -118,6 +122,20 @@ class Examination {
     std::erase_if(result.checks, [&](const Check& c) { return !shown_by(exercise_.kind(), c.measure); });
     result.diagnosis = diagnose(result.figures, result.checks, exercise_.bounds(), canard, sheet_.tolerances);
     return result;
+  }
+
+  // A canard can be judged by the sine only if that is what it was commanded.
+  void sine_sent(const Figures& f) {
+    const double frequency_hz = exercise_.wave()->frequency_hz;
+    if (!f.wave_difference || *f.wave_difference <= most_difference(frequency_hz)) {
+      return;
+    }
+    doubt(
+        "the sine did not reach the rocket as it was asked for: at {:g} Hz its amplitude was {} instead of {} deg, "
+        "it stood still for up to {} s, and it was off by {} % of its size (allowed: {} %)",
+        frequency_hz, fixed(degrees(f.amplitude_rad.value_or(0.0)), 2),
+        fixed(degrees(f.asked_amplitude_rad.value_or(0.0)), 2), fixed(f.longest_standstill_s.value_or(0.0), 3),
+        fixed(100.0 * *f.wave_difference, 0), fixed(100.0 * most_difference(frequency_hz), 0));
   }
 
   static void conclude(CanardResult& result) {

@@ -11,9 +11,6 @@ namespace {
 
 const double same_command_rad = text::radians(0.015);  // one step of the bus, and a little
 constexpr std::size_t time_to_settle = 180;
-// A mark is set when a tick is received, and the command that belongs to it may already be there; or it comes late,
-// when bench or node were held up.
-constexpr std::size_t mark_slack = 100;
 
 Window window_of(const CanardTrace& trace, Part part) {
   const auto first = std::ranges::find(trace.part, part);

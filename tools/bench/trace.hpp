@@ -15,6 +15,9 @@ namespace fantail::bench {
 inline constexpr double tick_s = 0.001;
 /// Of all ticks of an exercise, what may be missing: single ones hide nothing, more make the figures doubtful.
 inline constexpr double most_lost_share = 0.02;
+/// A mark is set when a tick is received, and the command that belongs to it may already be there; or it comes late,
+/// when bench or node were held up.
+inline constexpr std::size_t mark_slack = 100;  // ticks
 inline constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
 
 /// One canard through one turn, one entry a millisecond: lost ticks have their place too, so an index is a time.

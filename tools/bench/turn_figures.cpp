@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bench/readings.hpp"
+#include "bench/sent_wave.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -98,6 +99,15 @@ std::optional<Phasor> phasor(const std::vector<double>& values, const Window& wi
   }
   return Phasor{solution[0], solution[1]};
 }
+
+Window sine_window(const CanardTrace& trace) {
+  const auto first = std::ranges::find(trace.part, Part::sine);
+  const auto last = std::find_if(first, trace.part.end(), [](Part part) { return part != Part::sine; });
+  return {static_cast<std::size_t>(first - trace.part.begin()), static_cast<std::size_t>(last - trace.part.begin())};
+}
+
+// The servo takes some time constants to swing in.
+Window swung_in(const Window& sine) { return {sine.begin + std::min(sine.size() / 3, swing_in), sine.end}; }
 
 }  // namespace
 
@@ -194,16 +204,13 @@ void add_steps(const CanardTrace& trace, Part widest, Figures& f) {
 }
 
 void add_wave(const CanardTrace& trace, double frequency_hz, Figures& f) {
-  const auto first = std::ranges::find(trace.part, Part::sine);
-  const auto last = std::find_if(first, trace.part.end(), [](Part part) { return part != Part::sine; });
-  Window window{static_cast<std::size_t>(first - trace.part.begin()),
-                static_cast<std::size_t>(last - trace.part.begin())};
+  const Window sine = sine_window(trace);
   const auto before = level_rad(trace, at_rest(trace, Part::settle));
-  const auto after = level_rad(trace, {std::min(window.end + time_to_settle, trace.size()), trace.size()});
+  const auto after = level_rad(trace, {std::min(sine.end + time_to_settle, trace.size()), trace.size()});
   if (before && after) {
     f.centring_error_rad = 0.5 * (*before + *after) - trace.command_rad.back();
   }
-  window.begin += std::min(window.size() / 3, swing_in);  // the servo takes some time constants to swing in
+  const Window window = swung_in(sine);
   const auto command = phasor(trace.command_rad, window, frequency_hz);
   const auto encoder = phasor(trace.encoder_rad, window, frequency_hz);
   if (!command || !encoder) {
@@ -220,6 +227,18 @@ void add_wave(const CanardTrace& trace, double frequency_hz, Figures& f) {
   if (moved_rad > 0.05 * told_rad) {
     const double lag_rad = std::atan2(command->cosine, command->sine) - std::atan2(encoder->cosine, encoder->sine);
     f.phase_lag_rad = lag_rad - turn_rad * std::floor(lag_rad / turn_rad);
+  }
+}
+
+void add_sent_wave(const CanardTrace& trace, const Exercise& exercise, std::size_t canard, Figures& f) {
+  const std::optional<SentWave> sent = sent_wave(trace, exercise, canard);
+  if (!sent) {
+    return;
+  }
+  f.wave_difference = sent->difference;
+  f.longest_standstill_s = tick_s * static_cast<double>(sent->longest_standstill);
+  if (const auto asked = phasor(sent->asked_rad, swung_in(sine_window(trace)), exercise.wave()->frequency_hz)) {
+    f.asked_amplitude_rad = std::hypot(asked->sine, asked->cosine);
   }
 }
 

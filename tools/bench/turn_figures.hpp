@@ -17,6 +17,8 @@ void add_steps(const CanardTrace& trace, Part widest, Figures& figures);
 
 /// How the encoder follows a sine.
 void add_wave(const CanardTrace& trace, double frequency_hz, Figures& figures);
+/// How far the command was the sine that was asked for.
+void add_sent_wave(const CanardTrace& trace, const Exercise& exercise, std::size_t canard, Figures& figures);
 
 /// Level, noise and drift whenever the canard should have stood still.
 void add_rest(const CanardTrace& trace, Figures& figures);

@@ -40,12 +40,13 @@ Check reached(Measure measure, const std::optional<double>& radians, double told
   return result;
 }
 
-// As far as a servo that is just quick enough, give or take what may be missing at a limit.
+// As far as a servo that is just quick enough, give or take what may be missing at a limit: a share of what was asked
+// for, because a command that came out smaller would allow more.
 Check follows_wave(const Figures& f, const sim::CanardTolerances& t) {
-  if (!f.amplitude_rad || !f.slowest_ratio) {
+  if (!f.asked_amplitude_rad || !f.slowest_ratio) {
     return between(Measure::amplitude_ratio, std::nullopt, std::nullopt, std::nullopt);
   }
-  const double share = t.reach_rad / *f.amplitude_rad;
+  const double share = t.reach_rad / *f.asked_amplitude_rad;
   const double lowest = *f.slowest_ratio - share;
   return between(Measure::amplitude_ratio, f.amplitude_ratio, lowest > 0.0 ? std::optional{lowest} : std::nullopt,
                  1.0 + share);
