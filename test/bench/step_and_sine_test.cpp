@@ -2,6 +2,7 @@
 // One canard through a step or a sine: what passes, and what is said of it.
 #include <gtest/gtest.h>
 
+#include "bench/least_movement.hpp"
 #include "bench/sheet.hpp"
 #include "lockstep.hpp"
 
@@ -120,6 +121,78 @@ TEST(SineOfOneCanard, APassSaysWhatWasJudgedAndWhatWasNot) {
             std::vector<std::string>{"Canard 3 followed the sine as far as required, and stands at its trim. Its "
                                      "phase lag is not judged; fantail bench limits judges limits, "
                                      "backlash and speed."});
+}
+
+std::string refusal(const Exercise& exercise) {
+  try {
+    expect_enough_movement(exercise, 2, {});
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string step_refusal(double trim_deg, double to_deg, double limit_deg = 6.0) {
+  Bounds bounds;
+  bounds.limit_rad.fill(limit_deg * LockStep::degree);
+  bounds.centre_rad.fill(trim_deg * LockStep::degree);
+  return refusal(Exercise::step(bounds, 2, to_deg * LockStep::degree));
+}
+
+std::string sine_refusal(double amplitude_deg, double frequency_hz, double limit_deg = 20.47) {
+  Bounds bounds;
+  bounds.limit_rad.fill(limit_deg * LockStep::degree);
+  return refusal(Exercise::sine(
+      bounds, 2, {.amplitude_rad = amplitude_deg * LockStep::degree, .frequency_hz = frequency_hz, .cycles = 10}));
+}
+
+TEST(LeastMovement, AStepThatTheTolerancesHideIsRefused) {
+  EXPECT_EQ(
+      step_refusal(0.0, 0.3),
+      "--to: from the trim of canard 3 at 0.00 deg to 0.30 deg is a step of 0.30 deg; it must be at most -1.25 or "
+      "at least 1.25 deg, because reach_deg 0.5, centring_deg 0.5 and half of backlash_deg 0.5 allow a canard "
+      "that does not move at all to be 1.25 deg off");
+  EXPECT_NE(step_refusal(0.0, 0.0), "");
+  EXPECT_NE(step_refusal(2.0, 2.0), "");
+  EXPECT_NE(step_refusal(2.0, 1.0).find("at most 0.75 or at least 3.25 deg"), std::string::npos);
+  EXPECT_NE(step_refusal(5.0, 20.0).find("to 6.00 deg is a step of 1.00 deg; it must be at most 3.75 deg"),
+            std::string::npos);
+  EXPECT_NE(step_refusal(0.0, 1.0, 1.0).find("no angle within its limit of 1.00 deg is far enough"), std::string::npos);
+  EXPECT_EQ(step_refusal(0.0, 1.25), "");
+  EXPECT_EQ(step_refusal(2.0, 0.0), "");
+}
+
+TEST(LeastMovement, ASineThatTheTolerancesHideIsRefused) {
+  EXPECT_EQ(
+      sine_refusal(0.2, 2.0),
+      "--amplitude: canard 3 would go 0.20 deg to each side; at 2 Hz it must be 1.10 to 20.47 deg, because of less "
+      "reach_deg 0.5 and backlash_deg 0.5 hide too much of what a canard with longest_step_time_s 0.08 goes");
+  EXPECT_NE(sine_refusal(20.0, 50.0, 6.0).find("within its limit of 6.00 deg; at 50 Hz it must be 11."),
+            std::string::npos);
+  for (const auto& [amplitude_deg, frequency_hz] : {std::pair{1.1, 2.0}, {3.0, 8.0}, {5.0, 20.0}, {12.0, 50.0}}) {
+    EXPECT_EQ(sine_refusal(amplitude_deg, frequency_hz), "") << frequency_hz << " Hz";
+  }
+  sim::CanardTolerances coarse;
+  coarse.reach_rad = 5.0 * LockStep::degree;
+  EXPECT_TRUE(std::isinf(least_amplitude_rad(8.0, coarse)));
+}
+
+// At the least step and amplitude allowed.
+TEST(LeastMovement, ACanardThatStandsStillFailsAndOneWithAllThePlayAllowedPasses) {
+  const double least_step_deg = least_step_rad({}) / LockStep::degree;
+  LockStep torn;
+  torn.fault[2] = sim::ServoFault::dead;
+  LockStep loose;
+  loose.servo[2].backlash_rad = 0.5 * LockStep::degree;
+  EXPECT_EQ(step_of(torn, least_step_deg + 0.01).judgement(), Judgement::fail);
+  for (const double frequency_hz : {1.0, 2.0, 8.0}) {
+    const double least_deg = least_amplitude_rad(frequency_hz, {}) / LockStep::degree;
+    EXPECT_EQ(sine_of(torn, least_deg, frequency_hz, 4).judgement(), Judgement::fail) << frequency_hz;
+    const Sheet sheet = sine_of(loose, least_deg, frequency_hz, 4);
+    EXPECT_TRUE(sheet.passed()) << sheet_text(sheet);
+  }
+  const Sheet sheet = step_of(loose, least_step_deg);
+  EXPECT_TRUE(sheet.passed()) << sheet_text(sheet);
 }
 
 }  // namespace

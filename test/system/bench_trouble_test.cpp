@@ -65,6 +65,8 @@ TEST(BenchOptions, OutOfRangeAreUsageErrors) {
   Refusal({}, {"bench", "step", "--can", nowhere, "--canard", "5"}, 64, {"--canard"});
   Refusal({}, {"bench", "step", "--can", nowhere, "--canard", "1", "--to", "21"}, 64, {"--to"});
   Refusal({}, {"bench", "sine", "--can", nowhere, "--canard", "1", "--frequency", "0"}, 64, {"--frequency"});
+  Refusal({}, {"bench", "sine", "--can", nowhere, "--canard", "1", "--amplitude", "0.2"}, 64,
+          {"--amplitude", "0.20", "1.10 to 20.47"});
   Refusal({}, {"bench", "limits", "--can", nowhere, "--canard", "0"}, 64, {"--canard"});
   Refusal({}, {"bench", "watch", "--can", nowhere, "--for", "-1"}, 64, {"--for"});
   Refusal({}, {"bench", "zero", "--can", nowhere, "--trust", "me"}, 64, {"--trust"});

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "bench/exercise.hpp"
+#include "bench/least_movement.hpp"
 #include "bench/perform.hpp"
 #include "bench/sheet.hpp"
 #include "bench/too_slow.hpp"
@@ -33,6 +34,7 @@ namespace fantail::tool {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+constexpr double widest_deg = 20.47;  // on the bus
 
 struct ExerciseOptions {
   BenchOptions bench;
@@ -87,13 +89,27 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
   }
 }
 
-// What can be asked of no canard is said before anything moves.
-void expect_possible(const ExerciseOptions& options, const MakeExercise& make) {
+template <typename Work>
+auto or_usage(const Work& work) {
   try {
-    (void)make({}, options);
+    return work();
   } catch (const std::invalid_argument& error) {
     throw UsageError{error.what()};
   }
+}
+
+// What can be asked of no canard is said before the rocket is looked for, and so is a sine that would show nothing. A
+// step goes from the trim, which only the rocket knows.
+void expect_possible(const ExerciseOptions& options, const MakeExercise& make,
+                     const sim::CanardTolerances& tolerances) {
+  or_usage([&] {
+    bench::Bounds widest;
+    widest.limit_rad.fill(degree * widest_deg);
+    const bench::Exercise what = make(widest, options);
+    if (what.kind() == bench::ExerciseKind::sine) {
+      bench::expect_enough_movement(what, index(options), tolerances);
+    }
+  });
 }
 
 // The session ends with it, so what it throws is caught with the canards told to go to their centres.
@@ -102,7 +118,11 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make, const st
   page.wait_for_viewer();
   const auto session = open_session(place, link);
   const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims());
-  const bench::Exercise what = make(bounds, options);
+  const bench::Exercise what = or_usage([&] {
+    bench::Exercise made = make(bounds, options);
+    bench::expect_enough_movement(made, index(options), on_desk.tolerances);
+    return made;
+  });
   page.begin(what, on_desk.tolerances, on_desk.heading);
   const link::Recording recording = perform(what, options, *session, link, page);
   complete(on_desk.heading, options.bench, link);
@@ -128,8 +148,8 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make, const st
 }
 
 void run(const ExerciseOptions& options, const MakeExercise& make) {
-  expect_possible(options, make);
   Desk on_desk = desk(options.vehicle, options.plan);
+  expect_possible(options, make, on_desk.tolerances);
   const std::filesystem::path folder = options.out.empty() ? std::string{"out/bench"} : options.out;
   expect_room(folder, "the sheet with --out");
   CanPlace place{options.bench.interface};
@@ -195,7 +215,10 @@ void add_bench_step(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
   const Verb verb = add(bench, "step", "One canard to an angle at once, and back", options, step);
   add_canard(verb, *options);
-  verb.option("--to", options->to_deg, "Shaft angle").range(-20.47, 20.47).value_name("DEG").show_default();
+  verb.option("--to", options->to_deg, "Shaft angle; so far from the trim that tolerances do not hide the step")
+      .range(-widest_deg, widest_deg)
+      .value_name("DEG")
+      .show_default();
   verb.examples(
       "Examples:\n"
       "  fantail bench step --can can0 --canard 2             5 deg and back\n"
@@ -207,8 +230,8 @@ void add_bench_sine(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
   const Verb verb = add(bench, "sine", "One canard through a sine: amplitude ratio and phase lag", options, sine);
   add_canard(verb, *options);
-  verb.option("--amplitude", options->amplitude_deg, "About the centre")
-      .range(0.1, 20.47)
+  verb.option("--amplitude", options->amplitude_deg, "About the centre; so large that tolerances do not hide it")
+      .range(0.1, widest_deg)
       .value_name("DEG")
       .show_default();
   verb.option("--frequency", options->frequency_hz, "").range(0.05, 50.0).value_name("HZ").show_default();
