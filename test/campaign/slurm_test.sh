@@ -67,6 +67,8 @@ MinJobAge=60
 NodeName=$host NodeAddr=127.0.0.1 CPUs=2 RealMemory=500 State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 EOF
+# Where control groups are not mounted, a newer slurmd does not start without this, and an older one with it.
+case $(slurmd -V) in *" 2"[0-2].*) ;; *) echo CgroupPlugin=disabled >"$base/cgroup.conf" ;; esac
 export SLURM_CONF="$base/slurm.conf"
 munged --foreground --force --key-file="$base/munge.key" --socket="$base/run/munge.sock" --pid-file="$base/run/munged.pid" \
   --log-file="$base/munged.log" --seed-file="$base/munge.seed" >/dev/null 2>&1 &

@@ -156,9 +156,24 @@ bool agrees(std::string_view what, double now, double before) {
   return same;
 }
 
-bool compare(const Phases& phases, const std::string& path) {
+/// "GCC: (15:12.2.rel1-1) 12.2.1 20221205", from the section .comment.
+std::string compiler_of(const std::string& image) {
+  std::ifstream file{image, std::ios::binary};
+  const std::string bytes{std::istreambuf_iterator<char>{file}, {}};
+  const std::size_t begin = bytes.find("GCC: (");
+  return begin == std::string::npos ? "a compiler that is not named"
+                                    : bytes.substr(begin, bytes.find('\0', begin) - begin);
+}
+
+bool compare(const Phases& phases, const std::string& path, const std::string& compiler) {
   std::ifstream file{path};
   std::string line;
+  std::getline(file, line);
+  if (line != compiler) {
+    std::printf("not compared: %s has the counts of %s, and this is %s\n", path.c_str(), line.c_str(),
+                compiler.c_str());
+    return true;
+  }
   std::getline(file, line);  // the names of the columns
   bool same = true;
   for (const Phase& phase : phases) {
@@ -182,9 +197,9 @@ bool compare(const Phases& phases, const std::string& path) {
   return same;
 }
 
-bool write(const Phases& phases, const std::string& path) {
+bool write(const Phases& phases, const std::string& path, const std::string& compiler) {
   std::ofstream file{path};
-  file << "phase step_mean step_worst tick_mean tick_worst\n";
+  file << compiler << "\nphase step_mean step_worst tick_mean tick_worst\n";
   for (const Phase& phase : phases) {
     file << phase.name << ' ' << std::lround(phase.step.mean()) << ' ' << phase.step.worst << ' '
          << std::lround(phase.tick.mean()) << ' ' << phase.tick.worst << '\n';
@@ -197,8 +212,9 @@ int run(int argc, char** argv) {
     std::printf("%s\n", objection.c_str());
     return 77;
   }
-  hil::Target target{std::make_unique<hil::Emulator>(
-      hil::EmulatorOptions{.image = image("fantail-count.elf"), .icount = "shift=6,sleep=off"})};
+  const std::string counted = image("fantail-count.elf");
+  hil::Target target{
+      std::make_unique<hil::Emulator>(hil::EmulatorOptions{.image = counted, .icount = "shift=6,sleep=off"})};
   const Phases phases = count(target);
   std::printf("instructions           ticks   step mean   worst at s       tick mean   worst at s\n");
   for (const Phase& phase : phases) {
@@ -211,7 +227,8 @@ int run(int argc, char** argv) {
     return cheap ? 0 : 1;
   }
   const bool to_write = argc > 2 && std::string_view{argv[2]} == "--write";
-  return (to_write ? write(phases, argv[1]) : compare(phases, argv[1])) && cheap ? 0 : 1;
+  const std::string compiler = compiler_of(counted);
+  return (to_write ? write(phases, argv[1], compiler) : compare(phases, argv[1], compiler)) && cheap ? 0 : 1;
 }
 
 }  // namespace
