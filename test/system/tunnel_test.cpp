@@ -174,6 +174,9 @@ TEST(Tunnel, NothingIsWrittenOverTheRunItIsMadeFrom) {
     EXPECT_NE(outcome.err.find("run: is what these results are made from"), std::string::npos) << outcome.err;
   }
   EXPECT_EQ(in(folder, {"identify", "run", "--speed", "22", "--out", "run"}).exit_code, 74);
+  folder.write("o/steps.csv", content(folder / "run/tunnel.csv"));
+  EXPECT_EQ(in(folder, {"tunnel", "steps", "run", "--wind", "o/steps.csv", "--out", "o"}).exit_code, 74);
+  EXPECT_EQ(content(folder / "o/steps.csv"), content(folder / "run/tunnel.csv"));
   EXPECT_EQ(content(folder / "run/report.html"), page);
 }
 

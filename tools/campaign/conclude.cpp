@@ -9,6 +9,7 @@
 #include "campaign/repeat.hpp"
 #include "campaign/setup.hpp"
 #include "campaign/write_flight.hpp"
+#include "input/shipped.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 #include "text/shell_word.hpp"
@@ -70,7 +71,7 @@ Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& q
   report.run_command = fmt::format("fantail fly --campaign {} --run", text::shell_word(folder.string()));
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", report_json(report)}, {"campaign.html", report_html(report)}}};
-  text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder, {input::find_input(input::Shipped::scenario, report.campaign.scenario)}}.write(files);
   return report;
 }
 

@@ -81,8 +81,9 @@ void fly(const HardoverOptions& options) {
   });
   progress.reset();
   study.made = {.command = command_of(options), .version = FANTAIL_VERSION, .changes = changes_of(options.scenario)};
-  text::OutputFolder{folder}.write(std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
-                                              text::NamedFile{"hardover.json", hardover::study_json(study)}});
+  text::OutputFolder{folder, {file_of(options.scenario)}}.write(
+      std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
+                 text::NamedFile{"hardover.json", hardover::study_json(study)}});
   if (options.json) {
     fmt::print("{}", hardover::study_json(study));
   } else {

@@ -119,11 +119,12 @@ std::string compare_csv(const logs::Comparison& c) {
   return fmt::to_string(out);
 }
 
-void write_compare_results(const CompareResults& results, const std::filesystem::path& folder) {
+void write_compare_results(const CompareResults& results, const std::filesystem::path& folder,
+                           const std::vector<std::filesystem::path>& made_from) {
   const std::array<text::NamedFile, 3> files{{{"compare.html", compare_html(results)},
                                               {"compare.json", compare_json(results)},
                                               {"differences.csv", compare_csv(results.comparison)}}};
-  text::OutputFolder{folder, {results.a, results.b}}.write(files);
+  text::OutputFolder{folder, made_from}.write(files);
 }
 
 }  // namespace fantail::tool

@@ -38,7 +38,8 @@ struct CompareResults {
 [[nodiscard]] std::string overlay_html(const CompareResults& results, const logs::RollLog& a, const logs::RollLog& b);
 [[nodiscard]] std::string compare_csv(const logs::Comparison& comparison);
 
-/// compare.html, compare.json and differences.csv, all or none.
-void write_compare_results(const CompareResults& results, const std::filesystem::path& folder);
+/// compare.html, compare.json and differences.csv, all or none, and over neither of the logs `made_from`.
+void write_compare_results(const CompareResults& results, const std::filesystem::path& folder,
+                           const std::vector<std::filesystem::path>& made_from);
 
 }  // namespace fantail::tool

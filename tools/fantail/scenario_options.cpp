@@ -83,6 +83,10 @@ std::string variant_name(std::string_view scenario, std::span<const std::string>
   return safe.substr(0, std::max(longest, scenario.size())) + fmt::format("+{:08x}", hash(name));
 }
 
+std::filesystem::path file_of(const ScenarioOptions& options) {
+  return input::find_input(input::Shipped::scenario, options.scenario);
+}
+
 sim::Scenario load(const ScenarioOptions& options) {
   std::vector<input::Override> changes;
   changes.reserve(options.changes.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 /// "tasha3_launch1+controller.canard_limit_deg=9+seed=7". It can be the name of a file. Where characters had to be
 /// replaced for that, or the name to be cut, it ends with a hash of all changes.
 [[nodiscard]] std::string variant_name(std::string_view scenario, std::span<const std::string> changes);
+
+/// The file that the scenario is read from, which no result may replace. Throws text::Error.
+[[nodiscard]] std::filesystem::path file_of(const ScenarioOptions& options);
 
 /// Throws text::Error.
 [[nodiscard]] sim::Scenario load(const ScenarioOptions& options);

@@ -91,7 +91,7 @@ void steps(const StepsVerbOptions& options) {
                                  {"report.html", tunnel::steps_html(head, table)}},
                        .text = tunnel::steps_text(head, table),
                        .json = json,
-                       .made_from = {options.run}});
+                       .made_from = {options.run, options.wind}});
 }
 
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {

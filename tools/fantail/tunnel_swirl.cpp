@@ -96,11 +96,12 @@ void swirl(const SwirlVerbOptions& options) {
   const std::string json = tunnel::swirl_json(sessions, swirl);
   const std::string page = tunnel::swirl_html(sessions, swirl);
   chapters.end();
-  write_tunnel_output(options.output, default_folder,
-                      {.files = {{"swirl.json", json}, {"report.html", page}},
-                       .text = tunnel::swirl_text(sessions, swirl),
-                       .json = json,
-                       .made_from = {options.without.roll, options.with.roll}});
+  write_tunnel_output(
+      options.output, default_folder,
+      {.files = {{"swirl.json", json}, {"report.html", page}},
+       .text = tunnel::swirl_text(sessions, swirl),
+       .json = json,
+       .made_from = {options.without.roll, options.without.wind, options.with.roll, options.with.wind}});
 }
 
 void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {

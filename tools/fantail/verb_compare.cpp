@@ -115,7 +115,7 @@ void compare_logs(const CompareVerbOptions& options) {
                           results.comparison.warnings.end());
   give_up_if_interrupted();
   const std::filesystem::path folder{options.out};
-  write_compare_results(results, folder);
+  write_compare_results(results, folder, {options.a.path, options.b.path});
   chapters.end();
   if (options.json) {
     fmt::print("{}", compare_json(results));

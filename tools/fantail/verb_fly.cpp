@@ -124,11 +124,13 @@ struct Task {
   std::vector<std::string> changes{};
   std::vector<std::string> notes{};
   std::filesystem::path folder{};
+  std::vector<std::filesystem::path> made_from{};  ///< files that no result may replace
 };
 
 Task task_of(const FlyOptions& options) {
   Task task{.scenario = load(options.scenario), .changes = changes_of(options)};
   task.notes = take_trajectory(options, task.scenario);
+  task.made_from = {file_of(options.scenario), options.trajectory};
   task.folder = std::filesystem::path{"out"} / variant_name(task.scenario.name, task.changes);
   return task;
 }
@@ -153,7 +155,8 @@ Task campaign_task(const FlyOptions& options) {
   return {.scenario = std::move(repeated.scenario),
           .changes = std::move(repeated.changes),
           .notes = {std::move(repeated.note)},
-          .folder = folder / fmt::format("run_{}", *options.run)};
+          .folder = folder / fmt::format("run_{}", *options.run),
+          .made_from = {folder}};
 }
 
 void fly_and_report(const FlyOptions& options) {
@@ -163,7 +166,7 @@ void fly_and_report(const FlyOptions& options) {
   if (options.card) {
     check_card_program();
   }
-  auto [scenario, changes, notes, usual_folder] = options.run ? campaign_task(options) : task_of(options);
+  auto [scenario, changes, notes, usual_folder, made_from] = options.run ? campaign_task(options) : task_of(options);
   check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
   const std::string command =
@@ -188,7 +191,7 @@ void fly_and_report(const FlyOptions& options) {
   }
   const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
   give_up_if_interrupted();
-  const std::vector<std::string> written = report::write_results(flight, results, folder);
+  const std::vector<std::string> written = report::write_results(flight, results, folder, made_from);
   chapters.end();
   if (options.json) {
     fmt::print("{}", results.summary);

@@ -121,7 +121,7 @@ void listen_to(const ListenOptions& o) {
   give_up_if_interrupted();
   const auto [folder, remark] = output_folder(o);
   const std::string json = listen::as_json(heard, FANTAIL_VERSION);
-  text::OutputFolder{folder, {o.log}}.write(
+  text::OutputFolder{folder, {o.log, o.barometer}}.write(
       std::array{text::NamedFile{"listen.html", listen::as_html(heard)}, text::NamedFile{"listen.json", json}});
   if (!remark.empty()) {
     say(fmt::format("fantail: {} This one is in {}; --out names another place.\n", remark, folder.string()));

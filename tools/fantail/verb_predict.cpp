@@ -81,6 +81,10 @@ std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOp
                         "or name it in the scenario: tunnel_result = \"steps.csv\""};
 }
 
+std::vector<std::filesystem::path> made_from(const sim::Scenario& scenario, const PredictOptions& options) {
+  return {file_of(options.scenario), tunnel_file(scenario, options)};
+}
+
 std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
@@ -168,7 +172,7 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
       predict::repeat_run(scenario, tunnel, prediction_options(options), *options.run);
   const report::Results results = report::results(repeated.flight);
   const std::filesystem::path folder = folder_of(scenario, options);
-  report::write_results(repeated.flight, results, folder);
+  report::write_results(repeated.flight, results, folder, made_from(scenario, options));
   if (options.json) {
     fmt::print("{}", results.summary);
     return;
@@ -196,8 +200,8 @@ void predict_launch(const PredictOptions& options) {
                                    .held_share = 0.01 * options.held_percent,
                                    .phase_margin_rad = text::radians(options.phase_margin_deg)});
   const std::filesystem::path folder = folder_of(scenario, options);
-  chapters.next("its page and runs");
-  predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder);
+  Chapters chapters{"predict", 1, "its page and runs"};
+  predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder, made_from(scenario, options));
   chapters.end();
   if (options.json) {
     fmt::print("{}", predict::prediction_json(prediction, decision, FANTAIL_VERSION));

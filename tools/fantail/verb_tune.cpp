@@ -105,8 +105,12 @@ std::filesystem::path plan_file(const TuneOptions& options) {
              : old_file.parent_path() / name;
 }
 
-void refuse_to_replace(const std::filesystem::path& file, bool force) {
-  if (!force && std::filesystem::exists(file)) {
+void refuse_to_replace(const std::filesystem::path& file, const TuneOptions& options) {
+  std::error_code not_there;
+  if (std::filesystem::equivalent(file, file_of(options.scenario), not_there)) {
+    throw text::OutputError{file.string() + ": is what these results are made from; choose another place for the plan"};
+  }
+  if (!options.force && std::filesystem::exists(file)) {
     throw UsageError{file.string() + " is there already, and nothing is replaced without --force; or say --plan FILE"};
   }
 }
@@ -149,7 +153,7 @@ std::string how_to_fly(const TuneOptions& options, const std::filesystem::path& 
 void tune_scenario(const TuneOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   const std::filesystem::path file = plan_file(options);
-  refuse_to_replace(file, options.force);
+  refuse_to_replace(file, options);
   const tune::Tuning tuning = tuned(scenario, options);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
   std::vector<std::string> changes = changes_of(options.scenario);
@@ -160,7 +164,7 @@ void tune_scenario(const TuneOptions& options) {
       options.out.empty() ? std::filesystem::path{"out"} / "tune" / variant_name(scenario.name, changes)
                           : std::filesystem::path{options.out};
   const std::string json = tune::tuning_json(tuning, plan_name);
-  text::OutputFolder{folder}.write(
+  text::OutputFolder{folder, {file_of(options.scenario)}}.write(
       std::array{text::NamedFile{.name = "tune.html", .content = tune::tuning_html(tuning, plan_name)},
                  text::NamedFile{.name = "tune.json", .content = json}});
   if (tuning.is_proposed()) {

@@ -20,12 +20,12 @@ std::string angle(const std::optional<double>& radians) { return radians ? fixed
 }  // namespace
 
 void write_prediction(const Prediction& prediction, const Decision& decision, std::string_view version,
-                      const std::filesystem::path& folder) {
+                      const std::filesystem::path& folder, const std::vector<std::filesystem::path>& made_from) {
   const std::array<text::NamedFile, 4> files{{{"predict.html", prediction_html(prediction, decision, version)},
                                               {"predict.json", prediction_json(prediction, decision, version)},
                                               {"runs.csv", runs_csv(prediction)},
                                               {"band.csv", band_csv(prediction)}}};
-  text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder, made_from}.write(files);
 }
 
 std::string runs_csv(const Prediction& p) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "predict/decision.hpp"
 
@@ -26,8 +27,9 @@ namespace fantail::predict {
 [[nodiscard]] std::string prediction_html(const Prediction& prediction, const Decision& decision,
                                           std::string_view version);
 
-/// Writes predict.html, predict.json, runs.csv and band.csv into a folder, all or none. Throws text::OutputError.
+/// Writes predict.html, predict.json, runs.csv and band.csv into a folder, all or none, and over nothing of
+/// `made_from`. Throws text::OutputError.
 void write_prediction(const Prediction& prediction, const Decision& decision, std::string_view version,
-                      const std::filesystem::path& folder);
+                      const std::filesystem::path& folder, const std::vector<std::filesystem::path>& made_from);
 
 }  // namespace fantail::predict

@@ -45,7 +45,8 @@ Results results(const flight::Flight& flight) {
 }
 
 std::vector<std::string> write_results(const flight::Flight& flight, const Results& results,
-                                       const std::filesystem::path& folder) {
+                                       const std::filesystem::path& folder,
+                                       const std::vector<std::filesystem::path>& made_from) {
   std::vector<text::NamedFile> files = result_files(flight, results);
   std::vector<std::string> of_others;
   const auto add = [&](const char* name, bool there, const auto& content) {
@@ -61,7 +62,7 @@ std::vector<std::string> write_results(const flight::Flight& flight, const Resul
   add(own_turning, !flight.turning.empty(), [&] { return flight::turning_csv(flight.turning); });
   add("card.png", !results.card_png.empty(), [&] { return results.card_png; });
   add(own_free_roll, !flight.without_control.empty(), [&] { return flight::free_roll_csv(flight.without_control); });
-  text::OutputFolder{folder}.write(files, of_others);
+  text::OutputFolder{folder, made_from}.write(files, of_others);
   std::vector<std::string> names;
   std::ranges::transform(files, std::back_inserter(names), &text::NamedFile::name);
   return names;
