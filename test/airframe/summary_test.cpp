@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,21 @@ TEST(Remarks, GiveTheOffsetOfCantedFinsInCanardAngles) {
   const auto canards = model::fin_forces(*rocket.geometry->canards, 0.04);
   EXPECT_NEAR(summary.build_up.cant_as_canards->value, fins.roll_torque_m3 / canards.roll_torque_m3, 1e-12);
   EXPECT_TRUE(says(summary, "Fins canted by -1 deg push as canards at -"));
+}
+
+// Behind canards that may have no torque left: no angle of theirs is surely enough.
+TEST(Remarks, GiveTheCanardsOfAFinCantNoUpperEndWhereTheirTorqueMayBeZero) {
+  sim::Vehicle rocket = vehicle("tasha3_launch2");
+  ASSERT_EQ(summarize(rocket).build_up.roll_torque_m3->low, 0.0);
+  for (const auto& [cant_deg, said] :
+       {std::pair{1.0, " or more): the fin offset"}, std::pair{-1.0, " or less): the"}}) {
+    rocket.geometry->fins->cant_rad = cant_deg * sim::radians_per_degree;
+    const Summary summary = summarize(rocket);
+    EXPECT_TRUE(says(summary, said)) << cant_deg;
+    EXPECT_NE(text(rocket, summary).find(range_text(*summary.build_up.cant_as_canards, 2)), std::string::npos);
+    EXPECT_NE(json(rocket, summary).find("\"high\": null"), std::string::npos);
+  }
+  EXPECT_EQ(range_text({.value = 2.0, .low = 1.0, .high = 4.0}, 1), "1.0 to 4.0");
 }
 
 TEST(SideView, ShowsEveryFinCanardAndCentre) {

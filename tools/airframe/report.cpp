@@ -2,6 +2,7 @@
 #include "airframe/report.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -23,10 +24,7 @@ std::string size(const sim::Vehicle& vehicle) {
 }
 
 std::string range(const Line& line) {
-  return line.computed && line.computed->low < line.computed->high
-             ? fmt::format("{} to {}", fixed(line.computed->low, line.decimals),
-                           fixed(line.computed->high, line.decimals))
-             : "";
+  return line.computed && line.computed->low < line.computed->high ? range_text(*line.computed, line.decimals) : "";
 }
 
 std::string computed(const Line& line) { return line.computed ? fixed(line.computed->value, line.decimals) : ""; }
@@ -79,7 +77,9 @@ std::string text(const sim::Vehicle& vehicle, const Summary& summary, std::size_
 
 std::string json(const sim::Vehicle& vehicle, const Summary& summary) {
   using Json = ::fantail::json::Value;
-  const auto rounded = [](double value) { return ::fantail::json::rounded(value, 8); };
+  const auto rounded = [](double value) {
+    return std::isfinite(value) ? Json{::fantail::json::rounded(value, 8)} : Json{};
+  };
   Json lines = Json::array();
   for (const Line& line : summary.lines) {
     Json one{{"what", line.what}, {"unit", line.unit}};

@@ -21,7 +21,8 @@ constexpr double least_margin_calibres = 1.0;
 Estimate exactly(double value) { return {.value = value, .low = value, .high = value}; }
 
 Estimate scaled(const Estimate& e, double factor) {
-  return {.value = e.value * factor, .low = e.low * factor, .high = e.high * factor};
+  const auto [low, high] = std::minmax({e.low * factor, e.high * factor});
+  return {.value = e.value * factor, .low = low, .high = high};
 }
 
 /// So that the number has three digits, but at least two decimals: alpha and beta are small on a large area.
@@ -102,10 +103,9 @@ void add_roll(Summary& summary, const sim::Vehicle& vehicle) {
     summary.lines.push_back({"canards for a degree of fin cant", "deg", b.cant_as_canards, {}, 2});
     if (const double cant_rad = vehicle.geometry->fins->cant_rad; cant_rad != 0.0) {
       const Estimate offset_deg = scaled(*b.cant_as_canards, text::degrees(cant_rad));
-      summary.remarks.push_back(fmt::format(
-          "Fins canted by {} deg push as canards at {} deg would ({} to {}): the fin offset of a scenario.",
-          text::brief(text::degrees(cant_rad), 2), fixed(offset_deg.value, 1),
-          fixed(std::min(offset_deg.low, offset_deg.high), 1), fixed(std::max(offset_deg.low, offset_deg.high), 1)));
+      summary.remarks.push_back(
+          fmt::format("Fins canted by {} deg push as canards at {} deg would ({}): the fin offset of a scenario.",
+                      text::brief(text::degrees(cant_rad), 2), fixed(offset_deg.value, 1), range_text(offset_deg, 1)));
     }
   }
   if (b.hinge_moment_m3) {
@@ -209,6 +209,15 @@ void compare(Summary& summary) {
 }
 
 }  // namespace
+
+std::string range_text(const Estimate& estimate, int decimals) {
+  if (std::isinf(estimate.high)) {
+    return fixed(estimate.low, decimals) + " or more";
+  }
+  return std::isinf(estimate.low)
+             ? fixed(estimate.high, decimals) + " or less"
+             : fmt::format("{} to {}", fixed(estimate.low, decimals), fixed(estimate.high, decimals));
+}
 
 Summary summarize(const sim::Vehicle& vehicle) {
   Summary summary{

@@ -32,6 +32,9 @@ struct Summary {
   std::optional<double> centre_of_gravity_m;  ///< at lift-off: the file's, else that of the parts
 };
 
+/// "4.46 to 17.83"; where one end is infinite "4.46 or more" or "-4.46 or less".
+[[nodiscard]] std::string range_text(const model::Estimate& estimate, int decimals);
+
 [[nodiscard]] Summary summarize(const sim::Vehicle& vehicle);
 
 }  // namespace fantail::airframe

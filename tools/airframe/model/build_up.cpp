@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "airframe/model/body.hpp"
@@ -54,6 +55,9 @@ void add_canards(BuildUp& result, const sim::Geometry& shape, const FinForces& c
   }
   if (fins) {
     result.cant_as_canards = within_factor(fins->roll_torque_m3 / canards.roll_torque_m3, roll_factor);
+    if (result.roll_torque_m3->low == 0.0) {  // no angle of canards without torque pushes as the fins do
+      result.cant_as_canards->high = std::numeric_limits<double>::infinity();
+    }
   }
   if (shape.canard_hinge_m) {
     const auto moment_m3 = [&](double along) {

@@ -32,7 +32,8 @@ struct Part {
 /// found 6 % on his rockets; OpenRocket finds it "notably" low on the Arcas Robin), the centre of pressure within 3 %
 /// of its distance from the nose ("a few percent", the same comparison), and roll within a factor of two (OpenRocket's
 /// only flight with canted fins rolled at 16 turns a second instead of about 8). Canards ahead of fins may lose all of
-/// their torque to them, so that the low end of theirs is zero there.
+/// their torque to them, so that the low end of theirs is zero there, and what they need against a cant has no high
+/// end: infinity.
 struct BuildUp {
   std::vector<Part> parts;
   Estimate normal_force_slope_per_rad;
