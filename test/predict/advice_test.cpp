@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "predict/advice.hpp"
 
+#include <array>
 #include <charconv>
 
 #include <gtest/gtest.h>
 
+#include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "predict/decision.hpp"
 #include "text/degrees.hpp"
@@ -161,8 +163,8 @@ TEST(Trial, SaysHowManyRunsHoldTheirRollWithTheAdvice) {
   scenario.plan.controller.proportional_gain = static_cast<float>(gains.gains.value().proportional);
   scenario.plan.controller.derivative_gain_s = static_cast<float>(gains.gains.value().derivative_s);
   const Prediction tried = predict(scenario, tunnel, {.runs = 20}, look_away);
-  EXPECT_EQ(trial(p, limit, gains).sentence, "Flown with this advice, the roll is held in " +
-                                                 std::to_string(tried.held.count) + " of the first 20 runs.");
+  EXPECT_EQ(trial(p, limit, gains).sentence,
+            "Flown so, the roll is held in " + std::to_string(tried.held.count) + " of the first 20 runs.");
   EXPECT_GT(tried.held.count, p.held.count);
   EXPECT_TRUE(trial(p, limit, gains).helps);
   EXPECT_EQ(trial(p, {}, {}).sentence, "");
@@ -179,15 +181,28 @@ TEST(Trial, SaysNotToFollowGainsThatCostRuns) {
 }
 
 // The reference of the first launch never stays for as long as a loop with gains so small needs to arrive.
-TEST(Trial, CountsGainsAsNoHelpWhenNothingFlownWithThemCanBeJudged) {
+TEST(Trial, FliesAReferenceThatIsHeldWhereNothingElseCanBeJudged) {
   const sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 5}, look_away);
-  const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0},
-                            {.sentence = {}, .gains = stability::Gains{.proportional = 0.22, .derivative_s = 0.047}});
-  EXPECT_EQ(tried.sentence,
-            "Flown with this advice, none of the first 5 runs can be judged (run 0: the reference was never constant "
-            "for long enough): nothing shows that it helps.");
+  const GainAdvice gains{.sentence = {}, .gains = stability::Gains{.proportional = 0.22, .derivative_s = 0.047}};
+  std::size_t flights = 0;
+  const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0}, gains, [&flights] { ++flights; });
+  const std::string none =
+      "Flown so, none of the first 5 runs can be judged (run 0: the reference was never constant for long enough)";
+  EXPECT_EQ(tried.sentence, none + "; with reference.kind=hold as well the roll is held in 5 of them.");
+  EXPECT_TRUE(tried.helps);
+  EXPECT_EQ(flights, 10U);
+}
+
+TEST(Trial, SaysThatNobodyKnowsWhetherItHelpsWhereAHeldReferenceCannotBeJudgedEither) {
+  const std::array shorter{input::parse_override("run.control_time_s=0.5")};
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch1", shorter);
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Prediction p = predict(scenario, tunnel, {.runs = 2}, look_away);
+  const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0}, {});
+  EXPECT_TRUE(tried.sentence.starts_with("Flown so, none of the first 2 runs can be judged (run 0: "));
+  EXPECT_TRUE(tried.sentence.ends_with("): whether it helps is not known.")) << tried.sentence;
   EXPECT_FALSE(tried.helps);
 }
 

@@ -41,10 +41,24 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
   EXPECT_EQ(
       d.text,
       "Go: the fin offset of about 4.1 degrees is within the 9 degree canard limit in all runs; roll is held in all "
-      "runs; 95 % of the runs have a phase margin of 45 degrees or more at every speed.");
+      "runs, within 10 degrees of where this law settles; 95 % of the runs have a phase margin of 45 degrees or more "
+      "at every speed.");
   for (const Criterion& c : d.criteria) {
     EXPECT_EQ(c.judgement, Judgement::met) << c.key;
   }
+}
+
+// "Held" beside "settles 23 degrees away" is true of a law that settles off its reference, and misleads who does not
+// know.
+TEST(Decision, SaysWhatHeldMeansAndHowFarFromTheReferenceThatIs) {
+  Prediction p = good();
+  p.settle_off_rad = Quantiles{.p50 = radians(23.0)};
+  EXPECT_NE(decide(p, {}).text.find("roll is held in all runs, within 10 degrees of where this law settles (23.0 "
+                                    "degrees from its reference in the median); 95 %"),
+            std::string::npos)
+      << decide(p, {}).text;
+  p.flown.plan.offset.rejection = core::OffsetRejection::integral;
+  EXPECT_NE(decide(p, {}).text.find("in all runs, within 10 degrees of its reference; 95 %"), std::string::npos);
 }
 
 // A run may end control early and be not held for it, or for another reason: it counts all the same.

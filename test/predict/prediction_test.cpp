@@ -48,9 +48,17 @@ TEST(Prediction, OfTheFirstLaunchWarnsOfRollResonanceInTextJsonAndPage) {
   const double frequencies = p.resonance->most_frequency_1_m / p.resonance->least_frequency_1_m;
   EXPECT_GE(p.resonance->resonant_rad.p95 / p.resonance->resonant_rad.p5, frequencies);
   EXPECT_NE(prediction_text(p, d).find("Roll resonance: "), std::string::npos);
+  // In short right below the verdict, before what is asked for.
+  const std::string said = prediction_text(p, d);
+  EXPECT_LT(
+      said.find("The verdict does not count:\n  Roll resonance, as fast a roll as the rocket swings in pitch: 4 of 4"),
+      said.find("  not met "))
+      << said;
+  EXPECT_NE(prediction_html(p, d, "0").find("Not in the verdict:"), std::string::npos);
   EXPECT_NE(prediction_html(p, d, "0").find("Roll resonance: "), std::string::npos);
   const json::Value json = json::parse(prediction_json(p, d, "0"));
   EXPECT_EQ(json["roll_resonance"]["past_runs"].number(), 4.0);
+  EXPECT_EQ(json["not_in_verdict"].size(), 1U);
 }
 
 // 80 runs are the fewest round number that can promise 95 %.
@@ -67,6 +75,9 @@ TEST(Prediction, OfTheSecondLaunchIsGo) {
   EXPECT_FALSE(p.spin_rate_rad_s);
   ASSERT_TRUE(p.settle_rad);
   EXPECT_NEAR(degrees(p.settle_rad->mean), -20.0 - 4.62 / 0.5, 1.0);
+  const std::string said = prediction_text(p, d);
+  EXPECT_NE(said.find("    its reference then"), std::string::npos) << said;
+  EXPECT_NEAR(degrees(p.settle_off_rad.value().p50), degrees(p.offset_size_rad.p50) / 0.5, 0.5);
 }
 
 TEST(Prediction, IsTheSameForAnyNumberOfThreads) {

@@ -166,6 +166,21 @@ predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict:
   });
 }
 
+/// Flies what may help before it is said; how many flights that takes is known afterwards.
+predict::Decision decided(const predict::Prediction& prediction, const PredictOptions& options) {
+  Progress progress{"trying what would help " + prediction.scenario,
+                    {.unit = "flights", .rate = " a second", .total = {}}};
+  double flights = 0.0;
+  return predict::decide(prediction,
+                         {.authority_share = 0.01 * options.authority_percent,
+                          .held_share = 0.01 * options.held_percent,
+                          .phase_margin_rad = text::radians(options.phase_margin_deg)},
+                         [&] {
+                           give_up_if_interrupted();
+                           progress.show(++flights);
+                         });
+}
+
 /// One run alone, with the report that `fantail fly` writes of a flight.
 void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tunnel, const PredictOptions& options) {
   const predict::RepeatedRun repeated =
@@ -194,11 +209,7 @@ void predict_launch(const PredictOptions& options) {
     return;
   }
   const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options);
-  Chapters chapters{"predict", 2, "deciding, and flying what it advises"};
-  const predict::Decision decision =
-      predict::decide(prediction, {.authority_share = 0.01 * options.authority_percent,
-                                   .held_share = 0.01 * options.held_percent,
-                                   .phase_margin_rad = text::radians(options.phase_margin_deg)});
+  const predict::Decision decision = decided(prediction, options);
   const std::filesystem::path folder = folder_of(scenario, options);
   Chapters chapters{"predict", 1, "its page and runs"};
   predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder, made_from(scenario, options));

@@ -145,7 +145,8 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
              ? text + "."
              : text + fmt::format(
                           ": with {:.0f} deg of their own the canards leave the linear range of about {:.0f} deg, and "
-                          "their torque is less than simulated.",
+                          "their torque is less than simulated; less wind, a faster exit from the guide or a smaller "
+                          "canard limit lessens that.",
                           degrees(limit_rad), degrees(linear_angle_rad));
 }
 

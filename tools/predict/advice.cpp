@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -78,6 +79,40 @@ std::string kept(const core::FlightPlan& plan) {
     all += all.empty() ? "gain schedule" : " and gain schedule";
   }
   return all.empty() ? "" : " beside its " + all;
+}
+
+/// What the first runs of a prediction came to when they were flown again.
+struct FlownAgain {
+  std::size_t held = 0;
+  std::size_t not_judged = 0;
+  std::string first_cause{};  ///< of the first that is not held
+};
+
+FlownAgain fly_first(const Prediction& p, std::size_t count, const sim::Scenario& changed, const Look& look) {
+  FlownAgain all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Run run = fly_run(changed, p.runs[i].airframe, p.runs[i].seed);
+    look();
+    all.held += run.outcome == report::Outcome::held ? 1 : 0;
+    all.not_judged += run.outcome == report::Outcome::not_judged ? 1 : 0;
+    if (all.first_cause.empty() && run.outcome != report::Outcome::held) {
+      all.first_cause = fmt::format("run {}: {}", i, cause(run));
+    }
+  }
+  return all;
+}
+
+/// Where none of them can be judged: a reference that moves may be why.
+Trial with_a_held_reference(const Prediction& p, std::size_t count, sim::Scenario changed, const std::string& why,
+                            const Look& look) {
+  const std::string none = fmt::format("Flown so, none of the first {} can be judged ({})", runs(count), why);
+  if (changed.plan.reference.kind != core::ReferenceKind::hold) {
+    changed.plan.reference.kind = core::ReferenceKind::hold;
+    if (const std::size_t held = fly_first(p, count, changed, look).held; held > 0) {
+      return {fmt::format("{}; with reference.kind=hold as well the roll is held in {} of them.", none, held)};
+    }
+  }
+  return {none + ": whether it helps is not known.", false};
 }
 
 }  // namespace
@@ -156,7 +191,7 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad, stabili
           {}};
 }
 
-Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains) {
+Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains, const Look& look) {
   constexpr std::size_t most_runs = 20;
   if (!limit.limit_deg && !gains.gains) {
     return {};
@@ -170,38 +205,25 @@ Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gai
     plan.proportional_gain = static_cast<float>(gains.gains->proportional);
     plan.derivative_gain_s = static_cast<float>(gains.gains->derivative_s);
   }
-  const std::size_t tried = std::min(most_runs, p.runs.size());
+  const std::size_t count = std::min(most_runs, p.runs.size());
   const auto planned = static_cast<std::size_t>(
-      std::ranges::count(std::span{p.runs}.first(tried), report::Outcome::held, &Run::outcome));
-  std::size_t held = 0;
-  std::size_t not_judged = 0;
-  std::string first_cause;
-  for (std::size_t i = 0; i < tried; ++i) {
-    const Run run = fly_run(changed, p.runs[i].airframe, p.runs[i].seed);
-    held += run.outcome == report::Outcome::held ? 1 : 0;
-    not_judged += run.outcome == report::Outcome::not_judged ? 1 : 0;
-    if (first_cause.empty() && run.outcome != report::Outcome::held) {
-      first_cause = fmt::format("run {}: {}", i, cause(run));
-    }
-  }
-  if (held < planned) {
+      std::ranges::count(std::span{p.runs}.first(count), report::Outcome::held, &Run::outcome));
+  const FlownAgain again = fly_first(p, count, changed, look);
+  if (again.held < planned) {
     return {
-        fmt::format("Flown with this advice, the roll is held in only {} of the first {} ({}), as planned in {}: do "
-                    "not follow it.",
-                    held, runs(tried), first_cause, planned),
+        fmt::format("Flown so, the roll is held in only {} of the first {} ({}), as planned in {}: do not follow it.",
+                    again.held, runs(count), again.first_cause, planned),
         false};
   }
-  if (not_judged == tried) {
-    return {fmt::format("Flown with this advice, none of the first {} can be judged ({}): nothing shows that it helps.",
-                        runs(tried), first_cause),
-            false};
+  if (again.not_judged == count) {
+    return with_a_held_reference(p, count, std::move(changed), again.first_cause, look);
   }
-  if (held == 0) {
-    return {fmt::format("Flown with this advice, none of the first {} holds its roll ({}): it is not enough.",
-                        runs(tried), first_cause)};
+  if (again.held == 0) {
+    return {fmt::format("Flown so, none of the first {} holds its roll ({}): it is not enough.", runs(count),
+                        again.first_cause)};
   }
-  return {fmt::format("Flown with this advice, the roll is held in {} of the first {}{}.", held, runs(tried),
-                      not_judged > 0 ? fmt::format(" and not judged in {} of them", not_judged) : "")};
+  return {fmt::format("Flown so, the roll is held in {} of the first {}{}.", again.held, runs(count),
+                      again.not_judged > 0 ? fmt::format(" and not judged in {} of them", again.not_judged) : "")};
 }
 
 }  // namespace fantail::predict

@@ -35,7 +35,9 @@ struct Trial {
   bool helps = true;       ///< no fewer than without it
 };
 
-/// Flies the first runs again with what is advised.
-[[nodiscard]] Trial trial(const Prediction& prediction, const LimitAdvice& limit, const GainAdvice& gains);
+/// Flies the first runs again with what is advised, and with a reference that is held, too, where that of the plan lets
+/// none of them be judged. `look` is called after each flight.
+[[nodiscard]] Trial trial(const Prediction& prediction, const LimitAdvice& limit, const GainAdvice& gains,
+                          const Look& look = look_nowhere);
 
 }  // namespace fantail::predict

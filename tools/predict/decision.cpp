@@ -93,6 +93,18 @@ std::string first_with(const Prediction& p, const NotHeld& what) {
   return fmt::format("{} {} (run {}: {})", many, what.clause, first - p.runs.begin(), cause(*first));
 }
 
+/// What "held" is, for it is about the angle at which the law settles and not about the one that the plan asks for.
+std::string held_where(const Prediction& p) {
+  const std::string within = fmt::format(", within {} degrees of ", brief(degrees(report::held_error_rad), 1));
+  if (flight::rejects_offset(p.flown.plan)) {
+    return within + "its reference";
+  }
+  return within + "where this law settles" +
+         (p.settle_off_rad
+              ? fmt::format(" ({} degrees from its reference in the median)", fixed(degrees(p.settle_off_rad->p50), 1))
+              : "");
+}
+
 Criterion held(const Prediction& p, double threshold) {
   const Share& share = p.held;
   Criterion c{.key = "held",
@@ -116,6 +128,9 @@ Criterion held(const Prediction& p, double threshold) {
   }
   c.clause = fmt::format("roll is held in {}{}", share.value >= threshold || share.count == 0 ? "" : "only ",
                          of_the_runs(share.value));
+  if (share.value >= threshold && share.count > 0) {
+    c.clause += held_where(p);
+  }
   if (too_few_runs(share, threshold)) {
     c.clause += more_runs(share, threshold);
   } else if (c.judgement == Judgement::not_met && p.spin_rate_rad_s) {
@@ -179,7 +194,7 @@ struct TriedGains {
 
 /// The first that costs no runs which would hold: for a comfortable margin, or for the one that is asked for; by both
 /// gains, or by the derivative gain alone, because a smaller proportional gain settles further from the reference.
-TriedGains try_gains(const Prediction& p, const LimitAdvice& limit, double asked_rad) {
+TriedGains try_gains(const Prediction& p, const LimitAdvice& limit, double asked_rad, const Look& look) {
   std::vector<double> aims_rad{std::max(comfortable_phase_margin_rad, asked_rad)};
   if (asked_rad < comfortable_phase_margin_rad) {
     aims_rad.push_back(asked_rad);
@@ -188,7 +203,7 @@ TriedGains try_gains(const Prediction& p, const LimitAdvice& limit, double asked
   for (const auto search : {stability::Search::both_gains, stability::Search::derivative_gain}) {
     for (const double aim_rad : aims_rad) {
       const GainAdvice gains = advice_on_gains(p, aim_rad, search);
-      TriedGains tried{.gains = gains, .trial = trial(p, limit, gains)};
+      TriedGains tried{.gains = gains, .trial = trial(p, limit, gains, look)};
       if (tried.gains.gains && tried.trial.helps) {
         return tried;
       }
@@ -200,7 +215,7 @@ TriedGains try_gains(const Prediction& p, const LimitAdvice& limit, double asked
   return first.value();
 }
 
-std::vector<std::string> advice(const Decision& d, const Prediction& p) {
+std::vector<std::string> advice(const Decision& d, const Prediction& p, const Look& look) {
   LimitAdvice limit;
   bool loop_swings = false;
   std::string tilt;
@@ -216,11 +231,11 @@ std::vector<std::string> advice(const Decision& d, const Prediction& p) {
     } else if (c.key == "tilt_limit") {
       tilt = advice_on_tilt(p);
     } else if (c.key == "held") {
-      wind = advice_on_wind(p);
+      wind = advice_on_wind(p, look);
     }
   }
-  const TriedGains tried =
-      loop_swings ? try_gains(p, limit, d.thresholds.phase_margin_rad) : TriedGains{.trial = trial(p, limit, {})};
+  const TriedGains tried = loop_swings ? try_gains(p, limit, d.thresholds.phase_margin_rad, look)
+                                       : TriedGains{.trial = trial(p, limit, {}, look)};
   std::vector<std::string> all{limit.sentence, tried.gains.sentence, tried.trial.sentence, tilt, wind};
   std::erase(all, "");
   return all;
@@ -238,7 +253,7 @@ std::string joined(const std::vector<Criterion>& criteria, bool met) {
 
 }  // namespace
 
-Decision decide(const Prediction& prediction, const Thresholds& thresholds) {
+Decision decide(const Prediction& prediction, const Thresholds& thresholds, const Look& look) {
   Decision d{.thresholds = thresholds};
   d.criteria = {authority(prediction, thresholds.authority_share), held(prediction, thresholds.held_share),
                 phase_margin(prediction, thresholds.phase_margin_rad)};
@@ -250,7 +265,7 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds) {
   if (const std::string missing = missing_spread(prediction); !missing.empty()) {
     d.text += " " + missing;
   }
-  d.advice = advice(d, prediction);
+  d.advice = advice(d, prediction, look);
   return d;
 }
 

@@ -38,7 +38,9 @@ struct Decision {
 };
 
 /// Go when every criterion is met: what could not be judged is no go. Shares must reach their threshold with the low
-/// end of their interval: runs that are too few to tell are no go.
-[[nodiscard]] Decision decide(const Prediction& prediction, const Thresholds& thresholds);
+/// end of their interval: runs that are too few to tell are no go. `look` is called after each flight that advice is
+/// tried with, and may throw to give up.
+[[nodiscard]] Decision decide(const Prediction& prediction, const Thresholds& thresholds,
+                              const Look& look = look_nowhere);
 
 }  // namespace fantail::predict

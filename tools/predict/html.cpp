@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -55,6 +56,7 @@ std::string figures(const Prediction& p) {
   }
   if (p.settle_rad) {
     all.push_back(figure("roll settles at", *p.settle_rad, in_degrees, 1, "deg"));
+    all.push_back(figure("its reference then", *p.settle_reference_rad, in_degrees, 1, "deg"));
   }
   if (p.spin_rate_rad_s) {
     all.push_back(figure("spin without authority, at top speed", *p.spin_rate_rad_s, in_degrees, 0, "deg/s"));
@@ -154,8 +156,10 @@ std::string prediction_html(const Prediction& p, const Decision& decision, std::
   const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
   const std::string warning = resonance_warning(p);
   const std::string resonance = warning.empty() ? "" : page::section("Roll and pitch", page::paragraph(warning));
-  const std::string notes =
-      p.flight_notes.empty() ? "" : page::section("Notes of the flights", page::list(p.flight_notes));
+  std::vector<page::Page::Finding> left_out;
+  for (const std::string& sentence : not_in_verdict(p)) {
+    left_out.push_back({.what = "Not in the verdict:", .about = sentence});
+  }
   return page::html(
       {.kind = "Fantail launch prediction",
        .title = p.scenario,
@@ -164,10 +168,11 @@ std::string prediction_html(const Prediction& p, const Decision& decision, std::
        .tone = decision.go ? page::Tone::good : page::Tone::bad,
        .verdict_heading = heading,
        .verdict = without_heading(decision),
+       .findings = std::move(left_out),
        .body_html =
            page::section("Median of the runs", figures(p)) + page::section("Requirements", criteria(decision)) +
            page::section("Predicted roll", roll(p)) + page::section("Fin offset and airframe", airframes(p)) +
-           resonance + page::section("Stability over speed", stability(p, decision)) + notes +
+           resonance + page::section("Stability over speed", stability(p, decision)) +
            page::section("How this was found", page::list(basis(p))) + page::section("Any run again", repetition(p))});
 }
 

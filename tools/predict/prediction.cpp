@@ -229,6 +229,10 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
     p.drift_m = spread_where_known(p.runs, [](const Run& run) { return run.drift_m; });
   }
   p.settle_rad = spread_where_known(p.runs, [](const Run& run) { return run.settle_rad; });
+  p.settle_reference_rad = spread_where_known(p.runs, [](const Run& run) { return run.settle_reference_rad; });
+  p.settle_off_rad = spread_where_known(p.runs, [](const Run& run) {
+    return run.settle_rad ? std::optional{std::abs(*run.settle_rad - *run.settle_reference_rad)} : std::nullopt;
+  });
   p.saturated_share = spread_where_known(p.runs, [](const Run& run) { return run.saturated_share; });
   p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });
   p.band = band(p.runs);

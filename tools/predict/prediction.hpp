@@ -76,6 +76,8 @@ struct Prediction {
   std::optional<Quantiles> apogee_m{};
   std::optional<Quantiles> drift_m{};  ///< at apogee
   std::optional<Quantiles> settle_rad{};
+  std::optional<Quantiles> settle_reference_rad{};  ///< of the same runs
+  std::optional<Quantiles> settle_off_rad{};        ///< how far the one is from the other
   std::optional<Quantiles> saturated_share{};
   std::optional<Quantiles> spin_rate_rad_s{};  ///< size; of the runs without authority
   std::optional<RollResonance> resonance{};    ///< with the pitch; empty: nothing is known of the pitch

@@ -40,6 +40,9 @@ inline constexpr double near_resonance = 0.25;
                                                           double canard_reach_rad);
 
 /// The warning; empty where nothing comes near it.
+/// The same for who reads the verdict alone: in how many runs, and what to do.
+[[nodiscard]] std::string in_short(const RollResonance& resonance, double canard_reach_rad);
+
 [[nodiscard]] std::string warning(const RollResonance& resonance, double canard_reach_rad);
 
 }  // namespace fantail::predict

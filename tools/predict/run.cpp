@@ -87,6 +87,7 @@ class Track {
       flight::Row last = *last_controlled_;
       last.time_s = clock(last.time_s);
       run.settle_rad = flight::settle_point_rad(last, flight);
+      run.settle_reference_rad = last.reference_rad;
     }
   }
 

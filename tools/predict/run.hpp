@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,8 @@ struct Run {
   std::vector<std::string> notes{};  ///< likewise, without what was assumed beforehand, a sentence each
   std::optional<double> largest_hold_error_rad{};
   std::optional<double> saturated_share{};
-  std::optional<double> settle_rad{};  ///< R + u_d / kp as control ends, where the canards reach it
+  std::optional<double> settle_rad{};            ///< R + u_d / kp as control ends, where the canards reach it
+  std::optional<double> settle_reference_rad{};  ///< R then
   std::optional<double> speed_at_control_start_m_s{};
   double top_speed_m_s = 0.0;
   std::optional<double> apogee_m{};
@@ -54,6 +56,10 @@ struct Run {
 
 /// What such a flight came to.
 [[nodiscard]] Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe);
+
+/// Is called after a flight, and may throw to give up.
+using Look = std::function<void()>;
+inline constexpr auto look_nowhere = [] {};
 
 /// Both.
 [[nodiscard]] Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed);

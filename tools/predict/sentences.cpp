@@ -130,6 +130,14 @@ std::string resonance_warning(const Prediction& p) {
   return p.resonance ? warning(*p.resonance, p.reach.angle_rad) : "";
 }
 
+std::vector<std::string> not_in_verdict(const Prediction& p) {
+  std::vector<std::string> all = p.flight_notes;
+  if (p.resonance && p.resonance->with_canards > 0) {
+    all.insert(all.begin(), in_short(*p.resonance, p.reach.angle_rad));
+  }
+  return all;
+}
+
 std::string repeat_command(const Prediction& p, std::string_view run) {
   return fmt::format("{} --run {}", p.request.command, run);
 }

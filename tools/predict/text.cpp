@@ -29,6 +29,7 @@ std::string figures(const Prediction& p) {
   text += line("size of the fin offset", p.offset_size_rad, in_degrees, 1, "deg");
   text += line("authority margin", p.authority_margin_rad, in_degrees, 1, "deg");
   text += line("roll settles at", p.settle_rad, in_degrees, 1, "deg");
+  text += line("  its reference then", p.settle_reference_rad, in_degrees, 1, "deg");
   text += line("saturated", p.saturated_share, 100.0, 0, "% of control time");
   text += line("spin without authority", p.spin_rate_rad_s, in_degrees, 0, "deg/s at top speed");
   text += line("top speed", p.top_speed_m_s, 1.0, 1, "m/s");
@@ -56,6 +57,13 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
   if (const std::string changes = changes_sentence(p); !changes.empty()) {
     text.insert(text.find('\n') + 1, changes + "\n");
   }
+  if (const std::vector<std::string> left_out = not_in_verdict(p); !left_out.empty()) {
+    text += "The verdict does not count:\n";
+    for (const std::string& sentence : left_out) {
+      text += fmt::format("  {}\n", sentence);
+    }
+    text += "\n";
+  }
   for (const Criterion& c : decision.criteria) {
     text += fmt::format("  {:<11}{}: {}; asked for: {}\n", label(c.judgement), c.label, c.found, c.required);
   }
@@ -68,12 +76,6 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
   text += fmt::format("\n{}\nHow this was found:\n", figures(p));
   for (const std::string& sentence : basis(p)) {
     text += fmt::format("  {}\n", sentence);
-  }
-  if (!p.flight_notes.empty()) {
-    text += "\nNotes of the flights:\n";
-    for (const std::string& sentence : p.flight_notes) {
-      text += fmt::format("  {}\n", sentence);
-    }
   }
   return text + fmt::format("\n  any run again, with its flight report: {}\n", repeat_command(p, "RUN"));
 }

@@ -31,7 +31,7 @@ struct Tried {
 enum class Guide : std::uint8_t { as_it_stands, upright };
 
 /// The first of the runs that came to the tilt limit, with their airframes, seeds and winds, in a part of those.
-Tried fly_again(const Prediction& p, double part_of_wind, Guide guide) {
+Tried fly_again(const Prediction& p, double part_of_wind, Guide guide, const Look& look) {
   sim::Scenario changed = p.flown;
   changed.wind_spread = {};
   changed.guide.tilt_rad = guide == Guide::upright ? 0.0 : changed.guide.tilt_rad;
@@ -44,6 +44,7 @@ Tried fly_again(const Prediction& p, double part_of_wind, Guide guide) {
     changed.wind.speed_m_s *= part_of_wind;
     changed.wind.gust_m_s *= part_of_wind;
     const Run again = fly_run(changed, run.airframe, run.seed);
+    look();
     ++tried.runs;
     tried.tilted += again.ended_by_tilt ? 1 : 0;
     tried.held += again.outcome == report::Outcome::held ? 1 : 0;
@@ -57,21 +58,21 @@ std::string came_to(const Tried& tried) {
                                         tried.held == tried.runs ? "all" : fmt::format("{}", tried.held));
 }
 
-std::string with_less_wind(const Prediction& p) {
+std::string with_less_wind(const Prediction& p, const Look& look) {
   for (const Part& part : smaller_winds) {
-    const Tried tried = fly_again(p, part.of_the_wind, Guide::as_it_stands);
+    const Tried tried = fly_again(p, part.of_the_wind, Guide::as_it_stands, look);
     if (tried.tilted == 0) {
       return fmt::format("in {} of their wind {}", part.name, came_to(tried));
     }
   }
-  const Tried calm = fly_again(p, 0.0, Guide::as_it_stands);
+  const Tried calm = fly_again(p, 0.0, Guide::as_it_stands, look);
   return fmt::format("without wind {}{}", came_to(calm),
                      calm.tilted == 0 ? ", but in a quarter of their wind not all" : "");
 }
 
 }  // namespace
 
-std::string advice_on_wind(const Prediction& p) {
+std::string advice_on_wind(const Prediction& p, const Look& look) {
   const auto tilted = static_cast<std::size_t>(std::ranges::count_if(p.runs, &Run::ended_by_tilt));
   if (tilted == 0 || p.flown.motion != sim::FlightMotion::six_dof) {
     return {};
@@ -81,11 +82,11 @@ std::string advice_on_wind(const Prediction& p) {
     return run.wind && (run.wind->speed_m_s > 0.0 || run.wind->gust_m_s != 0.0);
   };
   if (std::ranges::any_of(p.runs, blows)) {
-    found = with_less_wind(p);
+    found = with_less_wind(p, look);
   }
   if (p.flown.guide.tilt_rad > 0.0) {
     found += fmt::format("{}from an upright guide {}", found.empty() ? "" : "; ",
-                         came_to(fly_again(p, 1.0, Guide::upright)));
+                         came_to(fly_again(p, 1.0, Guide::upright, look)));
   }
   const std::string text =
       fmt::format("In {} of {} control ends at the plan's tilt limit.", tilted, runs(p.runs.size()));

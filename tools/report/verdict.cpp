@@ -17,9 +17,6 @@
 namespace fantail::report {
 namespace {
 
-// Further from its settle point than this, a roll angle is not what anybody would call held.
-constexpr double held_error_rad = text::radians(10.0);
-
 std::string degrees_text(double radians) { return fmt::format("{} deg", text::fixed(text::degrees(radians), 1)); }
 std::string signed_limit(double radians) {
   return fmt::format("{}{} deg", radians > 0.0 ? "+" : "", text::brief(text::degrees(radians), 1));

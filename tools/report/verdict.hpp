@@ -7,8 +7,12 @@
 
 #include "flight/flight.hpp"
 #include "report/figures.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::report {
+
+/// Further from its settle point than this, a roll angle is not what anybody would call held.
+inline constexpr double held_error_rad = text::radians(10.0);
 
 enum class Outcome : std::uint8_t {
   held,        ///< the largest hold error is at most 10 deg, from the second after control start to apogee
