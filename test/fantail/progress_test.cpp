@@ -13,6 +13,11 @@ TEST(ProgressLine, SaysHowFarHowFastAndHowLongStill) {
             "paper: 3 of 8 chapters, 0.5 a second, 10 s to go");
 }
 
+TEST(ProgressLine, OfAFewSecondsDoesNotRoundWhatIsStillToDoAway) {
+  EXPECT_EQ(progress_line("canards", {.unit = "s", .rate = " x real time", .total = 3.3}, 2.6, 48.0),
+            "canards: 2.6 of 3.3 s, 0.054 x real time, 13 s to go");
+}
+
 TEST(ProgressLine, SaysNothingThatIsNotKnown) {
   EXPECT_EQ(progress_line("paper", {.unit = "chapters", .rate = " a second", .total = 8.0}, 0.0, 6.0),
             "paper: 0 of 8 chapters");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/progress.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -19,6 +20,9 @@ bool is_on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 // "0.6" below ten: of three chapters in five seconds nothing else would be left.
 std::string rounded(double rate) { return rate < 9.5 ? fmt::format("{:.2g}", rate) : fmt::format("{:.0f}", rate); }
 
+// "2.6 of 3.3": rounded, little that goes slowly would look done, with much to go.
+int decimals(double total) { return total < 20.0 && total != std::round(total) ? 1 : 0; }
+
 std::string duration(double seconds) {
   return seconds < 119.5 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60.0);
 }
@@ -29,8 +33,9 @@ std::string progress_line(std::string_view what, const Progress::Measure& measur
   // What was expected beforehand may turn out to be too little.
   const double total = measure.total.value_or(0.0);
   const bool is_enough = total >= done && total > 0.0;
-  std::string line = fmt::format("{}: {:.0f}", what, done);
-  line += is_enough ? fmt::format(" of {:.0f} {}", total, measure.unit) : fmt::format(" {}", measure.unit);
+  const int places = decimals(total);
+  std::string line = fmt::format("{}: {:.{}f}", what, done, places);
+  line += is_enough ? fmt::format(" of {:.{}f} {}", total, places, measure.unit) : fmt::format(" {}", measure.unit);
   const double rate = done / elapsed_s;
   if (rate > 0.0) {
     line += ", " + rounded(rate) + std::string{measure.rate};
