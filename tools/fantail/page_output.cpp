@@ -2,6 +2,7 @@
 #include "fantail/page_output.hpp"
 
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 #include <utility>
 
@@ -29,6 +30,9 @@ live::Address address_of(const PageOptions& options) {
 }
 
 void say_where(const live::Broadcast& page) {
+  if (std::getenv("FANTAIL_WITH_VCAN") != nullptr) {  // NOLINT(concurrency-mt-unsafe): nobody changes it
+    say("page: with-vcan has a network of its own, so no browser outside of it can open this page\n");
+  }
   say(fmt::format(
       "page: {}{}\n", page.address().url(),
       page.address().is_of_this_computer_alone() ? "" : ", for everybody who reaches this computer; it only shows"));
