@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/sheet.hpp"
+#include "json/value.hpp"
 #include "synthetic.hpp"
 
 namespace fantail::bench {
@@ -49,6 +50,15 @@ TEST(SentWave, WhatWasNotTheSineIsSaidInItsNumbers) {
       << said;
   EXPECT_NE(said.find(" instead of 3.00 deg, it stood still for up to 0.060 s, and it was off by "), std::string::npos)
       << said;
+}
+
+TEST(SentWave, WithoutAVerdictTheFileSaysNothingOfTheCanard) {
+  const json::Value sheet = json::parse(sheet_json(at_steps_of(60, 8.0)));
+  EXPECT_EQ(sheet["judgement"], "none");
+  const json::Value& canard = sheet["canards"][0];
+  EXPECT_TRUE(canard["passed"].is_null());
+  EXPECT_EQ(canard["cause"], "not_judged");
+  EXPECT_EQ(canard["sentence"], "Canard 2 is not judged.");
 }
 
 TEST(SentWave, ASineThatIsSlowerOnTheRocketsClockIsNotTheOneAskedFor) {

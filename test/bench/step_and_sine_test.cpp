@@ -4,6 +4,7 @@
 
 #include "bench/least_movement.hpp"
 #include "bench/sheet.hpp"
+#include "json/value.hpp"
 #include "lockstep.hpp"
 
 namespace fantail::bench {
@@ -72,6 +73,16 @@ TEST(StepOfOneCanard, APassSaysWhatWasJudgedAndWhatWasNot) {
             std::vector<std::string>{"Canard 3 went to the angle commanded, in the time and at the speed required. A "
                                      "step does not show its other side, its trim and its backlash: fantail bench "
                                      "limits judges them."});
+}
+
+TEST(StepOfOneCanard, WithoutAFaultIsCalledHealthyNowhere) {
+  for (const Sheet& sheet : {step_of({}, 4.0), sine_of({}, 3.0, 2.0, 5)}) {
+    const json::Value all = json::parse(sheet_json(sheet));
+    EXPECT_EQ(all["canards"][0]["passed"], true);
+    EXPECT_EQ(all["canards"][0]["cause"], "no_fault_seen");
+    EXPECT_EQ(all["canards"][0]["sentence"],
+              "Canard 3 shows no fault here: every figure that is judged is within its tolerance.");
+  }
 }
 
 TEST(SineOfOneCanard, AHealthyOnePassesAtEachFrequencyAndAmplitude) {

@@ -276,8 +276,12 @@ Diagnosis diagnose(const Figures& figures, std::span<const Check> checks, const 
 }
 
 std::string sentence(std::size_t canard, const Diagnosis& diagnosis) {
-  return fmt::format("Canard {} {}: {}.{}{}", canard + 1, cause_text(diagnosis.cause), diagnosis.seen,
-                     diagnosis.look_at.empty() ? "" : " ", diagnosis.look_at);
+  return sentence(canard, cause_text(diagnosis.cause), diagnosis);
+}
+
+std::string sentence(std::size_t canard, std::string_view cause, const Diagnosis& diagnosis) {
+  return fmt::format("Canard {} {}: {}.{}{}", canard + 1, cause, diagnosis.seen, diagnosis.look_at.empty() ? "" : " ",
+                     diagnosis.look_at);
 }
 
 }  // namespace fantail::bench

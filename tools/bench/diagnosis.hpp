@@ -44,5 +44,7 @@ struct Diagnosis {
 
 /// "Canard 3 is reversed: ...". `canard` counts from 0.
 [[nodiscard]] std::string sentence(std::size_t canard, const Diagnosis& diagnosis);
+/// With other words for the cause.
+[[nodiscard]] std::string sentence(std::size_t canard, std::string_view cause, const Diagnosis& diagnosis);
 
 }  // namespace fantail::bench

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bench/filling_sheet.hpp"
 
+#include "bench/sheet_parts.hpp"
+
 namespace fantail::bench {
 
 std::optional<std::string> FillingSheet::take(const link::Tick& tick) {
@@ -13,7 +15,7 @@ std::optional<std::string> FillingSheet::take(const link::Tick& tick) {
 }
 
 std::string FillingSheet::given_up(const std::string& why) const {
-  return turns_over_ == 0 ? no_sheet_html(heading_.vehicle, why) : html(why);
+  return turns_over_ == 0 ? no_sheet_html(title(heading_), why) : html(why);
 }
 
 std::string FillingSheet::html(const std::string& given_up_because) const {

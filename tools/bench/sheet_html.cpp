@@ -30,12 +30,12 @@ Tone tone(Judgement judgement) {
 page::Page heading(const Sheet& sheet) {
   const Heading& h = sheet.heading;
   return {.kind = fmt::format("Fantail bench \u00b7 Canard {}", name(sheet.kind)),
-          .title = h.vehicle.empty() ? "Unnamed rocket" : h.vehicle,
+          .title = title(h),
           .facts = {{"Plan", h.plan}, {"Plan CRC-32C", h.plan_crc}, {"Date", h.date}, {"Avionics", h.avionics}},
           .footer = "Fantail " + h.version};
 }
 
-page::Page::Finding finding(const std::string& sentence) {
+page::Page::Finding as_finding(const std::string& sentence) {
   const std::size_t colon = sentence.find(": ");
   return sentence.starts_with("Canard ") && colon != std::string::npos  // what was found, then its numbers
              ? page::Page::Finding{.what = sentence.substr(0, colon + 1), .about = sentence.substr(colon + 2)}
@@ -54,16 +54,11 @@ void judge(page::Page& page, const Sheet& sheet) {
   page.tone = tone(sheet.judgement());
   page.verdict_heading = display_name(sheet.judgement());
   page.stamped = true;
-  std::ranges::transform(conclusions(sheet), std::back_inserter(page.findings), finding);
+  std::ranges::transform(conclusions(sheet), std::back_inserter(page.findings), as_finding);
 }
 
 std::string shown(const std::string& text, bool passed) {
   return (passed ? "" : "\u2717\u00a0") + (text == "none" ? "\u2013" : text == "-" ? "\u2212" : text::with_minus(text));
-}
-
-// A step or a sine does not show enough for "healthy".
-bool shows_no_fault(const Sheet& sheet, const CanardResult& result) {
-  return sheet.kind != ExerciseKind::limits && result.diagnosis.cause == Cause::healthy;
 }
 
 std::string figures(const Sheet& sheet, bool judged) {
@@ -75,10 +70,9 @@ std::string figures(const Sheet& sheet, bool judged) {
   for (const CanardResult& result : sheet.canards) {
     columns.push_back({fmt::format("Canard {}", result.canard + 1), true});
     two_turns = two_turns || (result.alone && result.together);
-    std::string cause{shows_no_fault(sheet, result) ? "no fault seen" : name(result.diagnosis.cause)};
+    std::string cause{finding(sheet, result, judged).name};
     std::ranges::replace(cause, '_', ' ');
-    rows.front().push_back(judged ? page::Cell{cause, result.passed() ? Tone::good : Tone::bad}
-                                  : page::Cell{"not judged"});
+    rows.front().push_back(judged ? page::Cell{cause, result.passed() ? Tone::good : Tone::bad} : page::Cell{cause});
     const auto& verdict = sheet.heading.monitor[result.canard];
     monitored = monitored || verdict;
     monitors.push_back({verdict ? std::string{core::name(*verdict)} : ""});
@@ -102,19 +96,16 @@ std::string figures(const Sheet& sheet, bool judged) {
     checks.push_back({check.text, check.passed ? Tone::good : Tone::bad});
   }
   const std::string turns = two_turns ? "Upper figure: moving alone. Lower figure: all four together. " : "";
-  return page::section("Figures",
-                       page::table(columns, rows) +
-                           page::note(turns + "Times come from the avionics\u2019 own millisecond counter.") +
-                           page::list(checks));
+  return page::section("Figures", page::table(columns, rows) +
+                                      page::note(turns + "Times come from the avionics\u2019 own millisecond counter." +
+                                                 (monitored ? " " + std::string{about_monitor} : "")) +
+                                      page::list(checks));
 }
 
 std::string charts(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise, bool judged) {
   std::string html;
   for (const CanardResult& result : sheet.canards) {
-    const std::string_view found = !judged                         ? "is not judged"
-                                   : shows_no_fault(sheet, result) ? "shows no fault here"
-                                                                   : cause_text(result.diagnosis.cause);
-    html += page::section(fmt::format("Canard {} {}", result.canard + 1, found),
+    html += page::section(fmt::format("Canard {} {}", result.canard + 1, finding(sheet, result, judged).text),
                           canard_charts(result, sheet, recording, exercise));
   }
   return html;
@@ -150,13 +141,13 @@ std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recordi
     page.verdict_heading = fmt::format("Not finished: {} more turn{} to come", turns_to_come, plural);
   } else {
     page.verdict_heading = fmt::format("Given up with {} more turn{} to do", turns_to_come, plural);
-    page.findings.push_back(finding(as_sentence(given_up_because)));
+    page.findings.push_back(as_finding(as_sentence(given_up_because)));
   }
   page.tone = given_up_because.empty() ? Tone::plain : Tone::unsure;
   for (const CanardResult& result : sheet.canards) {
     if (!result.passed()) {
       page.tone = Tone::bad;
-      page.findings.push_back(finding(sentence(result.canard, result.diagnosis)));
+      page.findings.push_back(as_finding(sentence(result.canard, result.diagnosis)));
     }
   }
   for (const std::string& doubt : sheet.doubts) {
@@ -172,7 +163,7 @@ std::string no_sheet_html(const std::string& title, const std::string& why) {
                            .title = title,
                            .tone = Tone::unsure,
                            .verdict_heading = "No sheet",
-                           .findings = {finding(as_sentence(why))}});
+                           .findings = {as_finding(as_sentence(why))}});
 }
 
 }  // namespace fantail::bench

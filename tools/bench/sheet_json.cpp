@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
 #include "bench/sheet.hpp"
+#include "bench/sheet_parts.hpp"
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
 #include "json/value.hpp"
@@ -55,16 +58,21 @@ void add_figures(Json& to, const TurnResult& turn) {
   to["failed"] = failed;
 }
 
-Json canard(const CanardResult& result, const Heading& heading) {
-  const auto& monitor = heading.monitor[result.canard];
+// As the page has it: where there is no verdict, nothing is said of a canard.
+Json canard(const CanardResult& result, const Sheet& sheet) {
+  const auto& monitor = sheet.heading.monitor[result.canard];
+  const bool judged = sheet.judgement() != Judgement::none;
+  const Finding found = finding(sheet, result, judged);
   Json all = {{"canard", result.canard + 1},
-              {"passed", result.passed()},
-              {"cause", name(result.diagnosis.cause)},
-              {"sentence", sentence(result.canard, result.diagnosis)},
+              {"passed", judged ? Json(result.passed()) : Json{}},
+              {"cause", found.name},
+              {"sentence", judged ? sentence(result.canard, found.text, result.diagnosis)
+                                  : fmt::format("Canard {} {}.", result.canard + 1, found.text)},
               {"monitor", monitor ? Json(core::name(*monitor)) : Json{}}};
   add_figures(all, result.alone ? *result.alone : *result.together);
   if (result.alone && result.together) {
-    Json together = {{"passed", result.together->passed()}, {"cause", name(result.together->diagnosis.cause)}};
+    Json together = {{"passed", judged ? Json(result.together->passed()) : Json{}},
+                     {"cause", judged ? name(result.together->diagnosis.cause) : found.name}};
     add_figures(together, *result.together);
     all["together"] = together;
   }
@@ -89,7 +97,7 @@ std::string sheet_json(const Sheet& sheet) {
   const Heading& heading = sheet.heading;
   Json canards = Json::array();
   for (const CanardResult& result : sheet.canards) {
-    canards.push_back(canard(result, heading));
+    canards.push_back(canard(result, sheet));
   }
   Json general = Json::array();
   for (const GeneralCheck& check : sheet.general) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/sheet.hpp"
@@ -27,6 +28,21 @@ struct SheetRow {
 
 /// In the order of Sheet::canards.
 [[nodiscard]] std::vector<SheetRow> sheet_rows(const Sheet& sheet);
+
+/// What is found of a canard. A step or a sine does not show enough for "healthy"; without a verdict nothing is found.
+struct Finding {
+  std::string_view name;  ///< for files: "reversed", "no_fault_seen"
+  std::string_view text;  ///< for readers: "is reversed"
+};
+[[nodiscard]] Finding finding(const Sheet& sheet, const CanardResult& result, bool judged);
+
+/// Why it may differ from the finding.
+inline constexpr std::string_view about_monitor =
+    "The avionics' own verdict is that of the end, with all commanded to their trims; it drops a difference that has "
+    "gone, and so says less than this sheet.";
+
+/// The rocket, for people.
+[[nodiscard]] std::string title(const Heading& heading);
 
 /// A name from a file, which must neither move the columns nor command the terminal.
 [[nodiscard]] std::string printable(std::string text);

@@ -75,6 +75,19 @@ SheetRow plain_row(const Sheet& sheet, std::string label, std::string unit, int 
 
 }  // namespace
 
+Finding finding(const Sheet& sheet, const CanardResult& result, bool judged) {
+  if (!judged) {
+    return {.name = "not_judged", .text = "is not judged"};
+  }
+  const Cause cause = result.diagnosis.cause;
+  if (sheet.kind != ExerciseKind::limits && cause == Cause::healthy) {
+    return {.name = "no_fault_seen", .text = "shows no fault here"};
+  }
+  return {.name = name(cause), .text = cause_text(cause)};
+}
+
+std::string title(const Heading& heading) { return heading.vehicle.empty() ? "Unnamed rocket" : heading.vehicle; }
+
 std::vector<SheetRow> sheet_rows(const Sheet& sheet) {
   std::vector<SheetRow> rows;
   for (int measure = 0; measure <= static_cast<int>(Measure::others_moved); ++measure) {
@@ -92,7 +105,7 @@ std::vector<SheetRow> sheet_rows(const Sheet& sheet) {
   } else if (sheet.kind == ExerciseKind::sine) {
     add("Phase lag", "deg", 1, [](const Figures& f) { return in_degrees(f.phase_lag_rad); });
   }
-  add("Lag and delay", "ms", 0,
+  add("Lag and delay, sum", "ms", 0,
       [](const Figures& f) { return f.lag_s ? std::optional{1e3 * *f.lag_s} : std::nullopt; });
   return rows;
 }

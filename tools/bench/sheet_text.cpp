@@ -26,6 +26,9 @@ class Page {
     for (const GeneralCheck& check : sheet_.general) {
       line("{} {}", check.passed ? " " : "!", check.text);
     }
+    if (monitored_) {
+      line("  {}", about_monitor);
+    }
     line("");
     line("{}", display_name(sheet_.judgement()));
     for (const std::string& conclusion : conclusions(sheet_)) {
@@ -114,12 +117,14 @@ class Page {
       cells.emplace_back(verdict ? core::name(*verdict) : "");
     }
     if (any) {
-      row("Avionics' own verdict", "", cells);
+      row("Avionics' own verdict", "not judged", cells);
+      monitored_ = true;
     }
   }
 
   const Sheet& sheet_;
   std::size_t columns_;
+  bool monitored_ = false;
   text::Table table_{std::vector<text::Table::Column>(2 + core::canard_count)};
   std::string out_;
 };

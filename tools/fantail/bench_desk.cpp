@@ -27,7 +27,6 @@ Desk desk(const std::string& vehicle_name, const std::string& plan_name) {
   desk.heading.date = fmt::format(
       "{:%Y-%m-%d %H:%M}", fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
   if (vehicle_name.empty()) {
-    desk.heading.vehicle = "not named";
     desk.heading.notes.emplace_back("No vehicle was named: the default tolerances are used.");
   } else {
     const sim::Vehicle vehicle =

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -68,14 +69,32 @@ bench::Exercise sine(const bench::Bounds& bounds, const ExerciseOptions& options
                                 .cycles = options.cycles});
 }
 
+// One canard after the other takes less time each, where this PC has kept up for so long.
+std::string shorter(const bench::Exercise& exercise, double done_s) {
+  if (exercise.kind() != bench::ExerciseKind::limits || exercise.turns().size() == 1 ||
+      done_s >= exercise.duration_s()) {
+    return {};
+  }
+  double alone_s = 0.0;
+  for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+    alone_s = std::max(alone_s, bench::Exercise::limits_of(exercise.bounds(), canard).duration_s());
+  }
+  return done_s < alone_s
+             ? std::string{}
+             : fmt::format(". One canard alone, with --canard N, takes {:.1f} s; this PC kept up for {:.1f} s", alone_s,
+                           done_s);
+}
+
 // After the exercise the canards are centred before anything else happens, and after an interrupt too.
 link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, link::Session& session,
                         link::AvionicsLink& link, BenchPage& page) {
   Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = exercise.duration_s()}};
+  double seconds = 0.0;
   try {
     link::Recording recording = bench::perform(
         exercise, session, link,
         [&](double done_s) {
+          seconds = done_s;
           progress.show(done_s);
           page.progress(done_s);
         },
@@ -84,6 +103,8 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
       say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
     }
     return recording;
+  } catch (const bench::TooSlow& error) {
+    throw bench::TooSlow{error.what() + shorter(exercise, seconds)};
   } catch (const Interrupted&) {
     throw Interrupted{centre_after_interrupt(session)};
   }
@@ -156,7 +177,8 @@ void run(const ExerciseOptions& options, const MakeExercise& make) {
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);
   expect_plan_in_force(on_desk, options.bench, link);
-  BenchPage page{options.page, on_desk.heading.vehicle + " on " + options.bench.interface};
+  BenchPage page{options.page, (on_desk.heading.vehicle.empty() ? "Rocket" : on_desk.heading.vehicle) + " on " +
+                                   options.bench.interface};
   try {
     exercise(options, make, folder, on_desk, place, link, page);
   } catch (const bench::TooSlow& error) {
