@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/too_slow.hpp"
 #include "synthetic.hpp"
 
 namespace fantail::bench {
@@ -135,6 +136,15 @@ TEST(Exercise, ATrimBeyondTheLimitStandsAtIt) {
   const Bounds b = bounds(report, trims);
   EXPECT_NEAR(b.centre_rad[1] / degree, -2.0, 1e-5);
   EXPECT_NEAR(b.centre_rad[0] / degree, 0.0, 1e-5);
+}
+
+TEST(Exercise, OneCanardAloneIsAdvisedOnlyToAPcThatKeptUpForSoLong) {
+  const Exercise all = Exercise::limits(six_degrees());
+  EXPECT_EQ(advice(all, 20.0), ". One canard alone, with --canard N, takes 4.4 s; this PC kept up for 20.0 s");
+  EXPECT_EQ(advice(all, 4.3), "");
+  EXPECT_EQ(advice(all, all.duration_s()), "");
+  EXPECT_EQ(advice(Exercise::limits_of(six_degrees(), 1), 4.0), "");
+  EXPECT_EQ(advice(Exercise::step(six_degrees(), 1, 0.1), 1.0), "");
 }
 
 }  // namespace

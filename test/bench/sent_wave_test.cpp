@@ -2,6 +2,9 @@
 // A canard is judged by a sine only if that is what it was commanded, on the rocket's clock.
 #include "bench/sent_wave.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "bench/sheet.hpp"

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One canard through a step or a sine: what passes, and what is said of it.
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "bench/least_movement.hpp"

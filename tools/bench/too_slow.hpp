@@ -2,6 +2,9 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#include "bench/exercise.hpp"
 
 namespace fantail::bench {
 
@@ -10,5 +13,9 @@ namespace fantail::bench {
 class TooSlow : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// What else may be done when an exercise was given up after so long: one canard alone, where this PC kept up for as
+/// long as that takes. Goes on behind what(); empty where it would not help.
+[[nodiscard]] std::string advice(const Exercise& exercise, double done_s);
 
 }  // namespace fantail::bench

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -69,22 +68,6 @@ bench::Exercise sine(const bench::Bounds& bounds, const ExerciseOptions& options
                                 .cycles = options.cycles});
 }
 
-// One canard after the other takes less time each, where this PC has kept up for so long.
-std::string shorter(const bench::Exercise& exercise, double done_s) {
-  if (exercise.kind() != bench::ExerciseKind::limits || exercise.turns().size() == 1 ||
-      done_s >= exercise.duration_s()) {
-    return {};
-  }
-  double alone_s = 0.0;
-  for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
-    alone_s = std::max(alone_s, bench::Exercise::limits_of(exercise.bounds(), canard).duration_s());
-  }
-  return done_s < alone_s
-             ? std::string{}
-             : fmt::format(". One canard alone, with --canard N, takes {:.1f} s; this PC kept up for {:.1f} s", alone_s,
-                           done_s);
-}
-
 // After the exercise the canards are centred before anything else happens, and after an interrupt too.
 link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, link::Session& session,
                         link::AvionicsLink& link, BenchPage& page) {
@@ -104,7 +87,7 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
     }
     return recording;
   } catch (const bench::TooSlow& error) {
-    throw bench::TooSlow{error.what() + shorter(exercise, seconds)};
+    throw bench::TooSlow{error.what() + bench::advice(exercise, seconds)};
   } catch (const Interrupted&) {
     throw Interrupted{centre_after_interrupt(session)};
   }
