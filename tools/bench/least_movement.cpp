@@ -60,8 +60,7 @@ void expect_enough_amplitude(double way_rad, const Exercise::Wave& wave, double 
   if (degrees(least_rad) > widest_deg) {
     throw std::invalid_argument{fmt::format(
         "--frequency: at {:g} Hz no amplitude up to {} deg shows whether a canard is quick enough, because one that "
-        "is, "
-        "with slowest_slew_deg_s {:g} and longest_step_time_s {:g}, goes less than twice reach_deg {:g}",
+        "is, with slowest_slew_deg_s {:g} and longest_step_time_s {:g}, goes less than twice reach_deg {:g}",
         wave.frequency_hz, widest_deg, degrees(t.slowest_slew_rad_s), t.longest_step_time_s, degrees(t.reach_rad))};
   }
   const bool cut_off = way_rad < std::abs(wave.amplitude_rad);

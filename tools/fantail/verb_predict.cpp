@@ -250,10 +250,8 @@ void fill(const Verb& verb) {
             "Take tunnel results that say they are of another vehicle than the scenario's");
   verb.option("--swirl", options->swirl_deg,
               "Swirl of the tunnel as a fin offset in degrees, to be subtracted, with the sign of fantail tunnel swirl "
-              "(above zero "
-              "it rolls clockwise, seen from the tail); 0: there was none [column swirl_deg of the file; without it "
-              "this is "
-              "needed]")
+              "(above zero it rolls clockwise, seen from the tail); 0: there was none [column swirl_deg of the file; "
+              "without it this is needed]")
       .range(-45.0, 45.0);
   verb.option("--damping-factor", options->damping_factor,
               "LOW:HIGH, damping in flight over damping in the tunnel, drawn from a uniform distribution")
