@@ -92,8 +92,8 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
 std::string in_short(const RollResonance& r, double canard_reach_rad) {
   return fmt::format(
       "Roll resonance, as fast a roll as the rocket swings in pitch: {} of {} runs come to it where nothing controls "
-      "the "
-      "roll, {} with the canards at {} degrees in the sense of the fin offset, as a failure may leave them. Straighter "
+      "the roll, {} with the canards at {} degrees in the sense of the fin offset, as a failure may leave them. "
+      "Straighter "
       "fins and a smaller canard limit keep farther from it; fantail campaign hardover flies a canard that fails.",
       r.near + r.past, r.runs, r.with_canards, fixed(degrees(canard_reach_rad), 1));
 }

@@ -39,10 +39,10 @@ inline constexpr double near_resonance = 0.25;
 [[nodiscard]] std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const std::vector<Run>& runs,
                                                           double canard_reach_rad);
 
-/// The warning; empty where nothing comes near it.
-/// The same for who reads the verdict alone: in how many runs, and what to do.
+/// For who reads the verdict alone: in how many runs, and what to do.
 [[nodiscard]] std::string in_short(const RollResonance& resonance, double canard_reach_rad);
 
+/// The warning; empty where nothing comes near it.
 [[nodiscard]] std::string warning(const RollResonance& resonance, double canard_reach_rad);
 
 }  // namespace fantail::predict
