@@ -69,7 +69,7 @@ TEST(Campaign, GoesOnAfterACtrlCAndASecondOneInItsFolderIsRefused) {
   const Words words{"campaign", "--runs", "192", "--threads", "1", "--out", folder / "all"};
   std::string second;
   const auto interrupt = [&](int process) {
-    while (!fs::exists(folder / "all/chunks/00000000.csv.gz")) {
+    for (int i = 0; i < 12'000 && !fs::exists(folder / "all/chunks/00000000.csv.gz"); ++i) {  // it may have failed
       std::this_thread::sleep_for(5ms);
     }
     second = fantail(words).err;

@@ -130,8 +130,20 @@ TEST(Compare, WhatHardlyOverlapsMeetsNoRequirement) {
   EXPECT_EQ(compared("little.csv", {"--from", "0"}).exit_code, 0);
   const Outcome outcome = compared("little.csv", {"--require-angle", "1", "--from", "0"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("900 of 1001, is less than the nine in ten"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("8.990 s of 10.000 s, is less than the nine in ten"), std::string::npos) << outcome.err;
   EXPECT_NE(content(folder / "o/compare.html").find("Too little to compare"), std::string::npos);
+
+  // A hole in A, and a window from one edge of it to the other.
+  std::string holed = line({.end_s = 4.0}, 0.0, 20.0);
+  const std::string rest = line({.begin_s = 8.0, .end_s = 20.0}, 0.0, 20.0);
+  holed += rest.substr(rest.find('\n') + 1);
+  folder.write("holed.csv", holed);
+  folder.write("whole.csv", line({.end_s = 20.0}, 0.0, 20.0));
+  for (const char* window : {"4:8", "3.9:8.1"}) {
+    const Outcome edges = fantail({"compare", "holed.csv", "whole.csv", "--window", window, "--require-angle", "1"},
+                                  {.working_folder = folder.path()});
+    EXPECT_EQ(edges.exit_code, 1) << window << edges.out;
+  }
 }
 
 TEST(Compare, ReadsLoggersThatNameAndMeasureOtherwise) {

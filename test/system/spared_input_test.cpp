@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a result is made from is not replaced by it.
+#include <filesystem>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -38,6 +40,10 @@ const std::string scenario = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_laun
 const std::string spread =
     scenario + "[[spread]]\nfield = \"aerodynamics.damping_m2\"\nlaw = \"uniform\"\nlow = 18\nhigh = 20\n";
 
+const std::string vehicle = content(std::filesystem::path{FANTAIL_TEST_SOURCE} / "sim/vehicles/tasha3_launch2.toml");
+const std::string plan = content(std::filesystem::path{FANTAIL_TEST_SOURCE} / "firmware/plans/tasha3_launch2.toml");
+const std::string rows = "damping,torque\n19,9\n20,9.5\n";
+
 /// A command that would write over a file that it reads.
 struct Endangered {
   const char* name;
@@ -52,6 +58,11 @@ TEST_P(Input, IsNotReplacedByWhatIsMadeFromIt) {
   const Folder folder;
   const auto& [name, file, text, words] = GetParam();
   folder.write("roll.csv", roll);
+  folder.write("own.toml", "vehicle = \"o/summary.json\"\nplan = \"tasha3_launch2\"\n");
+  folder.write("planned.toml", "vehicle = \"tasha3_launch2\"\nplan = \"o/flight.csv\"\n");
+  folder.write("drawn.toml", scenario +
+                                 "[[spread]]\nfields = [\"aerodynamics.damping_m2\", \"aerodynamics.torque_m\"]\n"
+                                 "law = \"rows\"\ntable = \"o/summary.json\"\ncolumns = [\"damping\", \"torque\"]\n");
   folder.write(file, text);
   const Outcome outcome = fantail(words, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 74) << outcome.out << outcome.err;
@@ -85,6 +96,13 @@ INSTANTIATE_TEST_SUITE_P(
                    {"fly", "tasha3_launch2", "--trajectory", "o/trajectory.csv", "--out", "o"}},
         Endangered{
             "TunePlan", "mine.toml", scenario, {"tune", "mine.toml", "--plan", "mine.toml", "--force", "--out", "o"}},
+        Endangered{"FlyVehicle", "o/summary.json", vehicle, {"fly", "own.toml", "--out", "o"}},
+        Endangered{"FlyPlan", "o/flight.csv", plan, {"fly", "planned.toml", "--out", "o"}},
+        Endangered{"TuneVehicle",
+                   "o/summary.json",
+                   vehicle,
+                   {"tune", "own.toml", "--plan", "o/summary.json", "--force", "--out", "t"}},
+        Endangered{"CampaignTable", "o/summary.json", rows, {"campaign", "drawn.toml", "--runs", "1", "--out", "o"}},
         Endangered{"Campaign", "o/summary.json", spread, {"campaign", "o/summary.json", "--runs", "1", "--out", "o"}},
         Endangered{"TunnelFlow", "o/report.html", wind, {"tunnel", "flow", "o/report.html", "--out", "o"}},
         Endangered{"Listen",

@@ -68,13 +68,22 @@ TEST(Tunnel, SwirlTakesThePublishedDampingAndTorqueForNoOtherRocket) {
   Words weak = session("tunnel_swirl_without", "weak");
   weak.insert(weak.end(), {"--set", "aerodynamics.torque_m=5", "--set", "run.control_time_s=40"});
   ASSERT_EQ(in(folder, weak).exit_code, 0);
+  // A copy may have kept the name.
+  const std::filesystem::path shipped = std::filesystem::path{FANTAIL_TEST_SOURCE} / "sim";
+  folder.write("copy.toml", content(shipped / "vehicles/tasha3_tunnel.toml"));
+  std::string scenario = content(shipped / "scenarios/tunnel_swirl_without.toml");
+  const std::string named = "vehicle = \"tasha3_tunnel\"";
+  ASSERT_NE(scenario.find(named), std::string::npos);
+  folder.write("of_copy.toml", scenario.replace(scenario.find(named), named.size(), "vehicle = \"copy.toml\""));
+  ASSERT_EQ(in(folder, {"fly", "of_copy.toml", "--set", "run.control_time_s=40", "--out", "copy"}).exit_code, 0);
   for (const auto& [name, extension] : {std::pair{"alone/x.ftl", "ftl"}, std::pair{"alone/x.csv", "csv"}}) {
     folder.write(name, content(folder / (std::string{"dart/flight."} + extension)));
   }
   folder.write("alone/tunnel.csv", content(folder / "dart/tunnel.csv"));
   for (const auto& [log, rocket] : {std::pair{"dart", "rolled here is Dart,"},
                                     std::pair{"weak", "Tasha III, wind tunnel with aerodynamics.torque_m=5,"},
-                                    std::pair{"alone/x.ftl", "rolled here is Dart,"},
+                                    std::pair{"copy", "rolled here is Tasha III, wind tunnel (vehicle copy.toml),"},
+                                    std::pair{"alone/x.ftl", "rolled here is Dart, of which nothing says the file,"},
                                     std::pair{"alone/x.csv", "nothing says which rocket rolled here"}}) {
     const Outcome refused = in(folder, {"tunnel", "swirl", log, log});
     EXPECT_EQ(refused.exit_code, 64) << refused.out;

@@ -15,6 +15,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "text/toml_text.hpp"
 
 namespace fantail::airframe {
 namespace {
@@ -63,26 +64,10 @@ motion = "{motion}"
 speed_m_s = {wind}
 )";
 
-/// A text as TOML has it.
-std::string toml_text(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
-
 std::string sentences(const std::vector<std::string>& all) {
   std::string out = "assumed = [\n";
   for (const std::string& sentence : all) {
-    out += "  " + toml_text(sentence) + ",\n";
+    out += "  " + text::toml_text(sentence) + ",\n";
   }
   return out + "]\n";
 }
@@ -117,7 +102,7 @@ std::string masses(const Geometry& shape) {
     return line + "]\n";
   };
   std::string out = "\n[masses]\n";
-  out += row("names", [](const Geometry::Mass& m) { return toml_text(m.name); });
+  out += row("names", [](const Geometry::Mass& m) { return text::toml_text(m.name); });
   out += row("masses_kg", [](const Geometry::Mass& m) { return exact(m.mass_kg); });
   out += row("positions_m", [](const Geometry::Mass& m) { return exact(m.position_m); });
   out += row("lengths_m", [](const Geometry::Mass& m) { return exact(m.length_m); });
@@ -212,7 +197,7 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   std::string out = "# SPDX-License-Identifier: MIT\n";
   out += fmt::format("# Made by fantail new from {}.\n\n", rocket.source);
   out += fmt::format("[body]\nname = {}\n{}mass_kg = {}\nroll_inertia_kg_m2 = {}\ndrag_area_m2 = {}\n",
-                     toml_text(rocket.name), sentences(assumed), exact(v.mass_kg), rounded(roll.inertia_kg_m2),
+                     text::toml_text(rocket.name), sentences(assumed), exact(v.mass_kg), rounded(roll.inertia_kg_m2),
                      rounded(v.drag_area_m2));
   out += fmt::format(
       "\n[aerodynamics]\nreference_area_m2 = {} # the cross-section\ndamping_m2 = {} # alpha\n"
@@ -228,7 +213,7 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   }
   out += airframe_section(*v.geometry, b);
   out += shape_sections(v);
-  return out + fmt::format("\n[motor]\nfile = {}\n", toml_text(rocket.motor_file));
+  return out + fmt::format("\n[motor]\nfile = {}\n", text::toml_text(rocket.motor_file));
 }
 
 struct Offset {

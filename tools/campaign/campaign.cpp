@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <mutex>
 #include <span>
 
@@ -11,6 +12,7 @@
 #include "campaign/parallel_for.hpp"
 #include "campaign/setup.hpp"
 #include "text/error.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -79,6 +81,19 @@ void check(const Campaign& campaign) {
   }
 }
 
+/// Of what else a campaign is made from the results have another name, or are refused when they are written.
+void spare_tables(const std::vector<Spread>& spreads, const std::filesystem::path& folder) {
+  for (const Spread& spread : spreads) {
+    if (spread.table.empty()) {
+      continue;
+    }
+    const std::filesystem::path beside = std::filesystem::absolute(spread.table).parent_path();
+    if (std::error_code not_there; std::filesystem::equivalent(beside, folder, not_there)) {
+      throw text::OutputError{spread.table.string() + ": is what these results are made from; choose another folder"};
+    }
+  }
+}
+
 }  // namespace
 
 Stretch runs_of_shard(std::uint64_t runs, const Shard& shard) {
@@ -92,6 +107,7 @@ FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path
   const input::ScenarioFiles files = files_of(campaign);
   const sim::Scenario middle = files.read();  // what is drawn about must fly itself
   const std::vector<Spread> spreads = spreads_of(campaign, files);
+  spare_tables(spreads, folder);
   const Drawer drawer = drawer_of(campaign, spreads);
   const std::uint64_t chunks = chunks_of(campaign.runs);
   const std::uint64_t first_chunk = first_chunk_of(campaign.shard, chunks);

@@ -153,8 +153,8 @@ void read_range(Section& section, Spread& spread) {
 }
 
 void read_rows(Section& section, const input::Document& document, Spread& spread) {
-  const flight::Table table =
-      flight::Table::load(input::find_named_input(input::Shipped::tunnel_result, document, section, "table").string());
+  spread.table = input::find_named_input(input::Shipped::tunnel_result, document, section, "table");
+  const flight::Table table = flight::Table::load(spread.table.string());
   const std::vector<std::string> columns = section.texts("columns", most_fields);
   if (columns.size() != spread.fields.size()) {
     section.refuse("columns",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ struct Spread {
   double low = 0.0;   ///< uniform and triangular, of one field
   double mode = 0.0;  ///< triangular
   double high = 0.0;
+  std::filesystem::path table{};            ///< of rows: the file
   std::vector<std::vector<double>> rows{};  ///< rows: one number a field; each row as likely as another
   std::optional<NextRow> next_row{};        ///< next_row: of `rows`
   std::string where{};                      ///< file and line, for messages

@@ -155,7 +155,7 @@ void fly_all(const FaultsOptions& options) {
   const std::string summary = faults::report_json(result, FANTAIL_VERSION);
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};
-  text::OutputFolder{folder, {file_of(options.scenario)}}.write(files);
+  text::OutputFolder{folder, files_of(options.scenario)}.write(files);
   chapters.end();
   if (options.json) {
     fmt::print("{}", summary);

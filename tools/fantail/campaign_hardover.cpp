@@ -81,7 +81,7 @@ void fly(const HardoverOptions& options) {
   });
   progress.reset();
   study.made = {.command = command_of(options), .version = FANTAIL_VERSION, .changes = changes_of(options.scenario)};
-  text::OutputFolder{folder, {file_of(options.scenario)}}.write(
+  text::OutputFolder{folder, files_of(options.scenario)}.write(
       std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
                  text::NamedFile{"hardover.json", hardover::study_json(study)}});
   if (options.json) {

@@ -29,10 +29,9 @@ std::string too_large(std::string_view what, double mean_rad, double required_ra
 std::vector<std::string> CompareResults::objections() const {
   std::vector<std::string> sentences;
   if (required() && !is_known()) {
-    sentences.push_back(
-        fmt::format("share of A's samples that have a counterpart in B, {} of {}, is less than the nine "
-                    "in ten that a requirement needs",
-                    comparison.time_s.size(), comparison.asked));
+    sentences.push_back(fmt::format(
+        "time that both logs know, {:.3f} s of {:.3f} s, is less than the nine in ten that a requirement needs",
+        comparison.known_s, comparison.asked_s));
   }
   if (required_angle_rad && comparison.angle.mean_abs > *required_angle_rad) {
     sentences.push_back(too_large("angle", comparison.angle.mean_abs, *required_angle_rad, "deg"));

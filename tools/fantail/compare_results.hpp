@@ -24,7 +24,7 @@ struct CompareResults {
 
   [[nodiscard]] bool required() const { return required_angle_rad || required_rate_rad_s; }
   /// A mean over a few samples says nothing of the others.
-  [[nodiscard]] bool is_known() const { return 10 * comparison.time_s.size() >= 9 * comparison.asked; }
+  [[nodiscard]] bool is_known() const { return comparison.known_s >= 0.9 * comparison.asked_s - 1e-9; }
   /// Which mean difference is larger than required, or why that is not known, a sentence each; empty when the
   /// requirement is met.
   [[nodiscard]] std::vector<std::string> objections() const;

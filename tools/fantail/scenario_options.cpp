@@ -12,7 +12,7 @@
 #include "fantail/standard_streams.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
-#include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -83,8 +83,9 @@ std::string variant_name(std::string_view scenario, std::span<const std::string>
   return safe.substr(0, std::max(longest, scenario.size())) + fmt::format("+{:08x}", hash(name));
 }
 
-std::filesystem::path file_of(const ScenarioOptions& options) {
-  return input::find_input(input::Shipped::scenario, options.scenario);
+std::vector<std::filesystem::path> files_of(const ScenarioOptions& options) {
+  const input::ScenarioFiles files = input::ScenarioFiles::load(options.scenario);
+  return {files.scenario().file(), files.plan().file(), files.vehicle().file(), input::motor_file(files.vehicle())};
 }
 
 sim::Scenario load(const ScenarioOptions& options) {

@@ -30,8 +30,8 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 /// replaced for that, or the name to be cut, it ends with a hash of all changes.
 [[nodiscard]] std::string variant_name(std::string_view scenario, std::span<const std::string> changes);
 
-/// The file that the scenario is read from, which no result may replace. Throws text::Error.
-[[nodiscard]] std::filesystem::path file_of(const ScenarioOptions& options);
+/// The scenario, its plan, vehicle and motor, which no result may replace. Throws text::Error.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const ScenarioOptions& options);
 
 /// Throws text::Error.
 [[nodiscard]] sim::Scenario load(const ScenarioOptions& options);

@@ -55,11 +55,16 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
   return session;
 }
 
-/// Which rocket rolled, or an empty text; with what was changed of its roll on the command line.
+/// Which rocket rolled, or an empty text; with what was changed of its roll on the command line, and with its file
+/// where that is not the shipped one. A flight log has the name alone, which a copy may have kept.
 std::string rocket_of(const SessionOptions& options, const logs::RollLog& log, const flight::Reading& reading) {
   const auto flown = logs::flown_airframe(options.roll, reading);
   if (!flown) {
-    return log.vehicle;
+    return log.vehicle.empty() ? "" : log.vehicle + ", of which nothing says the file";
+  }
+  if (flown->vehicle_file != "tasha3_tunnel") {
+    return fmt::format("{} (vehicle {})", flown->vehicle,
+                       flown->vehicle_file.empty() ? "unknown" : flown->vehicle_file);
   }
   const auto changed = std::ranges::find_if(
       flown->changes, [](const std::string& change) { return change.starts_with("aerodynamics."); });

@@ -130,7 +130,8 @@ struct Task {
 Task task_of(const FlyOptions& options) {
   Task task{.scenario = load(options.scenario), .changes = changes_of(options)};
   task.notes = take_trajectory(options, task.scenario);
-  task.made_from = {file_of(options.scenario), options.trajectory};
+  task.made_from = files_of(options.scenario);
+  task.made_from.emplace_back(options.trajectory);
   task.folder = std::filesystem::path{"out"} / variant_name(task.scenario.name, task.changes);
   return task;
 }

@@ -82,7 +82,9 @@ std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOp
 }
 
 std::vector<std::filesystem::path> made_from(const sim::Scenario& scenario, const PredictOptions& options) {
-  return {file_of(options.scenario), tunnel_file(scenario, options)};
+  std::vector<std::filesystem::path> files = files_of(options.scenario);
+  files.push_back(tunnel_file(scenario, options));
+  return files;
 }
 
 std::optional<double> in_radians(const std::optional<double>& degrees) {

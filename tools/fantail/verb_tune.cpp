@@ -18,6 +18,7 @@
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
 #include "text/shell_word.hpp"
+#include "text/toml_text.hpp"
 #include "tune/results.hpp"
 
 namespace fantail::tool {
@@ -106,9 +107,11 @@ std::filesystem::path plan_file(const TuneOptions& options) {
 }
 
 void refuse_to_replace(const std::filesystem::path& file, const TuneOptions& options) {
-  std::error_code not_there;
-  if (std::filesystem::equivalent(file, file_of(options.scenario), not_there)) {
-    throw text::OutputError{file.string() + ": is what these results are made from; choose another place for the plan"};
+  for (const std::filesystem::path& made_from : files_of(options.scenario)) {
+    if (std::error_code not_there; std::filesystem::equivalent(file, made_from, not_there)) {
+      throw text::OutputError{file.string() +
+                              ": is what these results are made from; choose another place for the plan"};
+    }
   }
   if (!options.force && std::filesystem::exists(file)) {
     throw UsageError{file.string() + " is there already, and nothing is replaced without --force; or say --plan FILE"};
@@ -142,12 +145,14 @@ void write(const std::filesystem::path& file, const std::string& content) {
 /// A scenario that is shipped names a shipped plan, and is not to be written into.
 std::string how_to_fly(const TuneOptions& options, const std::filesystem::path& plan) {
   const std::filesystem::path scenario = input::find_input(input::Shipped::scenario, options.scenario.scenario);
-  const std::filesystem::path folder = std::filesystem::absolute(scenario).parent_path();
+  const std::filesystem::path folder =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(scenario)).parent_path();
   if (std::error_code unknown; std::filesystem::equivalent(folder, input::data_folder() / "sim/scenarios", unknown)) {
     return "in a scenario of your own";
   }
-  return fmt::format("in {}: plan = \"{}\"", scenario.string(),
-                     std::filesystem::absolute(plan).lexically_relative(folder).generic_string());
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(plan));
+  return fmt::format("in {}: plan = {}", scenario.string(),
+                     text::toml_text(whole.lexically_relative(folder).generic_string()));
 }
 
 void tune_scenario(const TuneOptions& options) {
@@ -164,7 +169,7 @@ void tune_scenario(const TuneOptions& options) {
       options.out.empty() ? std::filesystem::path{"out"} / "tune" / variant_name(scenario.name, changes)
                           : std::filesystem::path{options.out};
   const std::string json = tune::tuning_json(tuning, plan_name);
-  text::OutputFolder{folder, {file_of(options.scenario)}}.write(
+  text::OutputFolder{folder, files_of(options.scenario)}.write(
       std::array{text::NamedFile{.name = "tune.html", .content = tune::tuning_html(tuning, plan_name)},
                  text::NamedFile{.name = "tune.json", .content = json}});
   if (tuning.is_proposed()) {

@@ -149,14 +149,17 @@ double mean_square_of_rate(const RollLog& log, Extent extent) {
   return square;
 }
 
-/// Between samples that are farther apart than this, and than A's usually are, nothing is known of A either.
+/// Between samples that are farther apart than B's may be, and than A's usually are, nothing is known of A either.
+bool is_hole(double step_s, const RollLog& a, const CompareOptions& options) {
+  return step_s > std::max(options.longest_gap_s, 3.0 * usual_interval_s(a.time_s)) + 1e-9;
+}
+
 void note_holes_of_a(const RollLog& a, const CompareOptions& options, Extent extent,
                      std::vector<std::string>& warnings) {
-  const double longest_s = std::max(options.longest_gap_s, 3.0 * usual_interval_s(a.time_s));
   std::size_t holes = 0;
   std::string first;
   for (std::size_t i = extent.begin + 1; i < extent.end; ++i) {
-    if (a.time_s[i] - a.time_s[i - 1] > longest_s + 1e-9 && ++holes == 1) {
+    if (is_hole(a.time_s[i] - a.time_s[i - 1], a, options) && ++holes == 1) {
       first = fmt::format("A has no samples between {:.3f} s and {:.3f} s", a.time_s[i - 1], a.time_s[i]);
     }
   }
@@ -224,17 +227,17 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
                 fmt::format("{} and {}: only one sample is there to compare, at {:g} s of A: that is too few", a.name,
                             b.name, result.time_s.front())};
   }
-  const auto within = [&](double time_s) {
-    return options.from_s || options.to_s || (time_s >= result.time_s.front() && time_s <= result.time_s.back());
-  };
-  result.asked =
-      static_cast<std::size_t>(std::count_if(a.time_s.begin() + static_cast<std::ptrdiff_t>(extent.begin),
-                                             a.time_s.begin() + static_cast<std::ptrdiff_t>(extent.end), within));
+  const bool is_window = options.from_s || options.to_s;
+  result.asked_s = is_window ? options.to_s.value_or(a.time_s.back()) - options.from_s.value_or(a.time_s.front())
+                             : result.time_s.back() - result.time_s.front();
+  for (std::size_t i = 1; i < result.time_s.size(); ++i) {
+    const double step_s = result.time_s[i] - result.time_s[i - 1];
+    result.known_s += is_hole(step_s, a, options) ? 0.0 : step_s;
+  }
   note_holes_of_a(a, options, extent, result.warnings);
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
-    result.warnings.push_back(
-        fmt::format("{} of A's {} samples in the window have no counterpart in B and are left out.", lost,
-                    extent.end - extent.begin));
+    result.warnings.push_back(fmt::format("{} of A's {} samples{} have no counterpart in B and are left out.", lost,
+                                          extent.end - extent.begin, is_window ? " in the window" : ""));
   }
   if (options.remove_offset) {
     result.offset_rad = result.a_angle_rad.front() - result.b_angle_rad.front();

@@ -30,9 +30,9 @@ struct Difference {
 
 /// At the samples of A inside the window at which B is known too.
 struct Comparison {
-  /// Samples of A in the window, without one from the first to the last that is compared: with those that have no
-  /// counterpart.
-  std::size_t asked = 0;
+  /// Of the window, where one is given; else from the first to the last sample that is compared.
+  double asked_s = 0.0;
+  double known_s = 0.0;        ///< of that, without the holes of either log
   std::vector<double> time_s;  ///< A's clock
   std::vector<double> a_angle_rad;
   std::vector<double> b_angle_rad;           ///< with the offset

@@ -38,8 +38,8 @@ void append_wrapped(std::string_view line, std::size_t columns, std::string& who
   // In a few columns words would make a tower: such a cell goes below as a whole.
   const bool is_narrow = cell > columns * 5 / 8;
   const std::size_t indent = begin == own && own < deep ? own + 2 : cell;
-  const std::string next =
-      "\n" + std::string(is_narrow ? 4 : indent, ' ') + (line.substr(begin).starts_with("# ") ? "# " : "");
+  std::string next{'\n'};
+  next.append(is_narrow ? 4 : indent, ' ').append(line.substr(begin).starts_with("# ") ? "# " : "");
   const bool goes_below = is_narrow && begin > own;
   const std::string_view head = line.substr(0, goes_below ? line.find_last_not_of(' ', begin - 1) + 1 : begin);
   whole += head;
