@@ -15,8 +15,8 @@ namespace {
 
 using text::radians;
 
-const double widest_rad = radians(20.47);  // on the bus
-const double beyond_rad = radians(3.0);    // how far past its limit a canard is asked
+const double widest_rad = radians(widest_request_deg);
+const double beyond_rad = radians(3.0);  // how far past its limit a canard is asked
 const double ramp_rad_s = radians(20.0);
 constexpr double settle_s = 0.4;
 constexpr double hold_s = 0.3;

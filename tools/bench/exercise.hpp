@@ -16,6 +16,8 @@
 
 namespace fantail::bench {
 
+inline constexpr double widest_request_deg = 20.47;  ///< that the bus has room for
+
 using link::Each;
 
 /// Between what the canards may be moved. Shaft angles.

@@ -20,8 +20,6 @@ using text::degrees;
 
 std::string in_words(double angle_rad) { return text::fixed(degrees(angle_rad), 2); }
 
-constexpr double widest_deg = 20.47;  // on the bus
-
 // To the side on which the sentence stays true.
 double hundredths_up(double angle_rad) { return 0.01 * std::ceil(100.0 * degrees(angle_rad) - 1e-6); }
 
@@ -57,11 +55,12 @@ void expect_enough_amplitude(double way_rad, const Exercise::Wave& wave, double 
   if (way_rad >= least_rad) {
     return;
   }
-  if (degrees(least_rad) > widest_deg) {
+  if (degrees(least_rad) > widest_request_deg) {
     throw std::invalid_argument{fmt::format(
         "--frequency: at {:g} Hz no amplitude up to {} deg shows whether a canard is quick enough, because one that "
         "is, with slowest_slew_deg_s {:g} and longest_step_time_s {:g}, goes less than twice reach_deg {:g}",
-        wave.frequency_hz, widest_deg, degrees(t.slowest_slew_rad_s), t.longest_step_time_s, degrees(t.reach_rad))};
+        wave.frequency_hz, widest_request_deg, degrees(t.slowest_slew_rad_s), t.longest_step_time_s,
+        degrees(t.reach_rad))};
   }
   const bool cut_off = way_rad < std::abs(wave.amplitude_rad);
   throw std::invalid_argument{fmt::format(
@@ -69,7 +68,7 @@ void expect_enough_amplitude(double way_rad, const Exercise::Wave& wave, double 
       "reach_deg {:g} and backlash_deg {:g} hide too much of what a canard with longest_step_time_s {:g} goes",
       canard + 1, in_words(way_rad),
       cut_off ? fmt::format(", on average, within its limit of {} deg", in_words(limit_rad)) : std::string{},
-      wave.frequency_hz, hundredths_up(least_rad), widest_deg, degrees(t.reach_rad), degrees(t.backlash_rad),
+      wave.frequency_hz, hundredths_up(least_rad), widest_request_deg, degrees(t.reach_rad), degrees(t.backlash_rad),
       t.longest_step_time_s)};
 }
 

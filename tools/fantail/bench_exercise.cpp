@@ -34,7 +34,6 @@ namespace fantail::tool {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double widest_deg = 20.47;  // on the bus
 
 struct ExerciseOptions {
   BenchOptions bench;
@@ -108,7 +107,7 @@ void expect_possible(const ExerciseOptions& options, const MakeExercise& make,
                      const sim::CanardTolerances& tolerances) {
   or_usage([&] {
     bench::Bounds widest;
-    widest.limit_rad.fill(degree * widest_deg);
+    widest.limit_rad.fill(degree * bench::widest_request_deg);
     const bench::Exercise what = make(widest, options);
     if (what.kind() == bench::ExerciseKind::sine) {
       bench::expect_enough_movement(what, index(options), tolerances);
@@ -221,7 +220,7 @@ void add_bench_step(const Verb& bench) {
   const Verb verb = add(bench, "step", "One canard to an angle at once, and back", options, step);
   add_canard(verb, *options);
   verb.option("--to", options->to_deg, "Shaft angle; so far from the trim that tolerances do not hide the step")
-      .range(-widest_deg, widest_deg)
+      .range(-bench::widest_request_deg, bench::widest_request_deg)
       .value_name("DEG")
       .show_default();
   verb.examples(
@@ -236,7 +235,7 @@ void add_bench_sine(const Verb& bench) {
   const Verb verb = add(bench, "sine", "One canard through a sine: amplitude ratio and phase lag", options, sine);
   add_canard(verb, *options);
   verb.option("--amplitude", options->amplitude_deg, "About the centre; so large that tolerances do not hide it")
-      .range(0.1, widest_deg)
+      .range(0.1, bench::widest_request_deg)
       .value_name("DEG")
       .show_default();
   verb.option("--frequency", options->frequency_hz, "").range(0.05, 50.0).value_name("HZ").show_default();
