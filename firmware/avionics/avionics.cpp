@@ -40,6 +40,7 @@ const core::TickRecord& Avionics::tick() {
   tell_person(record);
   situation_ = {.time = now,
                 .phase = record.phase,
+                .reason = record.reason,
                 .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
                 .moves = record.motion.at_rest_for == core::Microseconds{0},
                 .arm_switch_closed = inputs.arm_switch_closed};
@@ -235,7 +236,8 @@ void Avionics::watch_board(const core::TickRecord& record, const FlashFacts& fla
   board_watch_.look(status, record.overruns, plan_.run.overrun_limit);
   situation_.board_faulty = board_watch_.faulty();
   board_is_news_ = board_watch_.tell(record.time, record.phase, flash, devices_.console);
-  devices_.board.show(signal_of(record.phase, self_test_.running(), !board_watch_.faulty() && flash.fit()));
+  devices_.board.show(
+      signal_of(record.phase, record.reason, self_test_.running(), !board_watch_.faulty() && flash.fit()));
 }
 
 void Avionics::report(const core::TickRecord& record, const core::Inputs& inputs) {
@@ -263,7 +265,7 @@ void Avionics::report(const core::TickRecord& record, const core::Inputs& inputs
 }
 
 void Avionics::tell_person(const core::TickRecord& record) {
-  if (record.phase == situation_.phase) {
+  if (record.phase == situation_.phase && record.reason == situation_.reason) {
     return;
   }
   devices_.console.write("phase: ");

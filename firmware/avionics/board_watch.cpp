@@ -80,10 +80,10 @@ bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFact
   return true;
 }
 
-hal::Signal signal_of(core::Phase phase, bool self_test_running, bool fit) {
+hal::Signal signal_of(core::Phase phase, core::PhaseReason reason, bool self_test_running, bool fit) {
   switch (phase) {
     case core::Phase::safe: break;
-    case core::Phase::armed: return hal::Signal::armed;
+    case core::Phase::armed: return waits_for_rest(reason) ? hal::Signal::armed_not_ready : hal::Signal::armed;
     case core::Phase::launched:
     case core::Phase::controlling: return hal::Signal::flying;
     case core::Phase::finished: return hal::Signal::finished;

@@ -46,7 +46,8 @@ class BoardWatch {
   std::optional<core::Microseconds> told_at_{};  ///< empty: nothing yet
 };
 
-/// What lamp and buzzer show. `fit`: nothing that has been found so far keeps the rocket from being armed.
-[[nodiscard]] hal::Signal signal_of(core::Phase phase, bool self_test_running, bool fit);
+/// What lamp and buzzer show. `reason`: of the phase. `fit`: nothing that has been found so far keeps the rocket from
+/// being armed.
+[[nodiscard]] hal::Signal signal_of(core::Phase phase, core::PhaseReason reason, bool self_test_running, bool fit);
 
 }  // namespace fantail::avionics

@@ -68,7 +68,7 @@ void Recorder::wait_on_pad(const Tick& tick, core::Autopilot& law) {
     return;
   }
   // What comes before it belongs to another phase, and no replay knows a request.
-  if (phase != told_.phase || tick.inputs.canard_request) {
+  if (phase != told_.phase || tick.record.reason != told_.reason || tick.inputs.canard_request) {
     resumed_.reset();
     stage_ = Stage::idle;
     if (may_wait(tick)) {
@@ -104,8 +104,7 @@ bool Recorder::is_pushed(const core::Inputs& inputs) {
 void Recorder::begin_on_pad(const Tick& tick, core::Autopilot& law) {
   state_layout_ = state_layout(law);
   queue_.clear();
-  told_ = {.phase = tick.record.phase};
-  armed_because_ = tick.record.reason;
+  told_ = {.phase = tick.record.phase, .reason = tick.record.reason};
   times_ = sample_times(tick.raw);
   ring_.begin(law, times_, tick.scales, canards_);
   pushed_ticks_ = 0;
@@ -161,7 +160,7 @@ void Recorder::begin_flight(const Tick& tick, LogBegin why) {
   queue_event({.time = time,
                .kind = LogEventKind::phase,
                .value = static_cast<std::uint8_t>(told_.phase),
-               .detail = static_cast<std::uint8_t>(armed_because_)},
+               .detail = static_cast<std::uint8_t>(told_.reason)},
               queue_.ticks.first());
 }
 

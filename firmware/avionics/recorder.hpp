@@ -92,6 +92,7 @@ class Recorder {
   /// What the events have told so far.
   struct Told {
     core::Phase phase = core::Phase::armed;
+    core::PhaseReason reason = core::PhaseReason::power_on;
     core::CanardVerdicts verdicts{};
     core::SensorState gyro = core::SensorState::fresh;
     core::SensorState accelerometer = core::SensorState::fresh;
@@ -134,7 +135,6 @@ class Recorder {
   PadRing ring_{};
   protocol::SampleTimes times_{};  ///< of the newest tick
   Told told_{};
-  core::PhaseReason armed_because_{};
   std::uint32_t state_layout_ = 0;
   std::size_t first_checkpoint_made_ = 0;  ///< bytes of its state
   std::uint32_t ticks_to_health_ = 0;

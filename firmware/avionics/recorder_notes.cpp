@@ -53,7 +53,13 @@ void Recorder::queue_changes(const core::TickRecord& record) {
       queue_event(event, before);
     }
   };
-  tell(told_.phase, record.phase, {.kind = LogEventKind::phase, .detail = byte(record.reason)});
+  if (record.phase != told_.phase || record.reason != told_.reason) {
+    told_.phase = record.phase;
+    told_.reason = record.reason;
+    queue_event(
+        {.time = record.time, .kind = LogEventKind::phase, .value = byte(record.phase), .detail = byte(record.reason)},
+        before);
+  }
   const bool usual = all_healthy(told_.verdicts) && all_healthy(record.verdicts);
   for (std::size_t i = 0; i < core::canard_count && !usual; ++i) {
     tell(told_.verdicts[i], record.verdicts[i],

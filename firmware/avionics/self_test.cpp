@@ -55,6 +55,7 @@ protocol::ArmRefusal SelfTest::start(const Situation& now, bool session_open) {
   started_ = gyros_agreed_ = now.time;
   stage_ = Stage::still;
   restart_averages(now.time);
+  gyro_zeros_ = {};
   return ArmRefusal::none;
 }
 
@@ -112,6 +113,10 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
     const bool without_imu = record.gyro_vote == core::GyroVote::second || record.gyro_vote == core::GyroVote::neither;
     return fail(without_imu ? SelfTestFailure::gyro_failed : SelfTestFailure::accelerometer_failed);
   }
+  gyro_zeros_[0].take(inputs.gyro);
+  if (inputs.second_gyro) {
+    gyro_zeros_[1].take(*inputs.second_gyro);
+  }
   if (record.motion.at_rest_for == Microseconds{0}) {
     restart_averages(inputs.time);
   }
@@ -120,17 +125,29 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
   if (!still || !counted) {
     if (inputs.time - started_ >= patience) {
       // A rocket in which a sensor is off by more than the plan's tolerance is never at rest: that is the better name.
-      fail(still ? SelfTestFailure::timed_out : judge_sensors().value_or(SelfTestFailure::moved));
+      const auto cause = judge_sensors();
+      fail(still ? SelfTestFailure::timed_out : cause ? *cause : judge_gyro_zeros().value_or(SelfTestFailure::moved));
     }
     return;
   }
   if (const auto failure = judge_sensors()) {
     fail(*failure);
+  } else if (const auto of_gyro = judge_gyro_zeros()) {
+    fail(*of_gyro);
   } else if (const auto of_flash = judge_flash(flash)) {
     fail(*of_flash);
   } else {
     begin_move(inputs.time, Stage::centre, 0);
   }
+}
+
+// Two gyros of different makers that read the same turn do not disagree: it may be the rocket that turns.
+std::optional<SelfTestFailure> SelfTest::judge_gyro_zeros() const {
+  const float largest_rad_s = core::largest_gyro_bias_rad_s(plan_->motion);
+  if (gyro_zeros_[0].is_beyond(largest_rad_s)) {
+    return SelfTestFailure::gyro_turns;
+  }
+  return gyro_zeros_[1].is_beyond(largest_rad_s) ? std::optional{SelfTestFailure::second_gyro_turns} : std::nullopt;
 }
 
 // Meets PLN-2.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "avionics/flash_facts.hpp"
+#include "avionics/gyro_zero.hpp"
 #include "avionics/situation.hpp"
 #include "core/flight_plan.hpp"
 #include "core/inputs.hpp"
@@ -61,6 +62,7 @@ class SelfTest {
   void restart_averages(core::Microseconds now);
   bool average(const core::Inputs& inputs);
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_sensors() const;
+  [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_gyro_zeros() const;
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_flash(const FlashFacts& flash) const;
   void move_canards(const core::TickRecord& record);
   void judge_canards();
@@ -81,6 +83,7 @@ class SelfTest {
   core::Microseconds gyros_agreed_{};  ///< when they last did
   Stage stage_ = Stage::still;
   std::array<Average, 2> averages_{};
+  std::array<GyroZero, 2> gyro_zeros_{};
   std::array<core::Angle, core::canard_count> encoder_sum_{};
   std::array<float, core::canard_count> encoder_samples_{};
 };

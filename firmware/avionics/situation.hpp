@@ -10,6 +10,7 @@ namespace fantail::avionics {
 struct Situation {
   core::Microseconds time{};
   core::Phase phase = core::Phase::safe;
+  core::PhaseReason reason = core::PhaseReason::power_on;
   bool at_rest = false;  ///< for the plan's rest time, up to now
   bool moves = false;    ///< not at rest at all
   bool arm_switch_closed = false;

@@ -43,7 +43,8 @@ protocol::StatusReport status(const core::TickRecord& record, const Report& repo
                                 .session_open = report.session_open,
                                 .self_test_running = report.self_test_running,
                                 .timing_fault = record.timing_fault,
-                                .every_tick = every_tick};
+                                .every_tick = every_tick,
+                                .gyro_bias_rad_s = record.motion.gyro_bias_rad_s.x};
   for (std::size_t i = 0; i < status.limited.size(); ++i) {
     status.limited[i] = record.canards[i].limited;
   }

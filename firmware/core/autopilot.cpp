@@ -171,7 +171,9 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
   } else if (to == Phase::controlling) {
     motion_estimator_.begin_tunnel_run(time);
   } else if (to == Phase::armed) {
-    motion_estimator_.return_to_pad();
+    if (from == Phase::launched) {
+      motion_estimator_.return_to_pad();
+    }
     launch_detector_.reset();
   }
 }

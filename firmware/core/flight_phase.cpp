@@ -2,6 +2,12 @@
 #include "core/flight_phase.hpp"
 
 namespace fantail::core {
+namespace {
+
+// Guides stand within this of the vertical. What has landed lies on its side or hangs on its nose.
+constexpr Angle steepest_guide = Angle::from_degrees(45.0F);
+
+}  // namespace
 
 FlightPhase::FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion)
     : run_{run}, guide_{guide}, motion_{motion} {}
@@ -11,9 +17,7 @@ bool FlightPhase::listens_for_launch() const {
 }
 
 bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
-  if (motion.at_rest_for >= motion_.rest_time) {
-    must_rest_first_ = false;
-  }
+  watch_rest(motion);
   std::optional<Transition> next;
   switch (phase_) {
     case Phase::safe: next = from_safe(inputs); break;
@@ -36,6 +40,18 @@ bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
   reason_ = next->reason;
   entered_ = inputs.time;
   return true;
+}
+
+// Meets PHS-5.
+void FlightPhase::watch_rest(const Motion& motion) {
+  const bool waits = phase_ == Phase::armed && run_.start == Start::launch;
+  must_rest_first_ = must_rest_first_ || (waits && motion.has_moved);
+  if (motion.at_rest_for >= motion_.rest_time && !motion.has_moved && motion.tilt <= steepest_guide) {
+    must_rest_first_ = false;
+  }
+  if (waits && must_rest_first_ != waits_for_rest(reason_)) {
+    reason_ = must_rest_first_ ? PhaseReason::moved_without_launch : PhaseReason::rested;
+  }
 }
 
 void FlightPhase::give_up(Microseconds time) {
@@ -61,6 +77,11 @@ std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs
   // vibration must not end a flight.
   if (!inputs.arm_switch_closed) {
     return Transition{Phase::safe, PhaseReason::disarmed_by_switch};
+  }
+  // Meets PHS-5.
+  // The parachute opens, the rocket lands and is picked up: nothing of this may be taken for a launch.
+  if (run_.start == Start::launch && motion.has_fallen) {
+    return Transition{Phase::finished, PhaseReason::flew_without_launch};
   }
   // Meets PHS-3.
   // In the tunnel nothing accelerates: control begins on command, and only from rest, when the roll angle means
@@ -93,7 +114,9 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
   const bool beyond_guide = motion.distance_along_guide_m >= guide_.length_m + guide_.clearance_m;
   // Meets DET-4.
   // Both figures come from one accelerometer. When another one disagrees, it may be stuck in a rocket that is shaken.
-  if (beyond_guide && motion.speed_m_s > guide_.minimum_speed_m_s && inputs.accelerometers_agree) {
+  const bool clear = beyond_guide && motion.speed_m_s > guide_.minimum_speed_m_s && inputs.accelerometers_agree;
+  // A gyro that is silent is waited for: control never begins with a rate that nobody measures.
+  if (clear && motion.gyro != SensorState::lost) {
     return Transition{Phase::controlling, PhaseReason::guide_clear};
   }
   // A real launch is clear of the guide within about half a second; what takes this long was something else.

@@ -39,9 +39,19 @@ enum class PhaseReason : std::uint8_t {
   timing_fault,                 ///< a tick came no later than the last or much too late, or too many did not come
   canard_fault,                 ///< with a plan that ends control for it
   memory_fault,                 ///< give_up(): Launched or Controlling to Finished
+  moved_without_launch,         ///< stays Armed, but only rest lets a launch be detected: see PadMovement
+  rested,                       ///< stays Armed, and a launch can be detected again
+  flew_without_launch,          ///< Armed to Finished: it was weightless for so long that it has flown undetected
 };
 /// How many values PhaseReason has: one that is read must be below.
-inline constexpr std::size_t phase_reasons = 16;
+inline constexpr std::size_t phase_reasons = 19;
+
+/// Armed for one of these reasons, a rocket detects no launch before it has rested.
+[[nodiscard]] constexpr bool waits_for_rest(PhaseReason reason) {
+  using enum PhaseReason;
+  return reason == moved_without_launch || reason == guide_not_cleared_in_time ||
+         reason == gyro_failed_before_control || reason == timing_fault_before_control;
+}
 
 /// What one tick may move the phase, besides the motion.
 struct PhaseInputs {
@@ -58,12 +68,15 @@ struct PhaseInputs {
 
 /// Safe -> Armed -> Launched -> Controlling -> Finished. Starts in Safe; there is no way to set a phase, but to give
 /// up.
+///
+/// A launch is detected only by a rocket that has rested, near the vertical, since it last moved or took something for
+/// a launch: a launch that was missed is followed by an opening parachute, a landing and people.
 class FlightPhase {
  public:
   /// Three parts of one plan that has passed validate(); copied.
   FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion);
 
-  /// True when this tick changed the phase.
+  /// True when this tick changed the phase. The reason of Armed may change without it.
   bool update(const PhaseInputs& inputs, const Motion& motion);
 
   /// The memory of the law is not what it was: a flight is over, as far as control goes.
@@ -71,10 +84,10 @@ class FlightPhase {
 
   /// As the last update() or give_up() left it.
   [[nodiscard]] Phase phase() const { return phase_; }
-  /// Of the last transition, however long ago.
+  /// Of the last transition, however long ago, or of the last change within Armed.
   [[nodiscard]] PhaseReason reason() const { return reason_; }
 
-  /// May a launch be detected now? After a detection that was none, only when the rocket has been at rest again.
+  /// May a launch be detected now?
   [[nodiscard]] bool listens_for_launch() const;
 
   /// Empty until control has started.
@@ -94,6 +107,7 @@ class FlightPhase {
     PhaseReason reason;
   };
 
+  void watch_rest(const Motion& motion);
   [[nodiscard]] std::optional<Transition> from_safe(const PhaseInputs& inputs) const;
   [[nodiscard]] std::optional<Transition> from_armed(const PhaseInputs& inputs, const Motion& motion) const;
   [[nodiscard]] std::optional<Transition> from_launched(const PhaseInputs& inputs, const Motion& motion) const;

@@ -107,6 +107,10 @@ struct MotionPlan {
   Microseconds rest_time;         ///< at rest for this long before a launch can be detected again
 };
 
+/// What a gyro may read at rest, on each axis: the rest of the quiet rate is for noise, and for a rail in the wind. A
+/// mean beyond it is a turn, and no zero.
+[[nodiscard]] constexpr float largest_gyro_bias_rad_s(const MotionPlan& plan) { return 0.5F * plan.quiet_rate_rad_s; }
+
 /// R' of the law, which the roll rate is compared with; see pd_controller().
 enum class RateReference : std::uint8_t {
   zero,           ///< every rate is damped

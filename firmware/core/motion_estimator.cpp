@@ -40,8 +40,6 @@ Quaternionf renormalized(const Quaternionf& q) {
   return Quaternionf{Eigen::Vector4f{(1.5F - 0.5F * q.squaredNorm()) * q.coeffs()}};
 }
 
-Vector3 minus(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
 // The rotation of a small vector angle: half-angle sine and cosine by their series, exact to the fourth order.
 Quaternionf small_rotation(const Vector3f& angle) {
   const float square = angle.squaredNorm();
@@ -258,7 +256,10 @@ void MotionEstimator::begin_tunnel_run(Microseconds now) {
   zero_roll(now);
 }
 
-void MotionEstimator::return_to_pad() { place_ = Place::pad; }
+void MotionEstimator::return_to_pad() {
+  place_ = Place::pad;
+  pad_window_.require_rest();
+}
 
 float MotionEstimator::bridged_roll_rad(Microseconds now) const {
   const auto& last_time = gyro_gate_.last_time();
@@ -277,6 +278,9 @@ Motion MotionEstimator::motion(Microseconds now) const {
   const Vector3f axis = Quaternionf{a.w, a.x, a.y, a.z}.toRotationMatrix().col(0);
   result.roll_angle = Angle::from_radians(roll_angle_rad_.value() + bridged_roll_rad(now));
   result.roll_rate_rad_s = rate_rad_s_.x;
+  if (const auto& pad = pad_window_.average()) {
+    result.gyro_bias_rad_s = pad->gyro_bias_rad_s;
+  }
   result.specific_force_m_s2 = specific_force_m_s2_;
   result.height_m = trajectory_.position_m.z;
   result.distance_along_guide_m = eigen(trajectory_.position_m).dot(eigen(trajectory_.guide_axis));
@@ -289,6 +293,8 @@ Motion MotionEstimator::motion(Microseconds now) const {
   result.roll_is_bridged = roll_is_bridged_;
   result.speed_is_lower_bound = trajectory_.is_lower_bound;
   result.at_rest_for = pad_window_.at_rest_for(now);
+  result.has_moved = pad_window_.movement().has_moved();
+  result.has_fallen = pad_window_.movement().has_fallen();
   result.thrust_since = trajectory_.since;
   return result;
 }

@@ -20,6 +20,7 @@ namespace fantail::core {
 struct Motion {
   Angle roll_angle;                     ///< zero at launch detection (tunnel: at control start); not wrapped
   float roll_rate_rad_s = 0.0F;         ///< gyro bias taken off
+  Vector3 gyro_bias_rad_s;              ///< what is taken off: the mean of three still seconds; zero before the first
   Vector3 specific_force_m_s2;          ///< the sample that was integrated
   float height_m = 0.0F;                ///< above the place of lift-off, as far as `height_origin` lets it be known
   float distance_along_guide_m = 0.0F;  ///< from the same place, in the direction that the guide had
@@ -37,6 +38,8 @@ struct Motion {
   /// least these.
   bool speed_is_lower_bound = false;
   Microseconds at_rest_for{};  ///< on the pad, up to now; zero while the rocket moves or a sensor has failed
+  bool has_moved = false;      ///< on the pad, and has not rested since: the attitude may be another one
+  bool has_fallen = false;     ///< likewise: it was weightless for so long that it has flown
   /// Start of the integrated window: where the specific force left the pad's 1 g.
   Microseconds thrust_since{};
 };

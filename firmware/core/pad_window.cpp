@@ -32,46 +32,47 @@ bool PadWindow::update(Microseconds time, const Vector3& rate_rad_s, const Vecto
   }
   last_time_ = time;
   const float force_squared = force_squared_.update(time, square(specific_force_m_s2));
-  if (!is_within(rate_rad_s, plan_.quiet_rate_rad_s) || !is_one_g(force_squared, plan_.rest_tolerance_m_s2)) {
-    interrupt(time);
-    return false;
-  }
-  if (!rest_since_) {
+  const bool still =
+      is_within(rate_rad_s, plan_.quiet_rate_rad_s) && is_one_g(force_squared, plan_.rest_tolerance_m_s2);
+  if (!still) {
+    rest_since_.reset();
+    open_.still = false;  // the block that this sample may close, too
+  } else if (!rest_since_) {
     rest_since_ = time;
   }
-  if (!open_since_) {
-    open_since_ = time;
-  }
-  sum_one_more();
-  bool renewed = false;
-  if (time - *open_since_ >= block_time) {
-    renewed = close_block();
-    open_since_ = time;
-  }
+  const bool renewed = go_on(time);
+  open_.still = open_.still && still;
   add(open_.rate_sum, rate_rad_s);
   add(open_.force_sum, specific_force_m_s2);
   open_.samples += 1.0F;
-  return renewed;
+  return renewed && still;
 }
 
 void PadWindow::interrupt(Microseconds time) {
   rest_since_.reset();
+  open_.still = false;
+  go_on(time);
+}
+
+bool PadWindow::go_on(Microseconds time) {
   if (!open_since_) {
     open_since_ = time;
   }
   sum_one_more();
-  open_.still = false;
-  if (time - *open_since_ >= block_time) {
-    close_block();
-    open_since_ = time;
+  if (time - *open_since_ < block_time) {
+    return false;
   }
+  judge_movement(time - *open_since_);
+  const bool renewed = close_block();
+  open_since_ = time;
+  return renewed;
 }
 
 void PadWindow::restart() {
   rest_since_.reset();
   open_since_.reset();
   open_.clear();
-  closed_ = 0;
+  closed_ = still_ = 0;
   next_ = 0;
   forget_window();
 }
@@ -91,6 +92,7 @@ bool PadWindow::close_block() {
   }
   const Block window = window_;
   forget_window();
+  still_ = !open_.still || !movement_.is_supported() ? 0 : still_ < blocks_.size() ? still_ + 1 : still_;
   blocks_[next_] = open_;
   open_.clear();
   next_ = (next_ + 1) % blocks_.size();
@@ -98,8 +100,25 @@ bool PadWindow::close_block() {
   if (closed_ < blocks_.size() || !window.still) {
     return false;
   }
-  average_ = PadAverage{divide(window.rate_sum, window.samples), divide(window.force_sum, window.samples)};
+  const Vector3 mean_rate_rad_s = divide(window.rate_sum, window.samples);
+  if (!is_within(mean_rate_rad_s, largest_gyro_bias_rad_s(plan_))) {
+    return false;
+  }
+  average_ = PadAverage{mean_rate_rad_s, divide(window.force_sum, window.samples)};
+  if (still_ == blocks_.size()) {
+    movement_.rest();
+  }
   return true;
+}
+
+// While no bias is known, no turn is either.
+void PadWindow::judge_movement(Microseconds length) {
+  if (open_.samples < 1.0F) {
+    return movement_.miss();
+  }
+  const Vector3 mean_rate_rad_s = divide(open_.rate_sum, open_.samples);
+  movement_.take(seconds(length), average_ ? minus(mean_rate_rad_s, average_->gyro_bias_rad_s) : Vector3{},
+                 divide(open_.force_sum, open_.samples));
 }
 
 // Oldest first; the oldest of all gives way to the block that closes, and the newest are the guard.

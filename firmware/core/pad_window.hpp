@@ -8,6 +8,7 @@
 #include "core/flight_plan.hpp"
 #include "core/inputs.hpp"
 #include "core/low_pass.hpp"
+#include "core/pad_movement.hpp"
 #include "core/vector3.hpp"
 
 namespace fantail::core {
@@ -45,13 +46,19 @@ class PadWindow {
   /// How long the rocket has been at rest, up to now; zero while it moves.
   [[nodiscard]] Microseconds at_rest_for(Microseconds now) const;
 
+  /// What it did since it last rested for so long that the average is of that rest alone: 3.5 to 3.6 s.
+  [[nodiscard]] const PadMovement& movement() const { return movement_; }
+
+  /// Until it has rested so, it counts as moved.
+  void require_rest() { movement_.require_rest(); }
+
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
     visit(force_squared_);
     visit.on_pad(blocks_);  // an empty block is not rest
-    visit(open_, last_time_, open_since_, rest_since_, average_);
-    visit.below(blocks_.size() + 1, closed_);
+    visit(open_, last_time_, open_since_, rest_since_, average_, movement_);
+    visit.below(blocks_.size() + 1, closed_, still_);
     visit.below(blocks_.size(), next_);
     forget_window();  // follows from the blocks, which may be others now
   }
@@ -79,7 +86,9 @@ class PadWindow {
     }
   };
 
+  bool go_on(Microseconds time);
   bool close_block();
+  void judge_movement(Microseconds length);
   void restart();
   void sum_one_more();
   void forget_window();
@@ -88,7 +97,9 @@ class PadWindow {
   MotionPlan plan_;
   LowPass force_squared_{16.0F};  ///< one sample's noise is not motion
   std::size_t closed_ = 0;        ///< blocks closed so far, up to the size of the ring
+  std::size_t still_ = 0;         ///< of these, in a row, up to the last one
   std::size_t next_ = 0;
+  PadMovement movement_;
   Block open_;
   Block
       window_;  ///< of the average that is made when the open block closes: its blocks are summed one a tick until then

@@ -32,6 +32,9 @@ std::string_view name(PhaseReason reason) {
     case PhaseReason::timing_fault: return "timing_fault";
     case PhaseReason::canard_fault: return "canard_fault";
     case PhaseReason::memory_fault: return "memory_fault";
+    case PhaseReason::moved_without_launch: return "moved_without_launch";
+    case PhaseReason::rested: return "rested";
+    case PhaseReason::flew_without_launch: return "flew_without_launch";
   }
   return "unknown";
 }

@@ -17,4 +17,6 @@ struct Vector3 {
   }
 };
 
+[[nodiscard]] constexpr Vector3 minus(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
 }  // namespace fantail::core

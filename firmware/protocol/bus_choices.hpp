@@ -90,6 +90,8 @@ constexpr unsigned choice(SelfTestFailure value) {
     case newer_plan: return CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE;
     case second_gyro_failed: return CANARD_BUS_ARM_REPLY_FAILURE_SECOND_GYRO_FAILED_CHOICE;
     case gyros_disagree: return CANARD_BUS_ARM_REPLY_FAILURE_GYROS_DISAGREE_CHOICE;
+    case gyro_turns: return CANARD_BUS_ARM_REPLY_FAILURE_GYRO_TURNS_CHOICE;
+    case second_gyro_turns: return CANARD_BUS_ARM_REPLY_FAILURE_SECOND_GYRO_TURNS_CHOICE;
   }
   return no_choice;
 }

@@ -44,6 +44,9 @@ constexpr unsigned choice(core::PhaseReason value) {
     case timing_fault: return CANARD_BUS_STATUS_REPORT_REASON_TIMING_FAULT_CHOICE;
     case canard_fault: return CANARD_BUS_STATUS_REPORT_REASON_CANARD_FAULT_CHOICE;
     case memory_fault: return CANARD_BUS_STATUS_REPORT_REASON_MEMORY_FAULT_CHOICE;
+    case moved_without_launch: return CANARD_BUS_STATUS_REPORT_REASON_MOVED_WITHOUT_LAUNCH_CHOICE;
+    case rested: return CANARD_BUS_STATUS_REPORT_REASON_RESTED_CHOICE;
+    case flew_without_launch: return CANARD_BUS_STATUS_REPORT_REASON_FLEW_WITHOUT_LAUNCH_CHOICE;
   }
   return no_choice;
 }

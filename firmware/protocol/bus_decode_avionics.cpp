@@ -25,7 +25,8 @@ std::optional<StatusReport> read_status(const StatusReportFrame::Raw& raw) {
   const auto phase = known<core::Phase>(raw.phase);
   const auto reason = known<core::PhaseReason>(raw.reason);
   const auto command_status = known<core::CommandStatus>(raw.command_status);
-  if (!phase || !reason || !command_status || !canard_bus_status_report_roll_command_is_in_range(raw.roll_command)) {
+  if (!phase || !reason || !command_status || !canard_bus_status_report_roll_command_is_in_range(raw.roll_command) ||
+      !canard_bus_status_report_gyro_bias_is_in_range(raw.gyro_bias)) {
     return std::nullopt;
   }
   StatusReport message{.phase = *phase,
@@ -38,7 +39,8 @@ std::optional<StatusReport> read_status(const StatusReportFrame::Raw& raw) {
                        .session_open = raw.session_open != 0,
                        .self_test_running = raw.self_test_running != 0,
                        .timing_fault = raw.timing_fault != 0,
-                       .every_tick = raw.every_tick != 0};
+                       .every_tick = raw.every_tick != 0,
+                       .gyro_bias_rad_s = core::Angle::from_degrees(GyroBias::value(raw.gyro_bias)).radians()};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     message.limited[i] = raw.*signals::limited[i] != 0;
   }

@@ -43,7 +43,8 @@ struct StatusReport {
   bool session_open = false;
   bool self_test_running = false;
   bool timing_fault = false;
-  bool every_tick = false;  ///< commands and encoders are reported every millisecond now
+  bool every_tick = false;       ///< commands and encoders are reported every millisecond now
+  float gyro_bias_rad_s = 0.0F;  ///< about the long axis: what rest on the pad has shown, and is taken off
 };
 
 struct MotionReport {
@@ -95,6 +96,8 @@ enum class SelfTestFailure : std::uint8_t {
   newer_plan,          ///< the stored plan was made for a newer version of the firmware
   second_gyro_failed,  ///< of two that the plan asks for
   gyros_disagree,
+  gyro_turns,  ///< reads a steady turn beyond largest_gyro_bias_rad_s(), as the following
+  second_gyro_turns,
 };
 
 /// Of the last ArmRequest, whatever it asked for. What is refused changes nothing; only a wrong nonce voids the right

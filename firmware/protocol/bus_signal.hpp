@@ -49,6 +49,8 @@ using CanardAngle =
 using CanardLimit = Scaled<canard_bus_limit_report_canard_1_encode, canard_bus_limit_report_canard_1_decode, 0, 2047>;
 using RollCommand =
     Scaled<canard_bus_status_report_roll_command_encode, canard_bus_status_report_roll_command_decode, -2047, 2047>;
+using GyroBias =
+    Scaled<canard_bus_status_report_gyro_bias_encode, canard_bus_status_report_gyro_bias_decode, -2047, 2047>;
 using RollAngle =
     Scaled<canard_bus_motion_report_roll_angle_encode, canard_bus_motion_report_roll_angle_decode, -32767, 32767>;
 using RollRate =

@@ -24,6 +24,7 @@ inline constexpr std::uint32_t ticks_per_pattern_step = 125;
     case Signal::faulty: return {"#.#.#.#.#.#.#.#.", "#.#............."};
     case Signal::self_test: return {"#.......#.......", "#...#...#...#..."};  // the canards move: hands off
     case Signal::armed: return {"##......##......", "##......##......"};
+    case Signal::armed_not_ready: return {"#.#.....#.#.....", "#.#.....#.#....."};
     case Signal::flying: return {"################", "................"};
     case Signal::finished: return {"########........", "########........"};  // to be found by
   }

@@ -245,7 +245,20 @@ TEST(BoardWatch, LampAndBuzzerShowWhatItDoes) {
   EXPECT_EQ(rig.hardware.shown, Signal::finished);
 }
 
-TEST(BoardWatch, ALaunchedRocketFlies) { EXPECT_EQ(signal_of(Phase::launched, false, true), Signal::flying); }
+TEST(BoardWatch, ALaunchedRocketFlies) {
+  EXPECT_EQ(signal_of(Phase::launched, core::PhaseReason::launch_detected, false, true), Signal::flying);
+}
+
+TEST(BoardWatch, AnArmedRocketThatMustRestFirstShowsThatItIsNotReady) {
+  using enum core::PhaseReason;
+  for (const core::PhaseReason reason :
+       {moved_without_launch, guide_not_cleared_in_time, gyro_failed_before_control, timing_fault_before_control}) {
+    EXPECT_EQ(signal_of(Phase::armed, reason, false, true), Signal::armed_not_ready);
+  }
+  for (const core::PhaseReason reason : {armed_by_switch_and_command, rested}) {
+    EXPECT_EQ(signal_of(Phase::armed, reason, false, true), Signal::armed);
+  }
+}
 
 }  // namespace
 }  // namespace fantail::avionics

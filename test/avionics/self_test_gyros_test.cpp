@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "avionics/self_test.hpp"
@@ -42,13 +44,47 @@ TEST(SelfTest, NamesTheGyroOfTwoThatFailed) {
 // A count of the rig is 0.001 rad/s.
 TEST(SelfTest, FailsWhenTheGyrosDisagreeByMoreThanThePlanAllows) {
   core::FlightPlan plan = two_gyros();
-  plan.sensors.gyro_disagreement_rad_s = 0.02F;
+  plan.sensors.gyro_disagreement_rad_s = 0.012F;
   for (const bool disagree : {true, false}) {
     BoardRig rig{plan};
     rig.hardware.second_imu_is_fitted = true;
-    rig.hardware.second_imu.rate = {static_cast<std::int16_t>(disagree ? 25 : 19), 0, 0};
+    rig.hardware.second_imu.rate = {static_cast<std::int16_t>(disagree ? 15 : 11), 0, 0};
     EXPECT_EQ(outcome(rig).failure, disagree ? SelfTestFailure::gyros_disagree : SelfTestFailure::none);
   }
+}
+
+// Half the plan's quiet rate is 17.5 counts; beyond 34.9 it is never at rest.
+TEST(SelfTest, NamesAGyroWhoseZeroIsFurtherOffThanItsDataSheetAllows) {
+  for (const auto& [counts, failure] :
+       {std::pair{17, SelfTestFailure::none}, std::pair{18, SelfTestFailure::gyro_turns},
+        std::pair{-44, SelfTestFailure::gyro_turns}}) {
+    for (const std::size_t axis : {0U, 1U, 2U}) {
+      BoardRig rig;
+      rig.hardware.imu.rate[axis] = static_cast<std::int16_t>(counts);
+      EXPECT_EQ(outcome(rig).failure, failure) << counts << " " << axis;
+    }
+  }
+}
+
+TEST(SelfTest, TwoGyrosThatAgreeOnATurnAreNoProofOfRest) {
+  BoardRig rig{two_gyros()};
+  rig.hardware.second_imu_is_fitted = true;
+  rig.hardware.imu.rate = rig.hardware.second_imu.rate = {25, 0, 0};
+  EXPECT_EQ(outcome(rig).failure, SelfTestFailure::gyro_turns);
+  rig.hardware.imu.rate = {15, 0, 0};
+  rig.hardware.second_imu.rate = {20, 0, 0};
+  rig.run(5 * second);
+  EXPECT_EQ(outcome(rig).failure, SelfTestFailure::second_gyro_turns);
+}
+
+TEST(SelfTest, ARocketInHandsHasMovedAndItsGyroIsNotBlamed) {
+  BoardRig rig;
+  rig.pc.say(ArmAction::self_test);
+  for (int i = 0; i < 30; ++i) {
+    rig.hardware.imu.rate = {static_cast<std::int16_t>(i % 2 == 0 ? 100 : -60), 0, 0};
+    rig.run(second / 2);
+  }
+  EXPECT_EQ(rig.pc.heard<ArmReply>()->failure, SelfTestFailure::moved);
 }
 
 TEST(SelfTest, ASecondGyroThatFailsWhileTheCanardsMoveFailsIt) {

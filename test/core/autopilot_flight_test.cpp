@@ -98,11 +98,11 @@ TEST(AutopilotFlight, KnockThatFiresTheLowPassedRuleNeverMovesACanard) {
     EXPECT_EQ(rocket.run_until_phase_changes((after_g - 1.0) * g), ms(1'500));
     rocket.expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
 
-    // A real launch right behind it is not believed; after two seconds at rest it is.
+    // A real launch right behind it is not believed; after 3.6 seconds at rest, when the attitude is taken anew, it is.
     rocket.run(ms(1'900));
     rocket.run(ms(600), 40.0);
     rocket.expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
-    rocket.run(ms(2'200));
+    rocket.run(ms(3'800));
     rocket.run_until_phase_changes(40.0);
     rocket.expect(Phase::launched, PhaseReason::launch_detected);
     rocket.run_until_phase_changes(40.0);

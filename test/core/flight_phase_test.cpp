@@ -107,30 +107,14 @@ TEST(FlightPhase, GuideThatIsNotClearedInTimeGoesBackToArmed) {
   sequence.expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
 }
 
-TEST(FlightPhase, AfterAFailedGateNothingIsDetectedBeforeTwoSecondsAtRest) {
+TEST(FlightPhase, GuideIsNotClearWhileTheGyroIsSilent) {
   Sequence sequence;
   sequence.arm().launch();
-  sequence.next.time += ms(1'500);
+  sequence.next.motion.gyro = SensorState::lost;
+  sequence.clear_guide().expect(Phase::launched, PhaseReason::launch_detected);
+  sequence.next.motion.gyro = SensorState::coasting;
   sequence.tick();
-  EXPECT_FALSE(sequence.phases().listens_for_launch());
-  sequence.launch().expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
-  sequence.next.motion.at_rest_for = ms(1'999);
-  sequence.launch().expect(Phase::armed, PhaseReason::guide_not_cleared_in_time);
-  sequence.next.motion.at_rest_for = ms(2'000);
-  sequence.tick();
-  EXPECT_TRUE(sequence.phases().listens_for_launch());
-  sequence.next.motion.at_rest_for = ms(0);
-  sequence.launch().expect(Phase::launched, PhaseReason::launch_detected);
-}
-
-TEST(FlightPhase, DisarmingDoesNotExcuseFromTheRest) {
-  Sequence sequence;
-  sequence.arm().launch();
-  sequence.next.time += ms(1'500);
-  sequence.tick();
-  sequence.tick([](Tick& i) { i.arm_switch_closed = false; });
-  sequence.arm().expect(Phase::armed, PhaseReason::armed_by_switch_and_command);
-  EXPECT_FALSE(sequence.phases().listens_for_launch());
+  sequence.expect(Phase::controlling, PhaseReason::guide_clear);
 }
 
 TEST(FlightPhase, FaultBeforeControlGoesBackToThePad) {

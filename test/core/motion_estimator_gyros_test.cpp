@@ -93,7 +93,7 @@ Inputs on_the_pad(Microseconds measured, float roll_rate_rad_s, float across_m_s
 TEST(MotionOnThePad, TheFirstBiasOfAllIsTheMeanOfTheFirstThreeSeconds) {
   MotionEstimator estimator{default_plan().motion};
   for (int t = 0; t <= 3'501; ++t) {
-    estimator.update(on_the_pad(Microseconds{t * 1'000}, 0.03125F, standard_gravity_m_s2));
+    estimator.update(on_the_pad(Microseconds{t * 1'000}, 0.015625F, standard_gravity_m_s2));
   }
   EXPECT_NEAR(estimator.motion(Microseconds{3'501'000}).roll_rate_rad_s, 0.0F, 1e-7F);
 }

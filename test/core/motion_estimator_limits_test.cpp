@@ -108,7 +108,7 @@ TEST(MotionEstimator, AFastTurnAcrossTheAxisTiltsTheRocketAsFarAsItsRateSays) {
 }
 
 TEST(MotionEstimator, TheBiasAcrossTheAxisTiltsNothing) {
-  for (const std::array bias : {std::array{0.0, 0.03, 0.0}, std::array{0.0, 0.0, 0.03}}) {
+  for (const std::array bias : {std::array{0.0, 0.017, 0.0}, std::array{0.0, 0.0, 0.017}}) {
     Flight flight{{.gyro_bias_rad_s = bias}};
     flight.stand();
     flight.estimator.begin_flight(flight.rig.time());

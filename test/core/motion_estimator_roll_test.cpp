@@ -88,7 +88,7 @@ TEST(RollAngle, PositiveRollTurnsYTowardsZ) {
 }
 
 TEST(RollAngle, HoursOnThePadCostNothing) {
-  Spin spin{{.gyro_bias_rad_s = {0.02, -0.01, 0.005}}};
+  Spin spin{{.gyro_bias_rad_s = {0.012, -0.01, 0.005}}};
   // Twelve hours have gone by before the first sample, and then come some minutes of waiting.
   spin.rig.advance(Microseconds{12LL * 3'600'000'000}, 0.0, 0.0);
   spin.run(ms(120'000), 0.0);
@@ -124,7 +124,7 @@ TEST(RollAngle, TheFastestAdmissibleRatesLeaveTheAttitudeARotation) {
 }
 
 TEST(GyroBias, IsTheMeanOfTheStillWindowAndIsFrozenAtDetection) {
-  Spin spin{{.gyro_bias_rad_s = {0.03, 0.0, 0.0}}};
+  Spin spin{{.gyro_bias_rad_s = {0.015, 0.0, 0.0}}};
   spin.run(ms(4'000), 0.0);
   EXPECT_NEAR(spin.motion().roll_rate_rad_s, 0.0F, 1e-6F);
   spin.run(ms(450), 0.01);  // what happens in the last half second does not count
@@ -135,7 +135,7 @@ TEST(GyroBias, IsTheMeanOfTheStillWindowAndIsFrozenAtDetection) {
 }
 
 TEST(GyroBias, MotionVoidsTheWindowAndTheLastGoodBiasStays) {
-  Spin spin{{.gyro_bias_rad_s = {0.03, 0.0, 0.0}}};
+  Spin spin{{.gyro_bias_rad_s = {0.015, 0.0, 0.0}}};
   spin.run(ms(4'000), 0.0);
   for (int i = 0; i < 10; ++i) {
     spin.run(ms(100), 0.5);
@@ -146,7 +146,7 @@ TEST(GyroBias, MotionVoidsTheWindowAndTheLastGoodBiasStays) {
 
 TEST(GyroBias, IsLearntFromAGyroThatIsSlowerThanTheTickAndLosesSamples) {
   for (const bool slow : {false, true}) {
-    Spin spin{{.gyro_bias_rad_s = {0.03, 0.0, 0.0}}};
+    Spin spin{{.gyro_bias_rad_s = {0.015, 0.0, 0.0}}};
     Inputs held;
     for (int i = 0; i < 5'000; ++i) {
       spin.rig.advance(one_ms, 0.0, 0.0);

@@ -22,7 +22,7 @@ class Watched {
   explicit Watched(const MotionPlan& plan = default_plan().motion) : window{plan} {}
 
   static Vector3 rate(int sample) {
-    const float r = static_cast<float>(sample % 20'000) * 0x1p-20F;
+    const float r = static_cast<float>(sample % 20'000) * 0x1p-22F;
     return {r, -r, 2.0F * r};
   }
   static Vector3 force(int sample) {

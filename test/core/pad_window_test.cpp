@@ -37,11 +37,11 @@ TEST(PadWindow, KnowsNothingBeforeItHasSeenThreeSecondsAndTheGuard) {
 TEST(PadWindow, AveragesAllThreeAxesOfBothSensors) {
   Pad pad;
   const Vector3 tilted{0.9659258F * g, 0.2588190F * g, 0.0F};
-  pad.stand(ms(4'000), {0.01F, -0.02F, 0.03F}, tilted);
+  pad.stand(ms(4'000), {0.01F, -0.015F, 0.017F}, tilted);
   const PadAverage& average = *pad.window.average();
   EXPECT_NEAR(average.gyro_bias_rad_s.x, 0.01F, 1e-7F);
-  EXPECT_NEAR(average.gyro_bias_rad_s.y, -0.02F, 1e-7F);
-  EXPECT_NEAR(average.gyro_bias_rad_s.z, 0.03F, 1e-7F);
+  EXPECT_NEAR(average.gyro_bias_rad_s.y, -0.015F, 1e-7F);
+  EXPECT_NEAR(average.gyro_bias_rad_s.z, 0.017F, 1e-7F);
   EXPECT_NEAR(average.specific_force_m_s2.x, tilted.x, 1e-4F);
   EXPECT_NEAR(average.specific_force_m_s2.y, tilted.y, 1e-4F);
   EXPECT_NEAR(average.specific_force_m_s2.z, 0.0F, 1e-4F);
@@ -70,10 +70,10 @@ TEST(PadWindow, MotionVoidsTheWindowAndTheLastGoodOneStays) {
       pad.stand(ms(5'000), {0.01F, 0.0F, 0.0F});
       pad.stand(ms(5'000 + length_ms), by_rate ? turning : Vector3{0.01F, 0.0F, 0.0F},
                 by_rate ? upright_at_rest : lifted);
-      pad.stand(ms(8'600), {0.02F, 0.0F, 0.0F});
+      pad.stand(ms(8'600), {0.015F, 0.0F, 0.0F});
       EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.01F, 1e-7F) << by_rate << " " << length_ms;
-      pad.stand(ms(9'000), {0.02F, 0.0F, 0.0F});
-      EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.02F, 1e-7F) << by_rate << " " << length_ms;
+      pad.stand(ms(9'000), {0.015F, 0.0F, 0.0F});
+      EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.015F, 1e-7F) << by_rate << " " << length_ms;
     }
   }
 }
@@ -108,12 +108,12 @@ TEST(PadWindow, GapThatNobodyWatchedIsNotRest) {
   Pad pad;
   pad.stand(ms(5'000), {0.01F, 0.0F, 0.0F});
   pad.now = ms(8'000);  // perhaps somebody carried it
-  pad.stand(ms(8'001), {0.02F, 0.0F, 0.0F});
+  pad.stand(ms(8'001), {0.015F, 0.0F, 0.0F});
   EXPECT_EQ(pad.window.at_rest_for(ms(8'001)), ms(1));
-  pad.stand(ms(11'400), {0.02F, 0.0F, 0.0F});
+  pad.stand(ms(11'400), {0.015F, 0.0F, 0.0F});
   EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.01F, 1e-7F);
-  pad.stand(ms(12'000), {0.02F, 0.0F, 0.0F});
-  EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.02F, 1e-7F);
+  pad.stand(ms(12'000), {0.015F, 0.0F, 0.0F});
+  EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.015F, 1e-7F);
 }
 
 TEST(PadWindow, ClockThatJumpsBackStartsOverAndThenWorks) {
@@ -121,17 +121,17 @@ TEST(PadWindow, ClockThatJumpsBackStartsOverAndThenWorks) {
   pad.now = ms(100'000);
   pad.stand(ms(105'000), {0.01F, 0.0F, 0.0F});
   pad.now = ms(1'000);
-  pad.stand(ms(5'000), {0.02F, 0.0F, 0.0F});
+  pad.stand(ms(5'000), {0.015F, 0.0F, 0.0F});
   EXPECT_EQ(pad.window.at_rest_for(ms(5'000)), ms(4'000));
-  EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.02F, 1e-7F);
+  EXPECT_NEAR(pad.window.average()->gyro_bias_rad_s.x, 0.015F, 1e-7F);
 }
 
 TEST(PadWindow, AverageIsTheSameAfterTenHours) {
   Pad early;
   Pad late;
   late.now = Microseconds{36'000'000'000};
-  early.stand(early.now + ms(4'000), {0.0123F, -0.004F, 0.02F}, {g, 0.3F, -0.2F});
-  late.stand(late.now + ms(4'000), {0.0123F, -0.004F, 0.02F}, {g, 0.3F, -0.2F});
+  early.stand(early.now + ms(4'000), {0.0123F, -0.004F, 0.015F}, {g, 0.3F, -0.2F});
+  late.stand(late.now + ms(4'000), {0.0123F, -0.004F, 0.015F}, {g, 0.3F, -0.2F});
   EXPECT_EQ(early.window.average()->gyro_bias_rad_s.x, late.window.average()->gyro_bias_rad_s.x);
   EXPECT_EQ(early.window.average()->specific_force_m_s2.y, late.window.average()->specific_force_m_s2.y);
 }

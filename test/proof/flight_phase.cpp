@@ -6,8 +6,11 @@
 //   - Controlling is entered from Launched of a launch plan, or by the start command of a tunnel plan at rest; so there
 //   is
 //     no way from Safe to Controlling without switch and command, and no command starts a launch plan;
-//   - from Launched only beyond the guide, fast enough, and while the accelerometers agree;
+//   - from Launched only beyond the guide, fast enough, while the accelerometers agree and the gyro is not silent;
 //   - Launched is entered from Armed, by a detection that was listened for;
+//   - a rocket that has moved without a launch, or that has come back from Launched, listens for none: in no later tick
+//     either, before it has rested for the plan's time, near the vertical, and since it last moved;
+//   - an armed rocket that has fallen is Finished, unless its switch is open;
 //   - Finished is final, and Controlling is left for Finished alone.
 #include "core/flight_phase.cpp"
 
@@ -49,9 +52,14 @@ int main() {
   motion.gyro = any_of<SensorState>(4);
   motion.speed_is_lower_bound = nondet_bool();
   motion.at_rest_for = any_time();
+  motion.has_moved = nondet_bool();
+  motion.has_fallen = nondet_bool();
 
   const Phase from = phase.phase();
-  const bool listened = phase.listens_for_launch() || motion.at_rest_for >= motion_plan.rest_time;
+  const bool launches = run.start == Start::launch;
+  const bool rested = motion.at_rest_for >= motion_plan.rest_time && !motion.has_moved;
+  const bool listened_before = phase.listens_for_launch();
+  const bool listened = (listened_before && !motion.has_moved) || rested;
   const bool changed = phase.update(inputs, motion);
   const Phase to = phase.phase();
 
@@ -67,16 +75,24 @@ int main() {
          motion.at_rest_for >= motion_plan.rest_time));
   CLAIM(!(from == Phase::launched && to == Phase::controlling) ||
         (motion.distance_along_guide_m >= guide.length_m + guide.clearance_m &&
-         motion.speed_m_s > guide.minimum_speed_m_s && inputs.accelerometers_agree && !inputs.timing_fault));
+         motion.speed_m_s > guide.minimum_speed_m_s && inputs.accelerometers_agree && !inputs.timing_fault &&
+         motion.gyro != SensorState::lost && motion.gyro != SensorState::failed));
   CLAIM(from != Phase::launched || to == Phase::launched || to == Phase::controlling || to == Phase::armed);
   CLAIM(from != Phase::controlling || to == Phase::controlling || to == Phase::finished);
   CLAIM(from != Phase::finished || to == Phase::finished);
-  CLAIM(to != Phase::finished || from == Phase::finished || from == Phase::controlling);
+  CLAIM(to != Phase::finished || from == Phase::finished || from == Phase::controlling ||
+        (from == Phase::armed && launches && motion.has_fallen));
+  CLAIM(!(from == Phase::armed && launches && motion.has_fallen) || to == Phase::finished || to == Phase::safe);
+  CLAIM(!(from == Phase::armed && motion.has_moved) || !phase.listens_for_launch());
+  CLAIM(!(from == Phase::armed && !listened_before && !rested) || !phase.listens_for_launch());
+  CLAIM(!(from == Phase::launched && to == Phase::armed) || !phase.listens_for_launch());
   CLAIM(!(to == Phase::controlling && changed) || phase.control_start() == inputs.time);
 
   REACHABLE(1, from == Phase::safe && to == Phase::armed);
   REACHABLE(2, from == Phase::launched && to == Phase::controlling);
   REACHABLE(3, from == Phase::armed && to == Phase::controlling);
   REACHABLE(4, from == Phase::controlling && to == Phase::finished);
+  REACHABLE(5, from == Phase::armed && to == Phase::finished);
+  REACHABLE(6, from == Phase::armed && !listened_before && phase.listens_for_launch());
   return 0;
 }

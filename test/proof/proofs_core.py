@@ -74,9 +74,9 @@ PROOFS = [
     Proof(
         "flight_phase",
         "Safe becomes Controlling only by way of switch and command; the switch disarms; no command starts a "
-        "launch plan; Finished is final",
+        "launch plan; what has moved must rest before a launch; Finished is final",
         "flight_phase.cpp",
-        4,
+        6,
         (
             Bug(
                 "the switch alone arms", PHASE, "inputs.arm_switch_closed && inputs.arm_command", "inputs.arm_switch_closed"
@@ -90,6 +90,10 @@ PROOFS = [
             ),
             Bug("control begins inside the guide", PHASE, "beyond_guide && motion.speed_m_s", "motion.speed_m_s"),
             Bug("control begins by one of two", PHASE, " && inputs.accelerometers_agree", ""),
+            Bug("control begins with a silent gyro", PHASE, "clear && motion.gyro != SensorState::lost", "clear"),
+            Bug("movement asks for no rest", PHASE, "|| (waits && motion.has_moved)", ""),
+            Bug("rest while it moves is enough", PHASE, " && !motion.has_moved && motion.tilt", " && motion.tilt"),
+            Bug("a flight without detection goes on", PHASE, "Start::launch && motion.has_fallen", "Start::tunnel && motion.has_fallen"),
             Bug(
                 "Finished is not final",
                 PHASE,

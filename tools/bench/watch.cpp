@@ -219,6 +219,7 @@ std::string Watch::json() const {
   json["arm_switch_closed"] = status ? Json(status->arm_switch_closed) : Json{};
   json["at_rest"] = status ? Json(status->at_rest) : Json{};
   json["session_open"] = status ? Json(status->session_open) : Json{};
+  json["gyro_bias_deg_s"] = status ? Json(text::degrees(static_cast<double>(status->gyro_bias_rad_s))) : Json{};
   json["self_test_running"] = status ? Json(status->self_test_running) : Json{};
   json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : Json{};
   json["plan_crc"] = heartbeat ? Json(fmt::format("{:08x}", heartbeat->plan_crc)) : Json{};

@@ -26,10 +26,15 @@ void note_missed_ticks(Flight& flight, double time_s) {
 
 void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
   const core::Phase before = flight.phase_changes.empty() ? core::Phase::safe : flight.phase_changes.back().phase;
-  if (record.phase == before) {
+  const bool has_new_reason = !flight.phase_changes.empty() && flight.phase_changes.back().reason &&
+                              flight.phase_changes.back().reason != record.reason;
+  if (record.phase == before && !has_new_reason) {
     return;
   }
   flight.phase_changes.push_back({time_s, record.phase, record.reason});
+  if (record.phase == core::Phase::launched || record.phase == core::Phase::controlling) {
+    flight.gyro_bias_rad_s = record.motion.gyro_bias_rad_s;
+  }
   if (record.reason == core::PhaseReason::timing_fault ||
       record.reason == core::PhaseReason::timing_fault_before_control) {
     note_missed_ticks(flight, time_s);

@@ -180,6 +180,7 @@ struct Flight {
   std::vector<std::string> notes;  ///< faults and assumptions, a sentence each
   Events events;
   std::vector<PhaseChange> phase_changes;
+  std::optional<core::Vector3> gyro_bias_rad_s;  ///< that the law took off; empty: it never flew, or a table
   std::vector<CanardVerdictChange> canard_verdict_changes;
   Unmeasured unmeasured;
   std::vector<Outage> outages;

@@ -33,6 +33,9 @@ std::string_view display_name(core::PhaseReason reason) {
     case PhaseReason::timing_fault: return "a timing fault";
     case PhaseReason::canard_fault: return "a canard fault";
     case PhaseReason::memory_fault: return "damaged memory";
+    case PhaseReason::moved_without_launch: return "moved without a launch, must rest";
+    case PhaseReason::rested: return "at rest again";
+    case PhaseReason::flew_without_launch: return "flew without a detected launch";
   }
   return "unknown";
 }

@@ -103,7 +103,8 @@ class Bus {
                                   .arm_switch_closed = tick.arm_switch_closed,
                                   .at_rest = plan && record.motion.at_rest_for >= plan->motion.rest_time,
                                   .timing_fault = record.timing_fault,
-                                  .every_tick = every_tick};
+                                  .every_tick = every_tick,
+                                  .gyro_bias_rad_s = record.motion.gyro_bias_rad_s.x};
     for (std::size_t i = 0; i < report.limited.size(); ++i) {
       report.limited[i] = record.canards[i].limited;
     }

@@ -77,6 +77,12 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
     case Failure::board_fault: return "the board has a fault; `fantail bench watch` shows it";
     case Failure::second_gyro_failed: return "the second gyro that the plan asks for gives no usable rate";
     case Failure::gyros_disagree: return "the two gyros disagree by more than the plan allows";
+    case Failure::gyro_turns:
+      return "the gyro reads a steady turn: its zero is off by more than half the plan's motion.quiet_rate_deg_s, or "
+             "the rocket turns";
+    case Failure::second_gyro_turns:
+      return "the second gyro reads a steady turn: its zero is off by more than half the plan's "
+             "motion.quiet_rate_deg_s, or the rocket turns";
     case Failure::newer_plan:
       return "the plan in the flash was made for a newer version of the firmware: flash that version, or send a plan";
   }

@@ -45,6 +45,11 @@ std::string why_no_control(const flight::Flight& flight) {
   switch (*last.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
       return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
+    case core::PhaseReason::rested: return "no launch was detected";
+    case core::PhaseReason::moved_without_launch:
+      return "no launch was detected: the rocket had moved and had to rest first, from " + when + " on";
+    case core::PhaseReason::flew_without_launch:
+      return "no launch was detected, and from " + when + " on the rocket knew that it had missed one";
     case core::PhaseReason::launch_detected:
       return "the run ended before the guide was clear; launch was detected at " + when;
     case core::PhaseReason::guide_not_cleared_in_time:

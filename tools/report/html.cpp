@@ -70,6 +70,10 @@ std::string figure_list(const flight::Flight& flight, const Figures& f, bool rol
   }
   add("Net roll", f.roll_turns, 2, "turns", "under control");
   add("Net roll without control", f.roll_turns_without_control, 2, "turns", "canards at trim");
+  if (flight.gyro_bias_rad_s) {
+    add("Gyro zero", text::degrees(static_cast<double>(flight.gyro_bias_rad_s->x)), 2, "deg/s",
+        "about the long axis; taken off");
+  }
   if (flight.known.phase) {
     list.push_back({"Final phase", flight::display_name(f.final_phase), "", ""});
   }

@@ -29,6 +29,18 @@ Json events(const flight::Events& events) {
   return all;
 }
 
+/// About each body axis, the long one first.
+Json gyro_bias(const flight::Flight& flight) {
+  if (!flight.gyro_bias_rad_s) {
+    return {};
+  }
+  Json all = Json::array();
+  for (const float rad_s : {flight.gyro_bias_rad_s->x, flight.gyro_bias_rad_s->y, flight.gyro_bias_rad_s->z}) {
+    all.push_back(rounded(text::degrees(static_cast<double>(rad_s))));
+  }
+  return all;
+}
+
 Json phase_changes(const flight::Flight& flight) {
   Json all = Json::array();
   for (const flight::PhaseChange& change : flight.phase_changes) {
@@ -176,6 +188,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"at_limit_since_s", rounded(figures.at_limit_since_s)},
                   {"final_phase", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},
                   {"phase_changes", phase_changes(flight)},
+                  {"gyro_bias_deg_s", gyro_bias(flight)},
                   {"canard_verdicts", canard_verdicts(flight)},
                   {"imposed_roll", imposed_roll(flight)},
                   {"why_not_armed", text_or_null(flight.why_not_armed)},

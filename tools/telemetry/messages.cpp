@@ -27,13 +27,13 @@ constexpr int unknown = -1;
 
 // Enumerations are sent as the enumerators' numbers; this is the highest of each.
 constexpr int highest(Phase /*of*/) { return fantail_lcm::state_t::PHASE_FINISHED; }
-constexpr int highest(PhaseReason /*of*/) { return fantail_lcm::state_t::REASON_MEMORY_FAULT; }
+constexpr int highest(PhaseReason /*of*/) { return fantail_lcm::state_t::REASON_FLEW_WITHOUT_LAUNCH; }
 constexpr int highest(CommandStatus /*of*/) { return fantail_lcm::state_t::COMMAND_NOT_FINITE; }
 constexpr int highest(CanardVerdict /*of*/) { return fantail_lcm::canards_t::VERDICT_DISAGREEING; }
 constexpr int highest(SensorState /*of*/) { return fantail_lcm::health_t::SENSOR_FAILED; }
 constexpr int highest(CanState /*of*/) { return fantail_lcm::health_t::BUS_DOWN; }
 static_assert(static_cast<int>(Phase::finished) == highest(Phase{}));
-static_assert(static_cast<int>(PhaseReason::memory_fault) == highest(PhaseReason{}));
+static_assert(static_cast<int>(PhaseReason::flew_without_launch) == highest(PhaseReason{}));
 static_assert(static_cast<int>(CommandStatus::not_finite) == highest(CommandStatus{}));
 static_assert(static_cast<int>(CanardVerdict::disagreeing) == highest(CanardVerdict{}));
 static_assert(static_cast<int>(SensorState::failed) == highest(SensorState{}));

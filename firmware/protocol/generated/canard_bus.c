@@ -1857,6 +1857,7 @@ int canard_bus_status_report_pack(
     const struct canard_bus_status_report_t *src_p,
     size_t size)
 {
+    uint16_t gyro_bias;
     uint16_t roll_command;
 
     if (size < 8u) {
@@ -1882,6 +1883,9 @@ int canard_bus_status_report_pack(
     dst_p[5] |= pack_left_shift_u8(src_p->self_test_running, 4u, 0x10u);
     dst_p[5] |= pack_left_shift_u8(src_p->timing_fault, 5u, 0x20u);
     dst_p[5] |= pack_left_shift_u8(src_p->every_tick, 6u, 0x40u);
+    gyro_bias = (uint16_t)src_p->gyro_bias;
+    dst_p[6] |= pack_left_shift_u16(gyro_bias, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u16(gyro_bias, 8u, 0x0fu);
 
     return (8);
 }
@@ -1891,6 +1895,7 @@ int canard_bus_status_report_unpack(
     const uint8_t *src_p,
     size_t size)
 {
+    uint16_t gyro_bias;
     uint16_t roll_command;
 
     if (size < 8u) {
@@ -1919,6 +1924,14 @@ int canard_bus_status_report_unpack(
     dst_p->self_test_running = unpack_right_shift_u8(src_p[5], 4u, 0x10u);
     dst_p->timing_fault = unpack_right_shift_u8(src_p[5], 5u, 0x20u);
     dst_p->every_tick = unpack_right_shift_u8(src_p[5], 6u, 0x40u);
+    gyro_bias = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
+    gyro_bias |= unpack_left_shift_u16(src_p[7], 8u, 0x0fu);
+
+    if ((gyro_bias & (1u << 11)) != 0u) {
+        gyro_bias |= 0xf000u;
+    }
+
+    dst_p->gyro_bias = (int16_t)gyro_bias;
 
     return (0);
 }
@@ -1964,12 +1977,12 @@ float canard_bus_status_report_reason_decode(uint8_t value)
 
 bool canard_bus_status_report_reason_is_in_range(uint8_t value)
 {
-    return (value <= 15u);
+    return (value <= 18u);
 }
 
 bool canard_bus_status_report_reason_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 15.0f));
+    return ((value >= 0.0f) && (value <= 18.0f));
 }
 
 uint8_t canard_bus_status_report_command_status_encode(float value)
@@ -2230,6 +2243,26 @@ bool canard_bus_status_report_every_tick_is_in_range(uint8_t value)
 bool canard_bus_status_report_every_tick_is_in_phys_range(float value)
 {
     return ((value >= 0.0f) && (value <= 1.0f));
+}
+
+int16_t canard_bus_status_report_gyro_bias_encode(float value)
+{
+    return (int16_t)(value / 0.01f);
+}
+
+float canard_bus_status_report_gyro_bias_decode(int16_t value)
+{
+    return ((float)value * 0.01f);
+}
+
+bool canard_bus_status_report_gyro_bias_is_in_range(int16_t value)
+{
+    return ((value >= -2047) && (value <= 2047));
+}
+
+bool canard_bus_status_report_gyro_bias_is_in_phys_range(float value)
+{
+    return ((value >= -20.47f) && (value <= 20.47f));
 }
 
 int canard_bus_motion_report_pack(
@@ -2577,12 +2610,12 @@ float canard_bus_arm_reply_failure_decode(uint8_t value)
 
 bool canard_bus_arm_reply_failure_is_in_range(uint8_t value)
 {
-    return (value <= 17u);
+    return (value <= 19u);
 }
 
 bool canard_bus_arm_reply_failure_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 17.0f));
+    return ((value >= 0.0f) && (value <= 19.0f));
 }
 
 uint8_t canard_bus_arm_reply_canard_encode(float value)

@@ -176,6 +176,9 @@ extern "C" {
 #define CANARD_BUS_STATUS_REPORT_REASON_TIMING_FAULT_CHOICE (13u)
 #define CANARD_BUS_STATUS_REPORT_REASON_CANARD_FAULT_CHOICE (14u)
 #define CANARD_BUS_STATUS_REPORT_REASON_MEMORY_FAULT_CHOICE (15u)
+#define CANARD_BUS_STATUS_REPORT_REASON_MOVED_WITHOUT_LAUNCH_CHOICE (16u)
+#define CANARD_BUS_STATUS_REPORT_REASON_RESTED_CHOICE (17u)
+#define CANARD_BUS_STATUS_REPORT_REASON_FLEW_WITHOUT_LAUNCH_CHOICE (18u)
 
 #define CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_OUTSIDE_CONTROL_CHOICE (0u)
 #define CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_CONTROLLING_CHOICE (1u)
@@ -218,6 +221,8 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_FAILURE_NEWER_PLAN_CHOICE (15u)
 #define CANARD_BUS_ARM_REPLY_FAILURE_SECOND_GYRO_FAILED_CHOICE (16u)
 #define CANARD_BUS_ARM_REPLY_FAILURE_GYROS_DISAGREE_CHOICE (17u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_GYRO_TURNS_CHOICE (18u)
+#define CANARD_BUS_ARM_REPLY_FAILURE_SECOND_GYRO_TURNS_CHOICE (19u)
 
 #define CANARD_BUS_ARM_REPLY_CANARD_NONE_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_CANARD_CANARD_1_CHOICE (1u)
@@ -439,6 +444,7 @@ extern "C" {
 #define CANARD_BUS_STATUS_REPORT_SELF_TEST_RUNNING_NAME "self_test_running"
 #define CANARD_BUS_STATUS_REPORT_TIMING_FAULT_NAME "timing_fault"
 #define CANARD_BUS_STATUS_REPORT_EVERY_TICK_NAME "every_tick"
+#define CANARD_BUS_STATUS_REPORT_GYRO_BIAS_NAME "gyro_bias"
 #define CANARD_BUS_MOTION_REPORT_ROLL_ANGLE_NAME "roll_angle"
 #define CANARD_BUS_MOTION_REPORT_ROLL_RATE_NAME "roll_rate"
 #define CANARD_BUS_MOTION_REPORT_HEIGHT_NAME "height"
@@ -993,7 +999,7 @@ struct canard_bus_status_report_t {
     uint8_t phase;
 
     /**
-     * Range: 0..15 (0..15 -)
+     * Range: 0..18 (0..18 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1089,6 +1095,13 @@ struct canard_bus_status_report_t {
      * Offset: 0
      */
     uint8_t every_tick;
+
+    /**
+     * Range: -2047..2047 (-20.47..20.47 deg/s)
+     * Scale: 0.01
+     * Offset: 0
+     */
+    int16_t gyro_bias;
 };
 
 /**
@@ -1174,7 +1187,7 @@ struct canard_bus_arm_reply_t {
     uint8_t self_test;
 
     /**
-     * Range: 0..17 (0..17 -)
+     * Range: 0..19 (0..19 -)
      * Scale: 1
      * Offset: 0
      */
@@ -4891,6 +4904,46 @@ bool canard_bus_status_report_every_tick_is_in_range(uint8_t value);
  * @return true if in range, false otherwise.
  */
 bool canard_bus_status_report_every_tick_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t canard_bus_status_report_gyro_bias_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_status_report_gyro_bias_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_status_report_gyro_bias_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_status_report_gyro_bias_is_in_phys_range(float value);
 
 /**
  * Pack message MotionReport.

@@ -119,12 +119,13 @@ struct BoardStatus {
 
 /// Lights and tones: what a person at the pad sees and hears.
 enum class Signal : std::uint8_t {
-  safe,       ///< Safe, and nothing is wrong with the board or its flash
-  faulty,     ///< Safe, and it cannot be armed
-  self_test,  ///< Safe, while the self-test moves the canards
-  armed,      ///< Armed: a launch is waited for
-  flying,     ///< Launched or Controlling
-  finished,   ///< Finished: until the next power cycle
+  safe,             ///< Safe, and nothing is wrong with the board or its flash
+  faulty,           ///< Safe, and it cannot be armed
+  self_test,        ///< Safe, while the self-test moves the canards
+  armed,            ///< Armed: a launch is waited for
+  armed_not_ready,  ///< Armed, and it must rest before a launch can be detected
+  flying,           ///< Launched or Controlling
+  finished,         ///< Finished: until the next power cycle
 };
 
 /// What the board knows about itself, and its lamp and buzzer.

@@ -17,8 +17,9 @@ namespace {
 using test::FakeTimer;
 using test::RegisterWorld;
 
-constexpr std::array all_signals{Signal::safe,  Signal::faulty, Signal::self_test,
-                                 Signal::armed, Signal::flying, Signal::finished};
+constexpr std::array all_signals{Signal::safe,    Signal::faulty,          Signal::self_test,
+                                 Signal::armed,   Signal::armed_not_ready, Signal::flying,
+                                 Signal::finished};
 
 struct TheBoard : testing::Test {
   RegisterWorld world{};
@@ -125,8 +126,10 @@ TEST_F(TheBoard, NoTwoSignalsLookTheSameAndEachHasTwoSeconds) {
 }
 
 TEST_F(TheBoard, AnArmedRocketIsHeardAtLeastOnceASecondAndASafeOneIsSilent) {
-  EXPECT_NE(pattern(Signal::armed).sound.substr(0, 8).find('#'), std::string_view::npos);
-  EXPECT_NE(pattern(Signal::armed).sound.substr(8).find('#'), std::string_view::npos);
+  for (const Signal signal : {Signal::armed, Signal::armed_not_ready}) {
+    EXPECT_NE(pattern(signal).sound.substr(0, 8).find('#'), std::string_view::npos);
+    EXPECT_NE(pattern(signal).sound.substr(8).find('#'), std::string_view::npos);
+  }
   EXPECT_EQ(pattern(Signal::safe).sound.find('#'), std::string_view::npos);
   EXPECT_EQ(pattern(Signal::flying).sound.find('#'), std::string_view::npos);
 }
