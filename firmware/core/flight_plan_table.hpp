@@ -176,7 +176,7 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   number(MEMBER(motion.longest_gyro_gap), "motion", "longest_gyro_gap_s", "s", 0.25F, {0, 1}, "under control, canards wait at trim this long for a silent gyro"),
   number(MEMBER(motion.rest_tolerance_m_s2), "motion", "rest_tolerance_g", "g", 0.1F, {0.02F, 0.3F}, "at rest: specific force within 1 g of this"),
   number(MEMBER(motion.quiet_rate_rad_s), "motion", "quiet_rate_deg_s", "deg/s", 2, {0.5F, 20}, "at rest: no angular rate beyond this"),
-  number(MEMBER(motion.rest_time), "motion", "rest_time_s", "s", 2, {0.5F, 10}, "at rest this long before a launch can be detected again"),
+  number(MEMBER(motion.rest_time), "motion", "rest_time_s", "s", 2, {0.5F, 10}, "at rest this long, and 3.6 s at least, before a launch can be detected again"),
 
   number(MEMBER(controller.proportional_gain), "controller", "proportional_gain", "", 0.5F, {0, 10}, "canard angle per roll angle error (kp)"),
   number(MEMBER(controller.derivative_gain_s), "controller", "derivative_gain_s", "s", 0.05F, {0, 2}, "canard angle per roll rate (kd)"),
