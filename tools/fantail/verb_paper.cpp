@@ -25,7 +25,7 @@ struct PaperOptions {
 };
 
 std::vector<paper::Chapter> work_through() {
-  Progress progress{"paper", {.unit = "chapters", .rate = " a second", .total = 6.0}};
+  Progress progress{"paper", {.unit = "chapters", .rate = " a second", .total = 7.0}};
   double done = 0.0;
   const paper::Tell tell = [&](const std::string&) {
     give_up_if_interrupted();
@@ -41,7 +41,8 @@ std::vector<paper::Chapter> work_through() {
   add(paper::first_launch_chapter(tell));
   add(paper::steps_chapter(tell));
   add(paper::second_launch_chapter(tell));
-  add(paper::print_chapter());
+  add(paper::print_chapter(paper::Print::as_published()));
+  add(paper::inputs_chapter());
   return chapters;
 }
 
@@ -49,10 +50,14 @@ void print_chapters(const std::vector<paper::Chapter>& chapters) {
   for (const paper::Chapter& chapter : chapters) {
     show("{}\n", chapter.title);
     for (const paper::Claim& claim : chapter.claims) {
-      show("  {:<33} {}: {} ({})\n", paper::words(claim.finding), claim.place, claim.what, paper::words(claim.basis));
-      show("  {:<33}   printed {}{}{}\n", "", claim.theirs, claim.ours.empty() ? "" : "; ours ", claim.ours);
+      if (is_folded(claim)) {
+        continue;
+      }
+      show("  {:<20} {}: {}\n", paper::kind_words(claim), claim.place, claim.what);
+      show("  {:<20}   printed {}{}{}\n", "", claim.theirs, claim.ours.empty() ? "" : "; ours ", claim.ours);
     }
-    show("\n");
+    const std::string folded = paper::folded_words(chapter.claims);
+    show("{}\n", folded.empty() ? "" : "  " + folded + " (on the page and with --json)\n");
   }
 }
 
@@ -80,7 +85,8 @@ void fill(const Verb& verb) {
       "Examples:\n"
       "  fantail paper                        every printed table, figure and number beside ours, in out/paper\n"
       "  fantail paper --out /tmp/page        the page elsewhere\n"
-      "  fantail paper --json | jq .differs   how many statements came out differently");
+      "  fantail paper --json | jq .differs   how many statements came out differently\n"
+      "  fantail paper --json | jq .kinds     how many agree, by what ours was made from");
   verb.action([options] { repeat_the_paper(*options); });
 }
 

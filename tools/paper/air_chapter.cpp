@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
@@ -22,14 +23,29 @@ Chapter air_chapter(const Tell& tell) {
                       "shown here is the analysis, not their air."};
   const auto largest = std::ranges::max_element(flow.points, {}, &tunnel::FlowPoint::gamma_m_s);
   const std::string simulated = "The readings are not published; ours is a simulated tunnel.";
-  chapter.claims.push_back(unpublished("Section 4.1.1", "Correlation of fan speed and wind speed, R2", "0.9999",
-                                       simulated, flow.line ? fmt::format("{:.4f}", flow.line->r_squared) : "no line"));
+  chapter.claims.push_back(unpublished("Section 4.1.1, figure 11a", "Correlation of fan speed and wind speed, R2",
+                                       "0.9999", simulated,
+                                       flow.line ? fmt::format("{:.4f}", flow.line->r_squared) : "no line"));
   chapter.claims.push_back(
-      unpublished("Section 4.1.1", "Largest turbulence (Eq 26)", "below 0.04 %", simulated,
+      unpublished("Section 4.1.1, eq 26, figures 10 and 11b", "Largest turbulence", "below 0.04 %", simulated,
                   fmt::format("{:.5f} m/s at {:.1f} m/s; standard deviation over mean {:.2f} %", largest->gamma_m_s,
                               largest->mean_m_s, 100.0 * largest->relative_deviation)));
-  chapter.claims.push_back(unpublished("Section 4.1.2", "Highest wind speed", "30 m/s", simulated,
-                                       fmt::format("{:.1f} m/s", flow.points.back().mean_m_s)));
+  std::vector<double> steady_s;
+  for (const tunnel::FlowPoint& point : flow.points) {
+    steady_s.push_back(point.segment.begin_s);
+  }
+  chapter.claims.push_back(unpublished("Eq 25", "When each fan speed is steady, s", "100, 230, 390, 550, 718, 858",
+                                       "It is not printed when each was set; ours are assumed.",
+                                       fmt::format("{:.0f}", fmt::join(steady_s, ", "))));
+  chapter.claims.push_back(compare(Numbers{.place = "Section 4.1.2",
+                                           .what = "Highest wind speed",
+                                           .theirs = 30.0,
+                                           .ours = flow.points.back().mean_m_s,
+                                           .unit = "m/s",
+                                           .decimals = 1,
+                                           .tolerance = 0.15,
+                                           .kind = Kind::read_back,
+                                           .remark = "The simulated fan was given it."}));
   chapter.claims.push_back(
       slip("Section 4.1.1", "Unit of the turbulence of Eq 26", "%", "m/s",
            "A variance over a mean is a speed, as the notation says; as a percentage it would be the "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "paper/claim.hpp"
+#include "paper/print.hpp"
 #include "paper/runs.hpp"
 
 namespace fantail::paper {
@@ -13,6 +14,7 @@ namespace fantail::paper {
 [[nodiscard]] Chapter first_launch_chapter(const Tell& tell);   ///< Section 4.2
 [[nodiscard]] Chapter steps_chapter(const Tell& tell);          ///< Section 4.3.1, Table 2
 [[nodiscard]] Chapter second_launch_chapter(const Tell& tell);  ///< Section 4.3.2
-[[nodiscard]] Chapter print_chapter();
+[[nodiscard]] Chapter print_chapter(const Print& print);
+[[nodiscard]] Chapter inputs_chapter();  ///< what was taken as printed, and what no model here contains
 
 }  // namespace fantail::paper

@@ -13,75 +13,74 @@ std::string with_unit(double value, int decimals, const std::string& unit) {
   return text::fixed(value, decimals) + (unit.empty() ? "" : " " + unit);
 }
 
+constexpr const char* no_reason = "The reason is not known.";
+
 }  // namespace
 
-std::string_view name(Finding finding) {
-  switch (finding) {
-    case Finding::reproduced: return "reproduced";
-    case Finding::differs: return "differs";
-    case Finding::not_reproducible: return "not_reproducible";
-    case Finding::error_in_print: break;
+std::string_view finding(const Claim& claim) {
+  if (!claim.agrees) {
+    return "differs";
   }
-  return "error_in_print";
+  return counts_as_reproduced(claim.kind) ? "reproduced" : name(claim.kind);
 }
 
-std::string_view words(Finding finding) {
-  switch (finding) {
-    case Finding::reproduced: return "reproduced";
-    case Finding::differs: return "differs";
-    case Finding::not_reproducible: return "not reproducible without the data";
-    case Finding::error_in_print: break;
-  }
-  return "error in print";
-}
-
-std::string_view name(Basis basis) {
-  switch (basis) {
-    case Basis::derived: return "derived";
-    case Basis::fitted: return "fitted";
-    case Basis::round_trip: return "round_trip";
-    case Basis::none: break;
+std::string_view basis(const Claim& claim) {
+  switch (claim.kind) {
+    case Kind::computed:
+    case Kind::error_in_print: return "derived";
+    case Kind::simulated:
+    case Kind::described: return "simulated";
+    case Kind::fitted: return "fitted";
+    case Kind::read_back: return "round_trip";
+    case Kind::definition:
+    case Kind::outside:
+    case Kind::not_reproducible: break;
   }
   return "none";
 }
 
-std::string_view words(Basis basis) {
-  switch (basis) {
-    case Basis::derived: return "derived from the print";
-    case Basis::fitted: return "fitted to the print";
-    case Basis::round_trip: return "round trip";
-    case Basis::none: break;
-  }
-  return "not computed";
+std::string kind_words(const Claim& claim) {
+  return std::string{words(claim.kind)} + (claim.agrees ? "" : ", differs");
 }
 
 Claim compare(const Numbers& n) {
   const double difference = n.ours - n.theirs;
   // A tolerance of exactly a printed digit must not fail on the last bit of a decimal fraction.
   const bool agrees = std::abs(difference) <= n.tolerance * (1.0 + 1e-9) + 1e-12;
+  const bool contradiction = !agrees && n.kind == Kind::computed;
   Claim claim{.place = n.place,
               .what = n.what,
               .theirs = with_unit(n.theirs, n.decimals, n.unit),
               .ours = with_unit(n.ours, n.decimals, n.unit),
               .difference = with_unit(difference, n.decimals, n.unit),
-              .finding = agrees ? Finding::reproduced : n.otherwise,
-              .basis = n.basis,
+              .kind = contradiction ? Kind::error_in_print : n.kind,
+              .agrees = agrees || contradiction,
               .why = agrees ? n.remark : n.why_otherwise};
   if (claim.why.empty() && !agrees) {
-    claim.why = "The reason is not known.";
+    claim.why = no_reason;
   }
   return claim;
 }
 
+Claim compare(const InWords& w) {
+  return {.place = w.place,
+          .what = w.what,
+          .theirs = w.theirs,
+          .ours = w.ours,
+          .difference = {},
+          .kind = w.kind,
+          .agrees = w.holds,
+          .why = w.why.empty() && !w.holds ? no_reason : w.why};
+}
+
 Claim unpublished(std::string place, std::string what, std::string theirs, std::string why, std::string ours) {
-  const Basis basis = ours.empty() ? Basis::none : Basis::round_trip;
   return {.place = std::move(place),
           .what = std::move(what),
           .theirs = std::move(theirs),
           .ours = std::move(ours),
           .difference = {},
-          .finding = Finding::not_reproducible,
-          .basis = basis,
+          .kind = Kind::not_reproducible,
+          .agrees = true,
           .why = std::move(why)};
 }
 
@@ -91,8 +90,8 @@ Claim slip(std::string place, std::string what, std::string printed, std::string
           .theirs = std::move(printed),
           .ours = std::move(must_be),
           .difference = {},
-          .finding = Finding::error_in_print,
-          .basis = Basis::derived,
+          .kind = Kind::error_in_print,
+          .agrees = true,
           .why = std::move(why)};
 }
 

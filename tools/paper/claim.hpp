@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "paper/kind.hpp"
+
 namespace fantail::paper {
-
-/// What came of one printed statement.
-enum class Finding : std::uint8_t {
-  reproduced,        ///< ours agrees within the tolerance that is stated
-  differs,           ///< it does not, and the reason is given
-  not_reproducible,  ///< it follows from measurements that were not published
-  error_in_print,    ///< the publication contradicts itself or its own numbers
-};
-
-[[nodiscard]] std::string_view name(Finding finding);   ///< for files: "error_in_print"
-[[nodiscard]] std::string_view words(Finding finding);  ///< for readers: "error in print"
-
-/// What our side of a comparison rests on, and so what an agreement proves.
-enum class Basis : std::uint8_t {
-  derived,     ///< worked out from other printed numbers
-  fitted,      ///< our simulation was adjusted to this number, or to one that it follows from
-  round_trip,  ///< printed or assumed numbers put into our simulator and found again: it tests our analysis, not theirs
-  none,        ///< nothing of ours stands beside it
-};
-
-[[nodiscard]] std::string_view name(Basis basis);   ///< for files: "round_trip"
-[[nodiscard]] std::string_view words(Basis basis);  ///< for readers: "round trip"
 
 /// One printed statement beside ours.
 struct Claim {
@@ -37,10 +16,20 @@ struct Claim {
   std::string theirs{};
   std::string ours{};
   std::string difference{};
-  Finding finding = Finding::reproduced;
-  Basis basis = Basis::derived;
-  std::string why{};  ///< the reason, or what the agreement rests on; may be empty when reproduced
+  Kind kind = Kind::not_reproducible;
+  bool agrees = true;  ///< false: ours is another value, and the reason is given
+  std::string why{};   ///< the reason, or what the agreement rests on; may be empty when it agrees
 };
+
+/// What came of it, for files: "reproduced", "differs", or the name of a kind that cannot be reproduced.
+[[nodiscard]] std::string_view finding(const Claim& claim);
+/// What files called its basis before there were kinds: "derived", "fitted", "round_trip", "simulated", "none".
+[[nodiscard]] std::string_view basis(const Claim& claim);
+/// For readers: "fitted", "fitted, differs".
+[[nodiscard]] std::string kind_words(const Claim& claim);
+
+/// Of a kind that is folded, and as it was put in.
+[[nodiscard]] inline bool is_folded(const Claim& claim) { return claim.agrees && is_folded(claim.kind); }
 
 /// A printed number and ours.
 struct Numbers {
@@ -51,14 +40,26 @@ struct Numbers {
   std::string unit{};
   int decimals = 2;
   double tolerance = 0.0;  ///< largest difference that counts as agreement
-  Basis basis = Basis::derived;
+  Kind kind = Kind::simulated;
   /// When it is larger: what the reason is. Without a reason it still is a difference, and the page says so.
-  Finding otherwise = Finding::differs;
   std::string why_otherwise{};
   std::string remark{};  ///< when it agrees
 };
 
+/// A number that other printed numbers contradict is an error in the print.
 [[nodiscard]] Claim compare(const Numbers& numbers);
+
+/// A result in words, and whether ours shows it, too. `why` says from what.
+struct InWords {
+  std::string place{};
+  std::string what{};
+  std::string theirs{};
+  std::string ours{};
+  bool holds = false;
+  Kind kind = Kind::described;
+  std::string why{};
+};
+[[nodiscard]] Claim compare(const InWords& in_words);
 
 /// A statement that rests on data nobody else has; `ours` says what a simulated stand-in gave, or is
 /// empty.

@@ -2,6 +2,7 @@
 // Section 4.2: the first launch, whose fin offset was larger than its canards could balance.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/core.h>
 
@@ -10,6 +11,7 @@
 #include "paper/chapters.hpp"
 #include "paper/drawing.hpp"
 #include "paper/first_launch_ascent.hpp"
+#include "paper/first_launch_identified.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -33,11 +35,6 @@ Moment extreme(const flight::Flight& flight, double from_s, double to_s, double 
   return best;
 }
 
-// "8.52 and 10.03"
-std::string pair(const identify::model::RollModel& model) {
-  return fmt::format("{:.2f} and {:.2f}", model.alpha_m2, model.beta_m);
-}
-
 void add_transient(std::vector<Claim>& claims, const flight::Flight& flight) {
   const double zero_s = *flight.events.detected_s;
   const Moment peak = extreme(flight, zero_s, zero_s + 0.8, 1.0);
@@ -45,36 +42,36 @@ void add_transient(std::vector<Claim>& claims, const flight::Flight& flight) {
   const std::string how =
       "The reference area was fitted to this transient, and the roll state before control is set to the one that the "
       "printed curves begin with.";
-  claims.push_back(compare({.place = "Figure 21a",
-                            .what = "Local maximum of the roll angle, after detection",
-                            .theirs = 0.49,
-                            .ours = peak.time_s - zero_s,
-                            .unit = "s",
-                            .decimals = 3,
-                            .tolerance = 0.02,
-                            .basis = Basis::fitted,
-                            .remark = how}));
-  claims.push_back(compare({.place = "Figure 21a",
-                            .what = "Local minimum",
-                            .theirs = 1.02,
-                            .ours = trough.time_s - zero_s,
-                            .unit = "s",
-                            .decimals = 3,
-                            .tolerance = 0.03,
-                            .basis = Basis::fitted,
-                            .remark = how}));
+  claims.push_back(compare(Numbers{.place = "Figure 21a",
+                                   .what = "Local maximum of the roll angle, after detection",
+                                   .theirs = 0.49,
+                                   .ours = peak.time_s - zero_s,
+                                   .unit = "s",
+                                   .decimals = 3,
+                                   .tolerance = 0.02,
+                                   .kind = Kind::fitted,
+                                   .remark = how}));
+  claims.push_back(compare(Numbers{.place = "Figure 21a",
+                                   .what = "Local minimum",
+                                   .theirs = 1.02,
+                                   .ours = trough.time_s - zero_s,
+                                   .unit = "s",
+                                   .decimals = 3,
+                                   .tolerance = 0.03,
+                                   .kind = Kind::fitted,
+                                   .remark = how}));
   const double drop_deg = peak.angle_deg - trough.angle_deg;
-  claims.push_back(
-      compare({.place = "Figure 21a",
-               .what = "Drop between them, measured",
-               .theirs = 27.2,
-               .ours = drop_deg,
-               .unit = "deg",
-               .decimals = 2,
-               .tolerance = 1.05,
-               .basis = Basis::fitted,
-               .why_otherwise = "The simulated servos answer later than a pure 20 ms lag (pulse frames, delay, "
-                                "play), and so the roll swings further. What the real ones did is not printed."}));
+  claims.push_back(compare(
+      Numbers{.place = "Figure 21a",
+              .what = "Drop between them, measured",
+              .theirs = 27.2,
+              .ours = drop_deg,
+              .unit = "deg",
+              .decimals = 2,
+              .tolerance = 1.05,
+              .kind = Kind::fitted,
+              .why_otherwise = "The simulated servos answer later than a pure 20 ms lag (pulse frames, delay, "
+                               "play), and so the roll swings further. What the real ones did is not printed."}));
 }
 
 // The published model and nothing else: its controller and disturbance, a servo that is a pure lag of 20 ms.
@@ -96,17 +93,17 @@ void add_modelled_drop(std::vector<Claim>& claims, const Run& run) {
       {.controller = run.scenario.plan.controller, .servo_lag_s = run.scenario.vehicle.servo.lag_s}, model);
   const auto peak = std::ranges::max_element(flown.roll_angle_rad.begin(), flown.roll_angle_rad.begin() + 800);
   const double drop_rad = *peak - *std::min_element(peak, flown.roll_angle_rad.end());
-  claims.push_back(compare(
-      {.place = "Figure 21a",
-       .what = "Drop between them, modelled",
-       .theirs = 26.15,
-       .ours = text::degrees(drop_rad),
-       .unit = "deg",
-       .decimals = 2,
-       .tolerance = 1.05,
-       .basis = Basis::fitted,
-       .remark = "Within the published model's own error, 27.2 \u2212 26.15 deg. Closed loop with a servo lag of "
-                 "20 ms, which is assumed; the reference area was fitted to this drop."}));
+  claims.push_back(compare(Numbers{
+      .place = "Figure 21a",
+      .what = "Drop between them, modelled",
+      .theirs = 26.15,
+      .ours = text::degrees(drop_rad),
+      .unit = "deg",
+      .decimals = 2,
+      .tolerance = 1.05,
+      .kind = Kind::fitted,
+      .remark = "Within the published model's own error, 27.2 \u2212 26.15 deg. Closed loop with a servo lag of "
+                "20 ms, which is assumed; the reference area was fitted to this drop."}));
 }
 
 void add_limit(std::vector<Claim>& claims, const flight::Flight& flight, const report::Figures& figures) {
@@ -117,17 +114,34 @@ void add_limit(std::vector<Claim>& claims, const flight::Flight& flight, const r
       highest_rate_deg_s = std::max(highest_rate_deg_s, true_rate_deg_s(row));
     }
   }
-  claims.push_back(
-      {.place = "Figure 19",
-       .what = "All canards stay at their limit of 6 degrees through the coast, and the roll rate negative",
-       .theirs = "yes",
-       .ours = lasts && highest_rate_deg_s < 0.0
-                   ? fmt::format("yes: from {:.2f} s after lift-off, never above {} deg/s", *figures.at_limit_since_s,
-                                 text::with_minus(text::fixed(highest_rate_deg_s, 1)))
-                   : "no",
-       .difference = {},
-       .finding = lasts && highest_rate_deg_s < 0.0 ? Finding::reproduced : Finding::differs,
-       .why = "The equivalent fin offset of about 7 degrees is larger than the limit."});
+  claims.push_back(compare(
+      InWords{.place = "Figure 19",
+              .what = "All canards stay at their limit of 6 degrees through the coast, and the roll rate negative",
+              .theirs = "yes",
+              .ours = lasts && highest_rate_deg_s < 0.0
+                          ? fmt::format("yes: from {:.2f} s after lift-off, never above {} deg/s",
+                                        *figures.at_limit_since_s, text::with_minus(text::fixed(highest_rate_deg_s, 1)))
+                          : "no",
+              .holds = lasts && highest_rate_deg_s < 0.0,
+              .why = "The printed fin offset of about \u22127 degrees is larger than the limit."}));
+  // The reference is -15 degrees for a second from 1 s after control start on.
+  const double from_s = *flight.events.control_start_s + 1.0;
+  double nearest_deg = 1e9;
+  double last_deg = 0.0;
+  for (const flight::Row& row : flight.rows) {
+    if (row.truth && row.time_s >= from_s + 0.5 && row.time_s <= from_s + 1.0) {
+      last_deg = true_angle_deg(row);
+      nearest_deg = std::min(nearest_deg, std::abs(last_deg + 15.0));
+    }
+  }
+  claims.push_back(compare(InWords{
+      .place = "Section 4.2, figure 21a",
+      .what = "The second response has a steady-state error, with a reference of \u221215 degrees",
+      .theirs = "very large",
+      .ours = text::with_minus(fmt::format("at least {:.0f} deg from 0.5 s after the step on, and {:.0f} deg after 1 s",
+                                           nearest_deg, std::abs(last_deg + 15.0))),
+      .holds = nearest_deg > 15.0,
+      .why = "It does not settle at all: the canards cannot balance the offset."}));
 }
 
 }  // namespace
@@ -159,22 +173,8 @@ Chapter first_launch_chapter(const Tell& tell) {
   options.closed_loop = identify::closed_loop::Control{.controller = run.scenario.plan.controller,
                                                        .servo_lag_s = run.scenario.vehicle.servo.lag_s};
   const identify::result::Identification closed = identify::identify(record, airframe(run.scenario), options);
-  const std::string ours =
-      fmt::format("our flight was made with 7.5 and 10; the open loop finds {} in it, the closed {}", pair(open.model),
-                  pair(closed.model));
-  chapter.claims.push_back(unpublished("Section 4.2", "Damping and torque constant, open loop", "8.5 and 10.0",
-                                       "The flight's log is not published.", ours));
-  chapter.claims.push_back(unpublished("Section 4.2", "Damping and torque constant, closed loop", "7.5 and 10.0",
-                                       "The flight's log is not published.", ours));
-  chapter.claims.push_back(unpublished("Section 4.2", "Mean absolute errors of roll rate and angle, open loop",
-                                       "9.82 deg/s, 1.51 deg",
-                                       "They measure what the model leaves out of a real flight."));
-  chapter.claims.push_back(unpublished("Section 4.2", "Longer simulation of the closed loop than of the open",
-                                       "about 50 %", "It measures their program on their computer."));
-  chapter.claims.push_back(unpublished("Section 4.2", "Gain in the roll angle from two to six thrust intervals",
-                                       "less than 0.1 deg", "The flight's log is not published."));
-  chapter.claims.push_back(unpublished("Section 4.2", "The same, closed loop", "9.76 deg/s, 1.50 deg",
-                                       "They measure what the model leaves out of a real flight."));
+  std::ranges::move(first_launch_identified({.nodes_s = nodes, .open = open, .closed = closed}),
+                    std::back_inserter(chapter.claims));
 
   const Stretch flown{.zero_s = *flight.events.detected_s, .from_s = *flight.events.detected_s - 0.2, .to_s = to_s};
   const auto figure = [&](const std::string& label, const std::string& unit, std::vector<page::Series> series,

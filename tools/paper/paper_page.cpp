@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "paper/paper_page.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <fmt/core.h>
@@ -8,24 +9,23 @@
 #include "json/value.hpp"
 #include "page/page.hpp"
 #include "paper/printed_figures.hpp"
-#include "paper/printed_sentences.hpp"
 
 namespace fantail::paper {
 namespace {
 
-page::Tone tone(Finding finding) {
-  switch (finding) {
-    case Finding::reproduced: return page::Tone::good;
-    case Finding::differs: return page::Tone::bad;
-    case Finding::error_in_print: return page::Tone::unsure;
-    case Finding::not_reproducible: break;
+page::Tone tone(const Claim& claim) {
+  if (!claim.agrees) {
+    return page::Tone::bad;
   }
-  return page::Tone::plain;
+  if (counts_as_reproduced(claim.kind)) {
+    return page::Tone::good;
+  }
+  return claim.kind == Kind::error_in_print ? page::Tone::unsure : page::Tone::plain;
 }
 
 std::string claim_table(std::span<const Claim> claims) {
-  static const std::vector<page::Column> columns{{"Where"},      {"What"},    {"Printed"}, {"Ours"},
-                                                 {"Difference"}, {"Finding"}, {"Basis"},   {"Remark"}};
+  static const std::vector<page::Column> columns{{"Where"},      {"What"}, {"Printed"}, {"Ours"},
+                                                 {"Difference"}, {"Kind"}, {"Remark"}};
   std::vector<std::vector<page::Cell>> rows;
   for (const Claim& claim : claims) {
     rows.push_back({{claim.place},
@@ -33,16 +33,22 @@ std::string claim_table(std::span<const Claim> claims) {
                     {claim.theirs},
                     {claim.ours},
                     {claim.difference},
-                    {std::string{words(claim.finding)}, tone(claim.finding)},
-                    {std::string{words(claim.basis)}},
+                    {kind_words(claim), tone(claim)},
                     {claim.why}});
   }
   return page::table(columns, rows);
 }
 
 std::string chapter_html(const Chapter& chapter) {
-  return page::section(chapter.title, page::paragraph(chapter.introduction) + claim_table(chapter.claims) +
-                                          page::side_by_side(chapter.figures_html));
+  std::vector<Claim> shown;
+  std::vector<Claim> folded;
+  for (const Claim& claim : chapter.claims) {
+    (is_folded(claim) ? folded : shown).push_back(claim);
+  }
+  return page::section(chapter.title,
+                       page::paragraph(chapter.introduction) + (shown.empty() ? "" : claim_table(shown)) +
+                           (folded.empty() ? "" : page::on_demand(folded_words(folded), claim_table(folded))) +
+                           page::side_by_side(chapter.figures_html));
 }
 
 std::string figure_table() {
@@ -56,61 +62,37 @@ std::string figure_table() {
 }
 
 std::vector<page::Figure> tally_figures(const Tally& count) {
-  return {{.label = "Reproduced",
-           .value = std::to_string(count.reproduced),
-           .unit = "",
-           .remark = fmt::format("{} derived from the print, {} fitted to it, {} round trips", count.reproduced_derived,
-                                 count.reproduced_fitted, count.reproduced_round_trip)},
-          {.label = "Different", .value = std::to_string(count.differs), .unit = "", .remark = "with the reason"},
-          {.label = "Errors in print",
-           .value = std::to_string(count.error_in_print),
-           .unit = "",
-           .remark = "with what it must read"},
-          {.label = "Without the data",
-           .value = std::to_string(count.not_reproducible),
-           .unit = "",
-           .remark = "not reproducible"}};
-}
-
-std::string basis_text() {
-  return "\u201cDerived from the print\u201d: worked out from other printed numbers, so an agreement confirms them. "
-         "\u201cFitted to the print\u201d: motor, drag area, reference area or the way to count height were chosen to "
-         "meet this number, so an agreement shows that one model can meet them together. \u201cRound trip\u201d: put "
-         "into our simulator and found again, so an agreement tests our analysis and says nothing of the measurement.";
-}
-
-std::string sentence_table() {
-  static const std::vector<page::Column> columns{{"Where"}, {"Numbers"}, {"On this page"}};
-  std::vector<std::vector<page::Cell>> rows;
-  rows.reserve(std::size(printed_sentences));
-  for (const PrintedSentence& sentence : printed_sentences) {
-    rows.push_back({{std::string{sentence.place}}, {std::string{sentence.numbers}}, {std::string{sentence.here}}});
-  }
-  return page::table(columns, rows);
-}
-
-void count_reproduced(Tally& count, Basis basis) {
-  ++count.reproduced;
-  switch (basis) {
-    case Basis::derived: ++count.reproduced_derived; break;
-    case Basis::fitted: ++count.reproduced_fitted; break;
-    case Basis::round_trip: ++count.reproduced_round_trip; break;
-    case Basis::none: break;
-  }
+  const auto figure = [](const char* label, std::size_t value, std::string remark) {
+    return page::Figure{.label = label, .value = std::to_string(value), .unit = "", .remark = std::move(remark)};
+  };
+  return {figure("Reproduced", count.reproduced(),
+                 fmt::format("{} computed, {} simulated, {} described", count.of(Kind::computed),
+                             count.of(Kind::simulated), count.of(Kind::described))),
+          figure("Fitted", count.of(Kind::fitted), "our inputs were chosen to meet them"),
+          figure("Read back", count.of(Kind::read_back), "round trips"),
+          figure("Different", count.differs, "with the reason"),
+          figure("Errors in print", count.of(Kind::error_in_print), "with what it must read"),
+          figure("Not reproducible", count.of(Kind::not_reproducible), "an input is not printed"),
+          figure("Taken or outside", count.of(Kind::definition) + count.of(Kind::outside),
+                 fmt::format("{} definitions and inputs, {} outside the model", count.of(Kind::definition),
+                             count.of(Kind::outside)))};
 }
 
 }  // namespace
+
+std::size_t Tally::reproduced() const {
+  std::size_t sum = 0;
+  for (const Kind kind : kinds) {
+    sum += counts_as_reproduced(kind) ? of(kind) : 0;
+  }
+  return sum;
+}
 
 Tally tally(std::span<const Chapter> chapters) {
   Tally count;
   for (const Chapter& chapter : chapters) {
     for (const Claim& claim : chapter.claims) {
-      switch (claim.finding) {
-        case Finding::reproduced: count_reproduced(count, claim.basis); break;
-        case Finding::differs: ++count.differs; break;
-        case Finding::not_reproducible: ++count.not_reproducible; break;
-        case Finding::error_in_print: ++count.error_in_print; break;
-      }
+      ++(claim.agrees ? count.agreeing[place_of(claim.kind)] : count.differs);
     }
   }
   return count;
@@ -118,22 +100,36 @@ Tally tally(std::span<const Chapter> chapters) {
 
 std::string summary(const Tally& count) {
   return fmt::format(
-      "Of what was printed, {} statements are reproduced: {} are derived from other printed numbers, {} are met by a "
-      "simulation that was fitted to them, and {} are round trips through our own simulator. {} came out differently, "
-      "{} are slips of the print, and {} rest on measurements that were not published.",
-      count.reproduced, count.reproduced_derived, count.reproduced_fitted, count.reproduced_round_trip, count.differs,
-      count.error_in_print, count.not_reproducible);
+      "Of what was printed, {} statements are reproduced: {} computed from other printed numbers, {} simulated, {} "
+      "described in words and seen here. Not counted among them: {} that our inputs were fitted to, {} read back from "
+      "our own simulator, {} taken as printed, {} outside the model. {} came out differently, {} are errors of the "
+      "print, and {} need data that are not printed.",
+      count.reproduced(), count.of(Kind::computed), count.of(Kind::simulated), count.of(Kind::described),
+      count.of(Kind::fitted), count.of(Kind::read_back), count.of(Kind::definition), count.of(Kind::outside),
+      count.differs, count.of(Kind::error_in_print), count.of(Kind::not_reproducible));
+}
+
+std::string folded_words(std::span<const Claim> claims) {
+  std::string said;
+  for (const Kind kind : kinds) {
+    const auto count =
+        std::ranges::count_if(claims, [kind](const Claim& claim) { return claim.kind == kind && is_folded(claim); });
+    if (count > 0) {
+      said += fmt::format("{}{} {}", said.empty() ? "Rows: " : ", ", count, words(kind));
+    }
+  }
+  return said;
 }
 
 std::string paper_html(std::span<const Chapter> chapters, const std::string& version) {
   const Tally count = tally(chapters);
   std::string body =
-      page::section("How it came out", page::figure_row(tally_figures(count)) + page::paragraph(basis_text()));
+      page::section("How it came out", page::figure_row(tally_figures(count)) +
+                                           page::on_demand("What the kinds mean", page::paragraph(rule_text())));
   for (const Chapter& chapter : chapters) {
     body += chapter_html(chapter);
   }
-  body += page::section("Printed numbers without a row above", sentence_table());
-  body += page::section("The printed figures and tables", figure_table());
+  body += page::section("The printed figures and tables", page::on_demand("Which is drawn where", figure_table()));
   return page::html({.kind = "Fantail reproduction report",
                      .title = "Vertical Wind Tunnel for Prediction of Rocket Flight Dynamics",
                      .subtitle = "Bryson et al., Aerospace 2016, 3(2), 10, repeated with Fantail " + version +
@@ -155,18 +151,27 @@ std::string paper_json(std::span<const Chapter> chapters, const std::string& ver
                         {"theirs", claim.theirs},
                         {"ours", claim.ours},
                         {"difference", claim.difference},
-                        {"finding", name(claim.finding)},
-                        {"basis", name(claim.basis)},
+                        {"finding", finding(claim)},
+                        {"basis", basis(claim)},
+                        {"kind", name(claim.kind)},
                         {"why", claim.why}});
     }
   }
-  const json::Value all{{"reproduced", count.reproduced},
-                        {"reproduced_derived", count.reproduced_derived},
-                        {"reproduced_fitted", count.reproduced_fitted},
-                        {"reproduced_round_trip", count.reproduced_round_trip},
+  json::Value by_kind;
+  for (const Kind kind : kinds) {
+    by_kind[std::string{name(kind)}] = count.of(kind);
+  }
+  // Fitted and read-back statements are counted under "kinds"; among the reproduced there are none.
+  const json::Value all{{"reproduced", count.reproduced()},
+                        {"reproduced_derived", count.of(Kind::computed)},
+                        {"reproduced_simulated", count.of(Kind::simulated)},
+                        {"reproduced_described", count.of(Kind::described)},
+                        {"reproduced_fitted", 0},
+                        {"reproduced_round_trip", 0},
                         {"differs", count.differs},
-                        {"error_in_print", count.error_in_print},
-                        {"not_reproducible", count.not_reproducible},
+                        {"error_in_print", count.of(Kind::error_in_print)},
+                        {"not_reproducible", count.of(Kind::not_reproducible)},
+                        {"kinds", by_kind},
                         {"claims", claims},
                         {"version", version}};
   return all.pretty();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -8,27 +10,27 @@
 
 namespace fantail::paper {
 
-/// How many claims came to what.
+/// How many claims came to what. Each stands in one place, so that they add up to all.
 struct Tally {
-  std::size_t reproduced = 0;
-  // Those by what they rest on.
-  std::size_t reproduced_derived = 0;
-  std::size_t reproduced_fitted = 0;
-  std::size_t reproduced_round_trip = 0;
+  std::array<std::size_t, kinds.size()> agreeing{};  ///< by place_of(kind)
   std::size_t differs = 0;
-  std::size_t not_reproducible = 0;
-  std::size_t error_in_print = 0;
+
+  [[nodiscard]] std::size_t of(Kind kind) const { return agreeing[place_of(kind)]; }
+  [[nodiscard]] std::size_t reproduced() const;  ///< of the kinds that count as it
 };
 [[nodiscard]] Tally tally(std::span<const Chapter> chapters);
 
-/// How it came out, in a sentence.
+/// How it came out, in three sentences.
 [[nodiscard]] std::string summary(const Tally& tally);
+
+/// Of rows that are folded away: "Rows: 8 read back, 2 definition".
+[[nodiscard]] std::string folded_words(std::span<const Claim> claims);
 
 /// The whole reproduction as one page that loads nothing.
 [[nodiscard]] std::string paper_html(std::span<const Chapter> chapters, const std::string& version);
 
-/// An object: tally, and "claims" with place, what, theirs, ours, difference, finding,
-/// basis, why. Ends with a newline.
+/// An object: tally, and "claims" with place, what, theirs, ours, difference, finding, basis, kind, why. Ends with a
+/// newline.
 [[nodiscard]] std::string paper_json(std::span<const Chapter> chapters, const std::string& version);
 
 }  // namespace fantail::paper

@@ -21,7 +21,7 @@ identify::model::Airframe airframe(const sim::Scenario& scenario) {
   return {.inertia_kg_m2 = plant.inertia_kg_m2, .reference_area_m2 = plant.reference_area_m2};
 }
 
-identify::model::Record true_record(const Run& run, double from_s, double to_s, double every_s) {
+identify::model::Record true_record(const Run& run, double from_s, double to_s, double every_s, Canards canards) {
   identify::model::Record record;
   record.window = run.scenario.name;
   record.window_begin_s = from_s;
@@ -37,7 +37,8 @@ identify::model::Record true_record(const Run& run, double from_s, double to_s, 
     record.time_s.push_back(row.time_s - from_s);
     record.roll_angle_rad.push_back(row.truth->roll_angle_rad);
     record.roll_rate_rad_s.push_back(row.truth->roll_rate_rad_s);
-    record.canard_rad.push_back(row.truth->canard_rad);
+    record.canard_rad.push_back(canards == Canards::as_encoders_read ? row.canard_rad.value_or(0.0)
+                                                                     : row.truth->canard_rad);
     record.speed_m_s.push_back(row.truth->speed_m_s);
     record.density_kg_m3.push_back(density(row.truth->height_m));
     record.reference_rad.push_back(row.reference_rad);
