@@ -100,4 +100,15 @@ std::vector<Claim> offset_intervals(const identify::model::Record& window, const
                   fmt::format("{:g}; {:g} over that wave", fmt::join(alphas_m2, ", "), fmt::join(betas_m, ", ")))};
 }
 
+std::string errors_over_a_wave(const identify::model::Record& window, const Run& run, std::size_t intervals) {
+  const identify::model::Simulation left =
+      identify::identify(over_a_wave(window, run, fitted_swing_deg), airframe(run.scenario),
+                         {.nodes = identify::EvenNodes{intervals},
+                          .method = identify::result::Method::grid,
+                          .with_uncertainty = false})
+          .simulation;
+  return fmt::format("{:.2f} deg, {:.2f} deg/s", text::degrees(left.mean_abs_angle_error_rad),
+                     text::degrees(left.mean_abs_rate_error_rad_s));
+}
+
 }  // namespace fantail::paper
