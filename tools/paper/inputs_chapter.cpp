@@ -40,12 +40,13 @@ Claim equation(std::string place, std::string what, std::string printed, std::st
                          .why = std::move(why)});
 }
 
-Claim vehicle(const char* file, const char* title, const char* printed) {
+Claim vehicle(const char* file, const char* title, int mass_decimals, const char* printed) {
   const sim::Vehicle shipped =
       input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, file)));
-  return taken("Table 1", std::string{title} + ": mass, length, diameter (section 4.1), roll inertia", printed,
-               fmt::format("{:.2f} kg, {:.2f} m, {:.0f} mm, {:.5f} kg m2", shipped.mass_kg, shipped.airframe->length_m,
-                           1e3 * shipped.airframe->diameter_m, shipped.roll_plant.inertia_kg_m2));
+  return taken(
+      "Table 1", std::string{title} + ": mass, length, diameter (section 4.1), roll inertia", printed,
+      fmt::format("{:.{}f} kg, {:.2f} m, {:.0f} mm, {:.5f} kg m2", shipped.mass_kg, mass_decimals,
+                  shipped.airframe->length_m, 1e3 * shipped.airframe->diameter_m, shipped.roll_plant.inertia_kg_m2));
 }
 
 // "1 and 0.1 s, limit 6 deg"
@@ -117,9 +118,9 @@ Chapter inputs_chapter() {
   Chapter chapter{.title = "Taken as printed, or outside the model",
                   .introduction = "Equations and inputs; \u201cOurs\u201d is read from the shipped files."};
   auto& claims = chapter.claims;
-  claims.push_back(vehicle("smokey", "Smokey", "3.00 kg, 1.52 m, 80 mm, 0.00311 kg m2"));
-  claims.push_back(vehicle("tasha3_launch1", "Tasha III, launch 1", "3.47 kg, 1.51 m, 80 mm, 0.00361 kg m2"));
-  claims.push_back(vehicle("tasha3_launch2", "Tasha III, launch 2", "3.99 kg, 1.51 m, 80 mm, 0.00393 kg m2"));
+  claims.push_back(vehicle("smokey", "Smokey", 1, "3.0 kg, 1.52 m, 80 mm, 0.00311 kg m2"));
+  claims.push_back(vehicle("tasha3_launch1", "Tasha III, launch 1", 2, "3.47 kg, 1.51 m, 80 mm, 0.00361 kg m2"));
+  claims.push_back(vehicle("tasha3_launch2", "Tasha III, launch 2", 2, "3.99 kg, 1.51 m, 80 mm, 0.00393 kg m2"));
   add_equations(claims);
 
   const sim::Scenario flow = input::load_scenario("tunnel_flow", {});

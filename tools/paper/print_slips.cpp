@@ -16,7 +16,7 @@ void add_geometry(std::vector<Claim>& slips) {
                        section_radius_mm - canard_radial_mm),
            "The section is 600 mm wide and the body 80 mm. 200 mm if canards and fins reach 60 mm beyond the body, 240 "
            "mm if they end 60 mm from the axis. 160 mm is 300 \u2212 (80 + 60): it takes the diameter for the radius. "
-           "Either way the conclusion holds: the air is printed to be even beyond 200 mm."));
+           "Either way it stays out of the 200 mm at the wall where the air is printed to be slower."));
   slips.push_back(slip("Section 4.1.2", "Where the swirl is, from the centre of the tunnel", "100 to 300 mm",
                        "50 to 150 mm",
                        "It follows from fins of 100 and 300 mm diameter, which reach half as far. At 300 mm is the "
