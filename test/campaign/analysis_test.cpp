@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/analysis.hpp"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "campaign/results.hpp"
+#include "json/value.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::campaign {
@@ -36,8 +38,9 @@ TEST(Analysis, FindsTheShareAndWhatTheFigureDependsOn) {
   EXPECT_GT(analysis.share.high, 0.8970);
   ASSERT_EQ(analysis.influences.size(), 3U);
   EXPECT_EQ(analysis.influences[0].name, "a");
-  EXPECT_NEAR(analysis.influences[0].on_result.variance_share.value, 0.9, 0.03);
-  EXPECT_FALSE(analysis.influences[2].variance_shares[0]) << "what does not vary says nothing";
+  EXPECT_NEAR(analysis.influences[0].slopes[0].value().value, std::sqrt(0.9), 0.02);
+  EXPECT_NEAR(analysis.influences[1].slopes[0].value().value, -std::sqrt(0.1), 0.02);
+  EXPECT_FALSE(analysis.influences[2].slopes[0]) << "what does not vary says nothing";
   EXPECT_EQ(analysis.figures.size(), 1U) << "the others are of no run";
   ASSERT_EQ(analysis.worst.size(), 5U);
   double largest = 0.0;
@@ -57,13 +60,36 @@ TEST(Analysis, LeavesUndecidedWhatIsWithinTheInterval) {
 }
 
 TEST(Analysis, SaysWhyItKnowsNoInfluences) {
-  EXPECT_EQ(analyse(made(49), {.runs = 49}, {}, {}).no_influences,
-            "The largest hold error is known of 49 runs, and it takes 50 to tell what it depends on.");
-  FlownCampaign same = made(60);
+  EXPECT_EQ(analyse(made(99), {.runs = 99}, {}, {}).no_influences,
+            "The largest hold error is known of 99 runs, and it takes 100 to tell what it depends on.");
+  FlownCampaign same = made(120);
   for (FlownRun& run : same.runs) {
     run.figures[0] = 3.0;
   }
   EXPECT_EQ(analyse(same, {.runs = 60}, {}, {}).no_influences, "The largest hold error is the same in all runs.");
+}
+
+// Whoever reads the shares of an older version finds their keys, and why there are none.
+TEST(CampaignReport, GivesSlopesOfEveryFigureAndNoSharesOfTheVariance) {
+  Report report{.flown = made(400)};
+  report.campaign.runs = 400;
+  report.analysis = analyse(report.flown, report.campaign, {}, {});
+  report.run_folders.assign(5, "");
+  const json::Value said = json::parse(report_json(report));
+  const json::Value& influences = said["influences"];
+  EXPECT_NE(influences["why_no_variance_share"].text().find("Use slope."), std::string::npos);
+  const json::Value& first = influences["of"][0];
+  EXPECT_TRUE(first["variance_share"].is_null());
+  EXPECT_TRUE(first["variance_share_of"]["largest_hold_error_deg"].is_null());
+  EXPECT_NEAR(first["slope"]["value"].number(), std::sqrt(0.9), 0.05);
+  EXPECT_EQ(first["slope_of"]["largest_hold_error_deg"].number(), first["slope"]["value"].number());
+  EXPECT_TRUE(influences["of"][2]["slope"].is_null());
+  const std::string text = report_text(report);
+  EXPECT_NE(text.find("Straight lines of all quantities together explain 100 % of the variance. Slopes do not show "
+                      "curves, thresholds, or effects of two quantities together."),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("share of its variance"), std::string::npos) << text;
 }
 
 // Wilson's interval of 199 in 200 ends at 99.912 %.

@@ -2,6 +2,7 @@
 #include "campaign/analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -14,8 +15,8 @@ namespace {
 
 constexpr std::size_t worst_runs = 5;
 constexpr std::size_t most_looks = 200;
-constexpr std::size_t most_influence_runs = 20'000;  // beyond, the intervals are narrow and the bootstrap takes minutes
-constexpr std::size_t fewest_influence_runs = 50;
+constexpr std::size_t most_influence_runs = 20'000;  // beyond, the intervals are narrow enough
+constexpr std::size_t fewest_influence_runs = 100;   // of fewer, too few intervals hold the truth
 
 Column column(std::string name, std::vector<double> values) {
   Column all{.name = std::move(name), .values = std::move(values)};
@@ -86,7 +87,7 @@ Sample sample_of(const FlownCampaign& flown, std::size_t figure) {
 
 /// Why a sample says nothing; empty when it does.
 std::string too_little(const Sample& sample, std::size_t figure) {
-  const std::size_t fewest = std::max(fewest_influence_runs, 5 * sample.quantities.size());
+  const std::size_t fewest = std::max(fewest_influence_runs, 10 * sample.quantities.size());
   if (sample.result.size() < fewest) {
     return fmt::format("The {} is known of {} run{}, and it takes {} to tell what it depends on.",
                        column_words(figure_columns[figure]).words, sample.result.size(),
@@ -100,11 +101,11 @@ std::string too_little(const Sample& sample, std::size_t figure) {
   return {};
 }
 
-void add_influences(Analysis& analysis, const FlownCampaign& flown, std::uint64_t seed) {
+void add_influences(Analysis& analysis, const FlownCampaign& flown) {
   const std::size_t main = analysis.question.measured_by();
   for (const std::string& name : flown.quantities) {
     analysis.influences.push_back(
-        {.name = name, .variance_shares = std::vector<std::optional<double>>(figure_columns.size())});
+        {.name = name, .slopes = std::vector<std::optional<Estimate>>(figure_columns.size())});
   }
   for (std::size_t figure = 0; figure < figure_columns.size(); ++figure) {
     const Sample sample = sample_of(flown, figure);
@@ -116,18 +117,15 @@ void add_influences(Analysis& analysis, const FlownCampaign& flown, std::uint64_
     if (!nothing.empty()) {
       continue;
     }
-    const Sensitivity found = sensitivity(sample.drawn, sample.result, seed);
+    const Sensitivity found = sensitivity(sample.drawn, sample.result);
     for (std::size_t i = 0; i < sample.quantities.size(); ++i) {
-      QuantityInfluence& of = analysis.influences[sample.quantities[i]];
-      of.variance_shares[figure] = found.of_quantity[i].variance_share.value;
-      if (figure == main) {
-        of.on_result = found.of_quantity[i];
-      }
+      analysis.influences[sample.quantities[i]].slopes[figure] = found.slopes[i];
     }
     analysis.explained = figure == main ? found.explained : analysis.explained;
   }
-  std::ranges::stable_sort(analysis.influences, std::greater{},
-                           [](const QuantityInfluence& of) { return of.on_result.variance_share.value; });
+  std::ranges::stable_sort(analysis.influences, std::greater{}, [main](const QuantityInfluence& of) {
+    return of.slopes[main] ? std::abs(of.slopes[main]->value) : 0.0;
+  });
 }
 
 }  // namespace
@@ -169,7 +167,7 @@ Analysis analyse(const FlownCampaign& flown, const Campaign& campaign, const Que
     std::ranges::transform(runs, std::back_inserter(values), [i](const FlownRun& run) { return run.numbers[i]; });
     analysis.quantities.push_back(column(flown.quantities[i], std::move(values)));
   }
-  add_influences(analysis, flown, campaign.seed);
+  add_influences(analysis, flown);
   analysis.worst.resize(runs.size());
   std::iota(analysis.worst.begin(), analysis.worst.end(), std::size_t{0});
   const std::size_t kept = std::min(worst_runs, runs.size());

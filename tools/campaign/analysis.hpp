@@ -34,8 +34,7 @@ struct Column {
 /// How much a drawn quantity matters.
 struct QuantityInfluence {
   std::string name{};
-  Influence on_result{};
-  std::vector<std::optional<double>> variance_shares{};  ///< of each of figure_columns; empty where nothing is known
+  std::vector<std::optional<Estimate>> slopes{};  ///< of each of figure_columns; empty where nothing is known
 };
 
 /// The share after so many runs, with bounds that hold however often one looks.
@@ -54,7 +53,7 @@ struct Analysis {
   std::vector<std::pair<std::string, std::size_t>> outcomes{};  ///< the most frequent first
   std::vector<Column> figures{};                                ///< those that some run has
   std::vector<Column> quantities{};
-  std::vector<QuantityInfluence> influences{};  ///< the largest share of the variance first
+  std::vector<QuantityInfluence> influences{};  ///< of the asked figure, the steepest slope first
   double explained = 0.0;                       ///< Sensitivity::explained, of the figure that the question is about
   std::size_t influence_runs = 0;               ///< that have that figure; of many, the first ones
   std::string no_influences{};                  ///< why there are none, a sentence

@@ -81,9 +81,8 @@ std::string distributions(const Report& report) {
   return text + columns_table(report.analysis.figures);
 }
 
-std::string with_interval(const Estimate& e, double scale, int decimals) {
-  return fmt::format("{} ({} to {})", fixed(scale * e.value, decimals), fixed(scale * e.low, decimals),
-                     fixed(scale * e.high, decimals));
+std::string with_interval(const Estimate& e) {
+  return fmt::format("{} ({} to {})", fixed(e.value, 2), fixed(e.low, 2), fixed(e.high, 2));
 }
 
 std::string influences(const Report& report) {
@@ -92,16 +91,11 @@ std::string influences(const Report& report) {
   if (!a.no_influences.empty()) {
     return page::paragraph(a.no_influences);
   }
-  const std::array<page::Column, 3> columns{
-      {{"quantity"}, {"share of the variance, %", true}, {"slope, standard deviations", true}}};
+  const std::array<page::Column, 2> columns{{{"quantity"}, {"slope, standard deviations", true}}};
   std::vector<std::vector<page::Cell>> rows;
   for (const QuantityInfluence& of : a.influences) {
-    if (of.variance_shares[figure]) {
-      const auto& slope = of.on_result.slope;
-      rows.push_back({{column_words(of.name).words},
-                      {with_interval(of.on_result.variance_share, 100.0, 1)},
-                      {slope ? with_interval(*slope, 1.0, 2) : "depends on others"}});
-    }
+    const auto& slope = of.slopes[figure];
+    rows.push_back({{column_words(of.name).words}, {slope ? with_interval(*slope) : std::string{no_slope}}});
   }
   const std::array<std::string, 2> plots{
       page::figure(scatter(report, a.influences.front().name)),
@@ -109,21 +103,19 @@ std::string influences(const Report& report) {
   return page::paragraph(fmt::format("What the {} depends on, by {} runs, with 95 % intervals.",
                                      column_words(figure_columns[figure]).words, a.influence_runs)) +
          page::table(columns, rows) +
-         page::note(fmt::format(
-             "Share of the variance: what would go if this quantity alone were known (Sobol's index of first order), "
-             "estimated, so that a small one may come out below 0. "
-             "Slope: by how many of its standard deviations the figure moves with one of the quantity's, the others "
-             "held; straight lines of all quantities together explain {} % of the variance.",
-             fixed(100.0 * a.explained, 0))) +
+         page::note(
+             "Slope: by how many of its standard deviations the figure moves with one of the quantity's, the "
+             "others held. " +
+             about_slopes(a)) +
          (a.influences.size() > 1 ? page::side_by_side(plots) : plots[0]);
 }
 
-/// Of every figure, the share of its variance by quantity.
+/// Of every figure, its slope by each quantity.
 std::string all_influences(const Analysis& a) {
-  std::vector<page::Column> columns{{"share of the variance, %"}};
+  std::vector<page::Column> columns{{"slope of each figure"}};
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < figure_columns.size(); ++i) {
-    if (std::ranges::any_of(a.influences, [i](const auto& of) { return of.variance_shares[i].has_value(); })) {
+    if (std::ranges::any_of(a.influences, [i](const auto& of) { return of.slopes[i].has_value(); })) {
       columns.push_back({column_words(figure_columns[i]).words, true});
       shown.push_back(i);
     }
@@ -132,8 +124,8 @@ std::string all_influences(const Analysis& a) {
   for (const QuantityInfluence& of : a.influences) {
     rows.push_back({{column_words(of.name).words}});
     for (const std::size_t i : shown) {
-      const auto& share = of.variance_shares[i];
-      rows.back().push_back({share ? fixed(std::max(0.0, 100.0 * *share), 0) : ""});
+      const auto& slope = of.slopes[i];
+      rows.back().push_back({slope ? fixed(slope->value, 2) : ""});
     }
   }
   return shown.empty() ? "" : page::table(columns, rows);

@@ -32,24 +32,31 @@ Json columns(const std::vector<Column>& list) {
   return all;
 }
 
+constexpr std::string_view why_no_variance_share =
+    "No estimator tried held the true share in 93 to 97 % of its intervals, so shares are no longer given. Use slope.";
+
 Json influences(const Analysis& a) {
   Json of = Json::array();
   for (const QuantityInfluence& quantity : a.influences) {
-    Json shares;
+    Json slopes;
+    Json shares;  // no longer estimated; the keys stay for who reads them
     for (std::size_t i = 0; i < figure_columns.size(); ++i) {
-      shares[figure_columns[i]] = Json{rounded(quantity.variance_shares[i])};
+      const auto& slope = quantity.slopes[i];
+      slopes[figure_columns[i]] = slope ? Json{rounded(slope->value)} : Json{};
+      shares[figure_columns[i]] = Json{};
     }
-    const bool is_known = quantity.variance_shares[a.question.measured_by()].has_value();
-    const auto& slope = quantity.on_result.slope;
+    const auto& slope = quantity.slopes[a.question.measured_by()];
     of.push_back({{"name", quantity.name},
-                  {"slope", is_known && slope ? json(*slope) : Json{}},
-                  {"variance_share", is_known ? json(quantity.on_result.variance_share) : Json{}},
+                  {"slope", slope ? json(*slope) : Json{}},
+                  {"slope_of", slopes},
+                  {"variance_share", Json{}},
                   {"variance_share_of", shares}});
   }
   return {{"figure", figure_columns[a.question.measured_by()]},
           {"runs", a.influence_runs},
           {"explained_by_straight_lines", a.no_influences.empty() ? Json{rounded(a.explained)} : Json{}},
           {"why_none", json::text_or_null(a.no_influences)},
+          {"why_no_variance_share", why_no_variance_share},
           {"of", of}};
 }
 

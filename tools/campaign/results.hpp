@@ -28,6 +28,11 @@ struct Report {
 /// What was left out or went wrong, a sentence each.
 [[nodiscard]] std::vector<std::string> remarks(const Report& report);
 
+/// How much the slopes explain, and what they do not show.
+[[nodiscard]] std::string about_slopes(const Analysis& analysis);
+/// In the place of a slope.
+inline constexpr std::string_view no_slope = "not known";
+
 /// For a terminal.
 [[nodiscard]] std::string report_text(const Report& report, std::size_t columns = text::any_width);
 /// summary.json: one object, every figure with its unit in its name; what does not exist is null.

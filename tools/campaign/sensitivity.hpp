@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,26 +13,19 @@ struct Estimate {
   double high = 0.0;
 };
 
-/// How much one unknown quantity matters for a result.
-struct Influence {
-  /// Standardised regression coefficient: by how many of its standard deviations the result moves with one of the
-  /// quantity's, the others held. Its sign says in which sense. Empty where quantities depend on each other so closely
-  /// that one cannot change without another.
-  std::optional<Estimate> slope{};
-  /// Sobol's index of first order: the share of the variance of the result that would go if this quantity were known.
-  /// It sees what no straight line shows. From the runs as they are, by groups of runs with alike values; may come out
-  /// a little below 0.
-  Estimate variance_share{};
-};
-
+/// How the result goes with the quantities, along straight lines.
 struct Sensitivity {
-  std::vector<Influence> of_quantity{};
+  /// Of each quantity, the standardised regression coefficient: by how many of its standard deviations the result moves
+  /// with one of the quantity's, the others held. Its sign says in which sense. All are empty where
+  /// quantities depend on each other so closely that one cannot change without another, or where one run alone decides.
+  std::vector<std::optional<Estimate>> slopes{};
   double explained = 0.0;  ///< by the straight lines of all quantities together: R^2, adjusted for their number
 };
 
 /// `quantities`: one list a quantity, each as long as `result`, no value the same in all runs; `result` neither. There
-/// are at least ten runs, and five times as many as quantities. The same numbers and seed give the same intervals.
+/// are at least ten runs, and ten times as many as quantities. The intervals are those of the jackknife, so they ask
+/// neither for a straight line nor for noise that is the same everywhere.
 [[nodiscard]] Sensitivity sensitivity(const std::vector<std::vector<double>>& quantities,
-                                      const std::vector<double>& result, std::uint64_t seed);
+                                      const std::vector<double>& result);
 
 }  // namespace fantail::campaign

@@ -85,6 +85,21 @@ std::string interval_sentence(const Report& report) {
          "usually more certain, but nothing here shows by how much.";
 }
 
+std::string about_slopes(const Analysis& analysis) {
+  const std::size_t figure = analysis.question.measured_by();
+  const bool all_known =
+      std::ranges::all_of(analysis.influences, [figure](const auto& of) { return of.slopes[figure].has_value(); });
+  return fmt::format(
+      "Straight lines of all quantities together explain {} % of the variance. Slopes do not show curves, thresholds, "
+      "or "
+      "effects of two quantities together.{}",
+      text::fixed(100.0 * std::max(0.0, analysis.explained), 0),
+      all_known
+          ? ""
+          : " A slope is not known where the quantity does not vary, where quantities depend wholly on each other, "
+            "or where one run alone decides.");
+}
+
 std::vector<std::string> remarks(const Report& report) {
   std::vector<std::string> all{
       "The share is that of the spreads in the scenario's file: it is as true of the rocket as they are.",
@@ -124,15 +139,16 @@ std::string list_of_influences(const Report& report) {
   if (!a.no_influences.empty()) {
     return fmt::format("What {} depends on: {}\n", result, a.no_influences);
   }
-  std::string text = fmt::format("What {} depends on (share of its variance; 95 % interval):\n", result);
+  std::string text = fmt::format("What {} depends on (slope in standard deviations; 95 % interval):\n", result);
   for (const QuantityInfluence& of : a.influences) {
-    if (of.variance_shares[a.question.measured_by()]) {
-      const Estimate& share = of.on_result.variance_share;
-      text += fmt::format("  {:<44} {:>5} %  ({} to {} %)\n", of.name, text::fixed(100.0 * share.value, 1),
-                          text::fixed(100.0 * share.low, 1), text::fixed(100.0 * share.high, 1));
+    if (const auto& slope = of.slopes[a.question.measured_by()]) {
+      text += fmt::format("  {:<44} {:>5}  ({} to {})\n", of.name, text::fixed(slope->value, 2),
+                          text::fixed(slope->low, 2), text::fixed(slope->high, 2));
+    } else {
+      text += fmt::format("  {:<44} {}\n", of.name, no_slope);
     }
   }
-  return text;
+  return text + fmt::format("  {}\n", about_slopes(a));
 }
 
 std::string table_of_figures(const Analysis& analysis, std::size_t columns) {

@@ -27,8 +27,6 @@ MatrixXd Factors::inverse() const { return solve(MatrixXd::Identity(ldlt_->of.ro
 
 VectorXd Factors::pivots() const { return ldlt_->of.vectorD(); }
 
-double Factors::reciprocal_condition() const { return ldlt_->of.rcond(); }
-
 MatrixXd product(const Columns& left, const Columns& right) { return left * right; }
 
 MatrixXd gram(const Columns& columns) { return columns.transpose() * columns; }

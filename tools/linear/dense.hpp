@@ -27,8 +27,6 @@ class Factors {
   [[nodiscard]] Eigen::MatrixXd solve(const Columns& right) const;
   [[nodiscard]] Eigen::MatrixXd inverse() const;
   [[nodiscard]] Eigen::VectorXd pivots() const;  ///< D
-  /// One over the condition number, about; zero where there is no inverse.
-  [[nodiscard]] double reciprocal_condition() const;
 
  private:
   struct Ldlt;

@@ -8,13 +8,13 @@
 
 #include <Eigen/LU>
 
-#include "identify/result/uncertainty.hpp"
+#include "linear/student.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
 double limit(std::size_t numbers, double fewest_degrees_of_freedom) {
-  const double widening = student_975(fewest_degrees_of_freedom) / student_975(1e9);
+  const double widening = linear::student_975(fewest_degrees_of_freedom) / linear::student_975(1e9);
   return widening * widening * chi_square_95(static_cast<double>(numbers));
 }
 
@@ -29,7 +29,8 @@ Constants constants_of(const Identification& result) {
 }
 
 Interval interval_of(const Constants& constants, Eigen::Index which) {
-  const double reach = student_975(constants.degrees_of_freedom) * std::sqrt(constants.covariance(which, which));
+  const double reach =
+      linear::student_975(constants.degrees_of_freedom) * std::sqrt(constants.covariance(which, which));
   return {.low = constants.value(which) - reach, .high = constants.value(which) + reach};
 }
 

@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "identify/result/uncertainty.hpp"
+#include "linear/student.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -151,7 +151,7 @@ FrequencyLine line(double frequency_hz, const Spectra& s, bool plain, double ind
                           (std::norm(s[canard][instrument]) * (independent_segments - 1.0));
   result.estimate = {.gain_per_s = std::abs(gain),
                      .phase_rad = phase_rad(gain),
-                     .reach_per_s = student_975(2.0 * (independent_segments - 1.0)) * std::sqrt(0.5 * variance),
+                     .reach_per_s = linear::student_975(2.0 * (independent_segments - 1.0)) * std::sqrt(0.5 * variance),
                      .model_gain_per_s = std::abs(model_gain),
                      .model_phase_rad = phase_rad(model_gain)};
   return result;

@@ -13,6 +13,7 @@
 #include "identify/model/open_loop.hpp"
 #include "identify/result/residual.hpp"
 #include "linear/dense.hpp"
+#include "linear/student.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -167,7 +168,7 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
   // Half of the samples go into finding out what the noise is like.
   result.degrees_of_freedom =
       std::max(0.5 * (noise.effective_samples(record.time_s) - static_cast<double>(fitted.cols())), 2.0);
-  const double quantile = student_975(result.degrees_of_freedom);
+  const double quantile = linear::student_975(result.degrees_of_freedom);
   const Index own = sensitivities.numbers.cols();
   const VectorXd all_deviations = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   const VectorXd deviation = all_deviations.head(own);
@@ -200,18 +201,6 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
 bool is_identifiable(const Interval& interval) {
   constexpr double widest_factor = 4.0;
   return interval.low && interval.high && *interval.low > 0.0 && *interval.high <= widest_factor * *interval.low;
-}
-
-double student_975(double degrees_of_freedom) {
-  // Cornish-Fisher expansion around the normal quantile (Abramowitz and Stegun 26.7.5).
-  constexpr double z = 1.959963984540054;
-  const double z2 = z * z;
-  const double n = std::max(degrees_of_freedom, 2.0);
-  const double g1 = z * (z2 + 1.0) / 4.0;
-  const double g2 = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
-  const double g3 = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
-  const double g4 = z * ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
-  return z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n;
 }
 
 VectorXd cramer_rao_standard_deviations(const Sensitivities& sensitivities, double angle_noise_rad) {

@@ -30,7 +30,4 @@ namespace fantail::identify::result {
 /// How far the canards moved apart from what the nodes could have done themselves (root mean square).
 [[nodiscard]] double excitation_rad(const model::Record& record, const model::NodeTimes& nodes);
 
-/// Of Student's distribution: 97.5 % lie below. To 1 % from 3 degrees of freedom on; fewer than 2 count as 2.
-[[nodiscard]] double student_975(double degrees_of_freedom);
-
 }  // namespace fantail::identify::result
