@@ -5,6 +5,7 @@
 
 #include "system/folder.hpp"
 #include "telemetry/publisher.hpp"
+#include "telemetry/receiver.hpp"
 
 namespace fantail::telemetry {
 namespace {

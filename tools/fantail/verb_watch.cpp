@@ -91,7 +91,12 @@ void fill(const Verb& verb) {
       "  fantail watch --lcm udpm:// | tee flight.txt             lines, from LCM's default address\n"
       "  fantail watch --lcm udpm:// --page                       in a browser, too, for everybody in the room\n"
       "  fantail watch --lcm file:///tmp/flight.lcmlog --json     a log at its own pace, for a script");
-  verb.action([options] { watch(*options); });
+  verb.action([options] {
+    try {
+      watch(*options);
+    } catch (const Interrupted&) {  // while a pipe gave nothing: Ctrl-C is how this ends
+    }
+  });
 }
 
 }  // namespace

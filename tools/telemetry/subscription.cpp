@@ -1,73 +1,100 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/subscription.hpp"
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
+#include <optional>
+#include <system_error>
 
-#include <lcm/lcm.h>
 #include <poll.h>
-#include <unistd.h>
+
+#include "telemetry/datagram_receiver.hpp"
+#include "telemetry/lcm_format.hpp"
+#include "text/error.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::telemetry {
-namespace {
 
-// LCM keeps 30 otherwise, and throws away what comes while the listener is busy for a moment.
-constexpr int most_waiting = 10'000;
-
-}  // namespace
-
-struct Subscription::Lcm {
-  ~Lcm() {
-    if (handle != nullptr) {
-      lcm_destroy(handle);
-    }
-  }
-  static void hand_over(const lcm_recv_buf_t* buffer, const char* channel, void* user) {
-    const auto* self = static_cast<const Lcm*>(user);
-    (*self->take)(channel, {static_cast<const std::byte*>(buffer->data), buffer->data_size});
-  }
-  [[nodiscard]] bool has_something() const {
-    pollfd descriptor{.fd = lcm_get_fileno(handle), .events = POLLIN, .revents = 0};
-    return ::poll(&descriptor, 1, 0) > 0;
-  }
-
-  lcm_t* handle = nullptr;
-  bool is_file = false;
-  const Take* take = nullptr;  ///< in a call of listen()
+class Subscription::Network : public DatagramReceiver {
+  using DatagramReceiver::DatagramReceiver;
 };
 
-Subscription::Subscription(const Url& url) : lcm_{std::make_unique<Lcm>()} {
-  lcm_->is_file = url.is_file();
+/// Its events are due as far apart as they were when they were recorded.
+class Subscription::Log {
+ public:
+  explicit Log(const Url& url)
+      : file_{url.path()}, speed_{url.speed()}, log_{[this](std::span<char> to) { return file_.read(to); }} {
+    next_ = log_.next();
+    if (!next_) {
+      throw TelemetryError{url.text() + ": not an LCM log, or an empty one"};
+    }
+  }
+
+  void wait(std::chrono::milliseconds at_most) const {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(due_ - Clock::now());
+    (void)::poll(nullptr, 0, static_cast<int>(std::clamp(left, std::chrono::milliseconds{0}, at_most).count()));
+  }
+
+  bool listen(const Take& take) {
+    // A log played as fast as it goes always has something; the listener must get round to showing it.
+    for (std::size_t i = 0; i < DatagramReceiver::most_waiting && next_ && due_ <= Clock::now(); ++i) {
+      if (next_->channel.starts_with(channel_prefix)) {
+        take(next_->channel, next_->bytes);
+      }
+      const std::int64_t before_us = next_->time_us;
+      next_ = log_.next();
+      if (next_ && speed_ > 0.0) {
+        due_ += pause(static_cast<double>(next_->time_us) - static_cast<double>(before_us));
+      }
+    }
+    return next_.has_value();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// A clock that was set back begins a new piece, and no damage makes a listener wait longer than a day.
+  [[nodiscard]] Clock::duration pause(double recorded_us) const {
+    constexpr double longest_s = 86'400.0;
+    const std::chrono::duration<double> pause_s{std::clamp(1e-6 * recorded_us / speed_, 0.0, longest_s)};
+    return std::chrono::duration_cast<Clock::duration>(pause_s);
+  }
+
+  text::InputFile file_;
+  double speed_;
+  LcmLog log_;
+  std::optional<LcmLog::Event> next_;
+  Clock::time_point due_ = Clock::now();
+};
+
+Subscription::Subscription(const Url& url) {
   if (!url.is_file()) {
     require_route(url);
-  } else if (::access(url.path().c_str(), R_OK) != 0) {
-    throw TelemetryError{url.path() + ": " + std::strerror(errno)};
+    network_ = std::make_unique<Network>(url);
+    return;
   }
-  lcm_->handle = lcm_create(url.text().c_str());
-  lcm_subscription_t* const heard =
-      lcm_->handle == nullptr ? nullptr : lcm_subscribe(lcm_->handle, "FANTAIL_.*", Lcm::hand_over, lcm_.get());
-  if (heard == nullptr) {
-    throw TelemetryError{url.text() + (url.is_file() ? ": not an LCM log, or an empty one"
-                                                     : ": LCM cannot listen there; see its own message above")};
+  try {
+    log_ = std::make_unique<Log>(url);
+  } catch (const text::Error& error) {
+    if (error.kind() == text::ErrorKind::interrupted) {
+      throw;
+    }
+    throw TelemetryError{error.what()};
+  } catch (const std::system_error& error) {
+    throw TelemetryError{url.path() + ": " + error.code().message()};
   }
-  lcm_subscription_set_queue_capacity(heard, most_waiting);
 }
 
 Subscription::~Subscription() = default;
 
 void Subscription::wait(std::chrono::milliseconds at_most) const {
-  pollfd descriptor{.fd = lcm_get_fileno(lcm_->handle), .events = POLLIN, .revents = 0};
-  (void)::poll(&descriptor, 1, static_cast<int>(at_most.count()));
+  log_ ? log_->wait(at_most) : network_->wait(at_most);
 }
 
 bool Subscription::listen(const Take& take) {
-  lcm_->take = &take;
-  // A log played as fast as it goes always has something; the listener must get round to showing it.
-  for (int i = 0; i < most_waiting && lcm_->has_something(); ++i) {
-    if (lcm_handle(lcm_->handle) < 0) {
-      return false;
-    }
+  if (log_) {
+    return log_->listen(take);
   }
+  network_->hand_over(take);
   return true;
 }
 

@@ -15,6 +15,9 @@ namespace fantail::telemetry {
 /// Hears our channels on an LCM network, or in a log at the log's own pace.
 class Subscription {
  public:
+  /// Takes one message: its channel and its bytes.
+  using Take = std::function<void(std::string_view channel, std::span<const std::byte> bytes)>;
+
   /// Throws TelemetryError.
   explicit Subscription(const Url& url);
   ~Subscription();
@@ -24,14 +27,14 @@ class Subscription {
   /// Until something has come, at most so long; a signal ends it early.
   void wait(std::chrono::milliseconds at_most) const;
 
-  /// Takes one message: its channel and its bytes.
-  using Take = std::function<void(std::string_view channel, std::span<const std::byte> bytes)>;
   /// Hands over all that has come. False: the log has ended.
   bool listen(const Take& take);
 
  private:
-  struct Lcm;
-  std::unique_ptr<Lcm> lcm_;
+  class Network;
+  class Log;
+  std::unique_ptr<Network> network_;  ///< one of the two
+  std::unique_ptr<Log> log_;
 };
 
 }  // namespace fantail::telemetry

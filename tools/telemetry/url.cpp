@@ -73,24 +73,33 @@ void Url::read_network(const std::string& place) {
 }
 
 // LCM only warns of an option that it does not know, and goes on without it.
-void Url::read_options(const std::string& options) const {
+void Url::read_options(const std::string& options) {
   for (std::size_t begin = 0; begin <= options.size();) {
     const std::size_t end = std::min(options.find('&', begin), options.size());
     const std::string option = options.substr(begin, end - begin);
     const std::size_t equals = std::min(option.find('='), option.size());
-    const std::string_view key = std::string_view{option}.substr(0, equals);
     const std::string_view value = std::string_view{option}.substr(std::min(equals + 1, option.size()));
-    const auto whole = number<long>(value);
-    const bool good = is_file() ? key == "speed" && number<double>(value) && *number<double>(value) >= 0.0
-                                : (key == "ttl" && whole && *whole >= 0 && *whole <= 255) ||
-                                      (key == "recv_buf_size" && whole && *whole > 0 && *whole <= 1L << 30);
-    if (!good) {
+    if (!read_option(std::string_view{option}.substr(0, equals), value)) {
       throw std::invalid_argument{'"' + option + "\" is not an option of \"" + text_ + "\"; allowed: " +
                                   (is_file() ? "speed=FACTOR (when it is read; 0: as fast as it goes)"
                                              : "ttl=HOPS (0 to 255, 0: this computer only), recv_buf_size=BYTES")};
     }
     begin = end + 1;
   }
+}
+
+bool Url::read_option(std::string_view key, std::string_view value) {
+  if (is_file()) {
+    const auto speed = number<double>(value);
+    speed_ = speed.value_or(speed_);
+    return key == "speed" && speed && *speed >= 0.0;
+  }
+  const auto whole = number<int>(value);
+  if (key == "recv_buf_size") {
+    receive_buffer_bytes_ = whole;
+    return whole && *whole > 0 && *whole <= 1 << 30;
+  }
+  return key == "ttl" && whole && *whole >= 0 && *whole <= 255;  // the sender's
 }
 
 std::string objection_to_url(const std::string& text) {

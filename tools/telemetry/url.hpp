@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace fantail::telemetry {
 
@@ -23,15 +25,20 @@ class Url {
   [[nodiscard]] const std::string& path() const { return path_; }        ///< of a file, without options
   [[nodiscard]] const std::string& address() const { return address_; }  ///< of a network
   [[nodiscard]] std::uint16_t port() const { return port_; }
+  [[nodiscard]] double speed() const { return speed_; }  ///< of a file; 0: as fast as it goes
+  [[nodiscard]] const std::optional<int>& receive_buffer_bytes() const { return receive_buffer_bytes_; }
 
  private:
   void read_network(const std::string& place);
-  void read_options(const std::string& options) const;
+  void read_options(const std::string& options);
+  [[nodiscard]] bool read_option(std::string_view key, std::string_view value);
 
   std::string text_;
   std::string path_;
   std::string address_ = "239.255.76.67";
   std::uint16_t port_ = 7667;
+  double speed_ = 1.0;
+  std::optional<int> receive_buffer_bytes_{};
 };
 
 /// Empty when the text is a URL: for the command line.
