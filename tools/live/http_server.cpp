@@ -15,6 +15,8 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr std::chrono::seconds request_timeout{5};
+// The library takes lines and bytes without a limit. A browser sends a tenth of it.
+constexpr std::size_t longest_request = 32U << 10U;
 constexpr std::chrono::seconds write_timeout{3};
 
 bool is_ready(socket_t socket, short events, milliseconds at_most) {
@@ -26,10 +28,16 @@ class Connection final : public httplib::Stream {
  public:
   explicit Connection(socket_t socket) : socket_{socket} {}
 
-  [[nodiscard]] bool is_readable() const override { return is_ready(socket_, POLLIN, left()); }
+  // Nor is one that always has something when its time is over.
+  [[nodiscard]] bool is_readable() const override {
+    return left() > milliseconds{0} && is_ready(socket_, POLLIN, left());
+  }
   [[nodiscard]] bool is_writable() const override { return is_ready(socket_, POLLOUT, write_timeout); }
   ssize_t read(char* to, std::size_t size) override {
-    return is_readable() ? ::recv(socket_, to, size, MSG_DONTWAIT) : -1;
+    const std::size_t most = std::min(size, longest_request - taken_);
+    const ssize_t count = most > 0 && is_readable() ? ::recv(socket_, to, most, MSG_DONTWAIT) : -1;
+    taken_ += count > 0 ? static_cast<std::size_t>(count) : 0;
+    return count;
   }
   ssize_t write(const char* from, std::size_t size) override {
     return is_writable() ? ::send(socket_, from, size, MSG_DONTWAIT | MSG_NOSIGNAL) : -1;
@@ -45,6 +53,7 @@ class Connection final : public httplib::Stream {
   }
 
   socket_t socket_;
+  std::size_t taken_ = 0;
   Clock::time_point begin_ = Clock::now();
 };
 

@@ -11,9 +11,10 @@
 
 namespace fantail::live {
 
-/// The library's server with a bound on what a stranger can take: so many connections, each for one request, which has
-/// to come within five seconds. The library bounds each single read alone: a byte now and then holds a thread for
-/// hours, connections wait without end, and each of thousands of ranges asked for becomes a copy of the page.
+/// The library's server with a bound on what a stranger can take: so many connections, each for one request of at most
+/// 32 kB, which has to come within five seconds. The library bounds each single read alone: a byte now and then holds a
+/// thread for hours, header lines fill the memory, connections wait without end, and each of thousands of ranges asked
+/// for becomes a copy of the page.
 class HttpServer final : public httplib::Server {
  public:
   /// More connections than that are closed as they come.

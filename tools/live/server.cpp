@@ -73,9 +73,9 @@ void Server::Http::answer_all() {
         response.set_header("Content-Security-Policy", content_security_policy);
         response.set_header("X-Content-Type-Options", "nosniff");
         response.set_header("Referrer-Policy", "no-referrer");
-        if (request.method != "GET" && request.method != "HEAD") {
+        if (request.method != "GET") {
           response.status = 405;
-          response.set_header("Allow", "GET, HEAD");
+          response.set_header("Allow", "GET");
           response.set_content("This page only shows: nothing can be sent to it.\n", "text/plain");
           return httplib::Server::HandlerResponse::Handled;
         }
