@@ -95,12 +95,11 @@ void Ascent::fly(double time_s) {
   distance_m_ += dt_s * middle_speed_m_s;
   speed_m_s_ += dt_s * (middle.specific_force_m_s2 - gravity_along_m_s2_);
   time_s_ = time_s;
-  if (speed_m_s_ < 0.0) {
-    events_.apogee_s = events_.apogee_s.value_or(time_s);
-    if (distance_m_ <= 0.0) {
-      come_to_rest();
-      return;
-    }
+  left_guide_ = left_guide_ || distance_m_ >= parameters_.guide_length_m;
+  highest_.look(time_s, distance_m_ * cos_tilt_, speed_m_s_, events_.apogee_s);
+  if (speed_m_s_ < 0.0 && distance_m_ <= 0.0) {
+    come_to_rest();
+    return;
   }
   now_ = in_flight(time_s, speed_m_s_, density_kg_m3);
 }
@@ -110,10 +109,8 @@ void Ascent::come_to_rest() {
   speed_m_s_ = 0.0;
   now_ = in_flight(time_s_, 0.0, density_.at(0.0));
   now_.specific_force_m_s2 = gravity_along_m_s2_;
-  if (time_s_ < parameters_.motor.burnout_s()) {
-    // A motor that stutters let it hop: it stands on the pad again, and the flight is still to come.
-    stage_ = Stage::pad;
-    events_.apogee_s.reset();
+  if (!left_guide_ && time_s_ < parameters_.motor.burnout_s()) {
+    stage_ = Stage::pad;  // a motor that stutters let it hop, and the flight is still to come
   } else {
     stage_ = Stage::landed;
     events_.landing_s = time_s_;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "sim/atmosphere.hpp"
 #include "sim/drag_over_mach.hpp"
+#include "sim/highest_point.hpp"
 #include "sim/local_density.hpp"
 #include "sim/thrust_curve.hpp"
 #include "sim/units.hpp"
@@ -16,6 +18,7 @@ struct AscentParameters {
   double mass_kg = 0.0;  ///< at ignition, propellant included; above that of the propellant
   double drag_area_m2 = 0.0;
   double guide_tilt_rad = 0.0;  ///< from the vertical, below a right angle
+  double guide_length_m = std::numeric_limits<double>::infinity();
   Atmosphere atmosphere{};
   ThrustCurve motor{};
   DragOverMach drag_over_mach{};  ///< factor on the drag area
@@ -25,7 +28,7 @@ struct AscentParameters {
 struct AscentEvents {
   std::optional<double> liftoff_s;  ///< net upward acceleration
   std::optional<double> burnout_s;
-  std::optional<double> apogee_s;  ///< speed below zero
+  std::optional<double> apogee_s;  ///< HighestPoint: it may move until the motor has burnt out
   std::optional<double> landing_s;
 };
 
@@ -33,7 +36,8 @@ struct AscentEvents {
 ///   m dv/dt = F - m g cos(tilt) - 1/2 rho CdA v|v|,   height = distance cos(tilt),
 /// mass falling in proportion to impulse. The whole flight stays on that line, also beyond the guide, where a real
 /// rocket would bend towards the ground. Before lift-off the pad carries the rocket; after apogee it falls back along
-/// the line, tail first, and stays where it started.
+/// the line, tail first, and stays where it started. One that has not left its guide stands on the pad again, as long
+/// as its motor has not burnt out.
 class Ascent {
  public:
   /// On the pad, before ignition.
@@ -85,9 +89,11 @@ class Ascent {
   double time_s_ = 0.0;
   double distance_m_ = 0.0;
   double speed_m_s_ = 0.0;
+  bool left_guide_ = false;
   Stage stage_ = Stage::pad;
   Instant now_{};
   AscentEvents events_;
+  HighestPoint highest_;
 };
 
 }  // namespace fantail::sim

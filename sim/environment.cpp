@@ -64,6 +64,7 @@ Environment::Environment(const Scenario& scenario, Random turbulence)
     ascent_.emplace(AscentParameters{.mass_kg = vehicle.mass_kg,
                                      .drag_area_m2 = vehicle.drag_area_m2,
                                      .guide_tilt_rad = scenario.guide.tilt_rad,
+                                     .guide_length_m = guide_length_m_,
                                      .atmosphere = scenario.atmosphere,
                                      .motor = vehicle.motor,
                                      .drag_over_mach = vehicle.drag_over_mach});
@@ -131,6 +132,15 @@ bool Environment::is_on_ground() const {
     return prescribed_->is_on_ground();
   }
   return flight_ ? flight_->is_on_ground() : ascent_ && ascent_->distance_m() <= 0.0;
+}
+
+bool Environment::is_past_apogee() const {
+  const AscentEvents& events = ascent_events();
+  if (prescribed_) {
+    return events.apogee_s && (events.burnout_s || !scenario_.path->burnout_s);
+  }
+  const double up_m_s = flight_ ? flight_->state().velocity_m_s.z : ascent_->speed_m_s();
+  return events.burnout_s && (up_m_s < 0.0 || is_on_ground());
 }
 
 bool Environment::can_roll() const {

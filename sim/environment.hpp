@@ -72,6 +72,9 @@ class Environment {
   }
   /// When the parachute began to open; empty: not yet, or there is none.
   [[nodiscard]] std::optional<double> parachute_s() const { return flight_ ? flight_->parachute_s() : std::nullopt; }
+  /// In flight only: the motor has burnt out, and the rocket sinks or is on the ground. What a motor that pauses does
+  /// is still to come.
+  [[nodiscard]] bool is_past_apogee() const;
   [[nodiscard]] bool is_over() const { return prescribed_ && prescribed_->is_over(); }  ///< the path has no more
   [[nodiscard]] std::optional<Path> path() const;  ///< empty along a straight line and in the tunnel
   /// It follows the propellant; empty where it does not change.

@@ -172,8 +172,9 @@ void RigidFlight::slide(double time_s, const Vector3& wind_m_s) {
   guide_speed_m_s_ += dt_s * (axial_in_guide_m_s2(all, body, middle_speed_m_s) + gravity_in_guide_m_s2_.x);
   state_.position_m = distance_m_ * axis;
   state_.velocity_m_s = guide_speed_m_s_ * axis;
+  highest_.look(time_s, state_.position_m.z, guide_speed_m_s_, events_.apogee_s);
   if (guide_speed_m_s_ < 0.0) {
-    events_.apogee_s = events_.apogee_s.value_or(time_s);
+    first_sank_s_ = first_sank_s_.value_or(time_s);
     if (distance_m_ <= 0.0) {
       time_s_ = time_s;
       come_to_rest();
@@ -201,16 +202,17 @@ void RigidFlight::fly(double time_s, double roll_rate_rad_s, const Vector3& wind
     return rate_of_change(middle, loads(body, middle, time_s_ + after_s, middle_density_kg_m3, middle_wind_m_s),
                           body.inertia, roll_rate_rad_s);
   });
+  highest_.look(time_s, state_.position_m.z, state_.velocity_m_s.z, events_.apogee_s);
   if (state_.velocity_m_s.z < 0.0) {
-    events_.apogee_s = events_.apogee_s.value_or(time_s);
+    first_sank_s_ = first_sank_s_.value_or(time_s);
     if (state_.position_m.z <= 0.0) {
       time_s_ = time_s;
       come_to_rest();
       return;
     }
   }
-  if (parameters_.recovery && parameters_.recovery->drag_area_m2 > 0.0 && events_.apogee_s && !parachute_s_ &&
-      time_s >= *events_.apogee_s + parameters_.recovery->delay_s) {
+  if (parameters_.recovery && parameters_.recovery->drag_area_m2 > 0.0 && first_sank_s_ && !parachute_s_ &&
+      time_s >= *first_sank_s_ + parameters_.recovery->delay_s) {
     parachute_s_ = time_s;
   }
   look(time_s, roll_rate_rad_s, density_kg_m3, wind_m_s);
@@ -230,7 +232,7 @@ void RigidFlight::come_to_rest() {
     guide_speed_m_s_ = 0.0;
     state_.position_m = {};
     stage_ = Stage::pad;
-    events_.apogee_s.reset();
+    first_sank_s_.reset();
   } else {
     stage_ = Stage::landed;
     events_.landing_s = time_s_;

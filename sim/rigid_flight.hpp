@@ -9,6 +9,7 @@
 #include "sim/ascent.hpp"
 #include "sim/compressibility.hpp"
 #include "sim/drag_over_mach.hpp"
+#include "sim/highest_point.hpp"
 #include "sim/launch_guide.hpp"
 #include "sim/local_density.hpp"
 #include "sim/recovery.hpp"
@@ -118,6 +119,8 @@ class RigidFlight {
   Vector3 specific_force_m_s2_;
   Vector3 air_speed_m_s_;
   AscentEvents events_;
+  HighestPoint highest_;
+  std::optional<double> first_sank_s_;  ///< what opens the parachute, whatever the motor does later
   std::optional<double> parachute_s_;
 };
 

@@ -63,7 +63,7 @@ struct Scenario {
   WindSpread wind_spread{};       ///< what a prediction draws the wind with; not flown
   double pad_time_s = 10.0;       ///< from power-up to ignition, or to the start command
   double arm_time_s = 1.0;        ///< after power-up
-  double time_after_end_s = 1.0;  ///< goes on this long after apogee, or after control has ended in the tunnel
+  double time_after_end_s = 1.0;  ///< goes on this long after apogee and burn-out, or after control in the tunnel
   double log_period_s = 0.001;    ///< between the rows that are kept of a run; whole milliseconds
   WindTunnelParameters tunnel{};
   std::vector<FanSetPoint> fan_programme;  ///< after tunnel.fan_rpm, which holds until the first of them

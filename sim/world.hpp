@@ -82,6 +82,8 @@ class World {
   /// Where the rocket is at the last tick, in six degrees of freedom or on a prescribed path; else empty.
   [[nodiscard]] std::optional<Path> path() const { return environment_.path(); }
 
+  [[nodiscard]] bool is_on_ground() const { return environment_.is_on_ground(); }  ///< in flight: pad or ground
+
   /// How the rocket truly moves at the last tick, at its centre of gravity.
   [[nodiscard]] BodyMotion motion() const { return environment_.motion(roll_, roll_acceleration_rad_s2_); }
 
@@ -114,7 +116,7 @@ class World {
   /// What the avionics answered the world's own pad crew when it would not be armed.
   [[nodiscard]] std::optional<protocol::ArmReply> refusal_to_arm() const;
 
-  /// Past apogee, or past the end of control in the tunnel, by the scenario's time.
+  /// Past burn-out and apogee, or past the end of control in the tunnel, by the scenario's time.
   [[nodiscard]] bool over() const { return end_ && now_ >= *end_; }
 
   /// What the avionics recorded into the world's own flash up to now, to the last whole record: what would be found

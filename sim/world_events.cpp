@@ -44,13 +44,9 @@ void World::follow_flight() {
   note(events_.apogee, [&] { return ascent.apogee_s.has_value(); });
   note(events_.parachute, [&] { return environment_.parachute_s().has_value(); });
   if (!ascent.apogee_s) {
-    events_.apogee.reset();  // it was only a hop, and the rocket stands on the pad again
+    events_.apogee.reset();  // the motor lifts the rocket beyond it
   }
-  // A motor too weak for its rocket burns out on the pad.
-  const bool nothing_more_to_come = events_.apogee || (events_.burnout && environment_.is_on_ground());
-  if (!nothing_more_to_come) {
-    end_.reset();
-  } else if (!end_) {
+  if (!end_ && environment_.is_past_apogee()) {
     end_ = now_ + time_after_end_;
   }
   if (environment_.is_over()) {

@@ -172,6 +172,17 @@ TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
   EXPECT_EQ(none->gains.derivative_s, gains_of(plan).derivative_s);
   EXPECT_NE(sentence(*none).find("no gains of a plan have a phase margin of 30 degrees"), std::string::npos);
 
+  // A cough that lets it hop on the pad, half a second before the motor burns: the same flight.
+  sim::Vehicle coughing = vehicle;
+  std::vector<sim::ThrustPoint> points{{0.0, 0.0}, {0.02, 60.0}, {0.04, 0.0}, {0.5, 0.0}};
+  for (const sim::ThrustPoint& point : vehicle.motor.points()) {
+    points.push_back({point.time_s + 0.501, point.thrust_n});
+  }
+  coughing.motor = sim::ThrustCurve{points, vehicle.motor.propellant_kg()};
+  const auto later = first_gains(coughing, computed, plan);
+  ASSERT_TRUE(later);
+  EXPECT_NEAR(later->highest_speed_m_s, 82.2, 0.5);
+
   // A tenth of the thrust does not lift it.
   sim::Vehicle heavy = vehicle;
   heavy.mass_kg *= 10.0;

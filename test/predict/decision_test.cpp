@@ -75,6 +75,21 @@ TEST(Decision, CountsEveryRunInWhichControlEndedEarly) {
       << decide(p, {}).text;
 }
 
+TEST(Decision, NamesRunsWhoseAscentFails) {
+  Prediction p = good();
+  p.held = share(120, 200);
+  for (std::size_t i = 0; i < 80; ++i) {
+    p.runs[i].outcome = report::Outcome::ascent_failed;
+    p.runs[i].verdict =
+        "The rocket turned over while the motor burned: from 1.74 s on its nose pointed below the horizon.";
+  }
+  const Decision d = decide(p, {});
+  EXPECT_FALSE(d.go);
+  EXPECT_NE(d.text.find("in 80 of 200 runs the ascent fails (run 0: The rocket turned over while the motor burned"),
+            std::string::npos)
+      << d.text;
+}
+
 TEST(Decision, IsNoGoWhenTheOffsetIsLargerThanTheLimit) {
   Prediction p = good();
   p.reach.angle_rad = radians(6.0);

@@ -36,6 +36,15 @@ TEST(JoltAfterApogee, IsNoKnockAndNoFallThroughAir) {
   EXPECT_FALSE(jolt_after_apogee(falling(1.4, 0.5)));
 }
 
+// Of a rocket that turned over while its motor burned.
+TEST(JoltAfterApogee, IsNotTheThrustOfAMotorThatStillBurns) {
+  flight::Flight flight = falling(4.0, 0.3);
+  flight.events.burnout_s = 10.9;
+  EXPECT_FALSE(jolt_after_apogee(flight));
+  flight.events.burnout_s = 3.0;
+  EXPECT_TRUE(jolt_after_apogee(flight));
+}
+
 TEST(JoltAfterApogee, NeedsAnApogee) {
   flight::Flight flight = falling(4.0, 0.3);
   flight.events.apogee_s.reset();

@@ -252,6 +252,24 @@ TEST(RigidFlight, UnderItsParachuteSinksAtTheSpeedAtWhichDragCarriesItsWeight) {
   EXPECT_TRUE(flight.is_on_ground());
 }
 
+// Its recovery sees that the rocket sinks, and knows nothing of what the motor still has.
+TEST(RigidFlight, AMotorThatPausesOpensTheParachuteAndLiftsTheRocketToItsApogee) {
+  RigidFlightParameters parameters = rocket();
+  parameters.motor = ThrustCurve{
+      {{0.0, 160.0}, {0.5, 160.0}, {0.51, 0.0}, {3.0, 0.0}, {3.01, 300.0}, {5.0, 300.0}, {5.01, 0.0}}, 0.226};
+  parameters.recovery = Recovery{.delay_s = 0.2, .opening_time_s = 0.5, .drag_area_m2 = 0.01, .position_m = 0.2};
+  RigidFlight flight{parameters};
+  double time_s = 0.0;
+  double first_sank_s = 0.0;
+  fly(flight, 0.0, 20.0, {}, 0.0, [&] {
+    time_s += tick_s;
+    first_sank_s = first_sank_s == 0.0 && flight.state().velocity_m_s.z < 0.0 ? time_s : first_sank_s;
+  });
+  ASSERT_LT(first_sank_s, 3.0);
+  EXPECT_NEAR(flight.parachute_s().value(), first_sank_s + 0.2, 2.0 * tick_s);
+  EXPECT_GT(flight.events().apogee_s.value(), 5.0);
+}
+
 TEST(RigidFlight, ACentreOfGravityMovesWithThePropellant) {
   RigidFlight flight{rocket()};
   EXPECT_DOUBLE_EQ(flight.centre_of_gravity_m(), 0.90);

@@ -163,6 +163,32 @@ TEST(World, AHopOnThePadIsNotTheApogee) {
   EXPECT_LE(only_a_hop.ticks.back().record.time, *only_a_hop.events.burnout + core::Microseconds{1'000'000});
 }
 
+// Two pushes of a weak motor with a pause, alone and with a third rocket's weight: whoever looks longer sees the same.
+TEST(World, EventsDoNotDependOnHowLongOneLooks) {
+  const std::vector<ThrustPoint> pauses{{0, 0}, {0.02, 160}, {1, 160}, {1.02, 0},
+                                        {6, 0}, {6.02, 180}, {9, 180}, {9.02, 0}};
+  for (const char* motion : {"straight", "six_dof"}) {
+    for (const double mass_kg : {2.5, 3.99, 8.0}) {
+      Scenario s = scenario("tasha3_launch2", {std::string{"flight.motion="} + motion});
+      s.vehicle.mass_kg = mass_kg;
+      s.vehicle.motor = ThrustCurve{pauses, 0.2};
+      s.time_after_end_s = 60.0;
+      const FlownWorld longest = fly(s);
+      const auto highest = std::ranges::max_element(longest.ticks, {}, [](const Tick& t) { return t.truth.height_m; });
+      ASSERT_TRUE(longest.events.apogee && longest.events.burnout) << motion << mass_kg;
+      EXPECT_NEAR(core::seconds(*longest.events.apogee - highest->record.time), 0.001, 0.0011) << motion << mass_kg;
+      for (const double looked_s : {0.0, 1.0, 8.0}) {
+        s.time_after_end_s = looked_s;
+        const FlownWorld flown = fly(s);
+        EXPECT_EQ(flown.events.liftoff, longest.events.liftoff) << motion << mass_kg << ' ' << looked_s;
+        EXPECT_EQ(flown.events.guide_clear, longest.events.guide_clear) << motion << mass_kg << ' ' << looked_s;
+        EXPECT_EQ(flown.events.burnout, longest.events.burnout) << motion << mass_kg << ' ' << looked_s;
+        EXPECT_EQ(flown.events.apogee, longest.events.apogee) << motion << mass_kg << ' ' << looked_s;
+      }
+    }
+  }
+}
+
 TEST(World, AStartCommandThatIsRefusedEndsTheRun) {
   const FlownWorld flown = fly("tunnel_steps", {"timing.pad_time_s=1", "timing.arm_time_s=0.95"});
   EXPECT_FALSE(flown.events.liftoff);

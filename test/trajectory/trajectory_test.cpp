@@ -72,6 +72,22 @@ TEST(Trajectory, KnowsNoBurnOutWhereTheMotorPushesToTheEndOfTheFile) {
   EXPECT_NEAR(parse(rows(heights_and_speeds, height_and_speed, 0.01, 1.5)).path.burnout_s.value(), 1.0, 0.021);
 }
 
+// Highest at 7 s, and the file says that the motor pushes until 8 s: the rocket turned over.
+TEST(Trajectory, KnowsABurnOutBehindTheHighestRow) {
+  const auto pushed_until = [](double end_s) {
+    return parse(rows(heights_and_speeds + ",Axial Acceleration (m/s2)",
+                      [end_s](double t) {
+                        return fmt::format("{},{}", height_and_speed(t), t >= 0.0 && t < end_s ? 20.0 : -12.0);
+                      }))
+        .path;
+  };
+  const auto turned_over = pushed_until(8.0);
+  EXPECT_NEAR(turned_over.apogee_s.value(), 7.0, 0.011);
+  EXPECT_NEAR(turned_over.burnout_s.value(), 8.0, 0.021);
+  EXPECT_FALSE(pushed_until(20.0).burnout_s);
+  EXPECT_NEAR(pushed_until(1.0).burnout_s.value(), 1.0, 0.021);
+}
+
 TEST(Trajectory, WithHeightAndVerticalSpeedAloneGoesAlongTheGuideInTheScenariosAir) {
   sim::Scenario leaning = scenario();
   leaning.guide.tilt_rad = 10.0 * degree_rad;

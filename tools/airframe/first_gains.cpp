@@ -42,7 +42,8 @@ std::optional<Speeds> speeds_under_control(const sim::Vehicle& vehicle, const co
   double pushed_s = 0.0;
   bool detected = false;
   std::optional<Speeds> found;
-  for (int i = 0; i * tick_s < longest_s && !ascent.events().apogee_s; ++i) {
+  const auto is_over = [&events = ascent.events()] { return events.burnout_s && events.apogee_s; };
+  for (int i = 0; i * tick_s < longest_s && !is_over(); ++i) {
     ascent.advance_to(i * tick_s);
     const double speed_m_s = ascent.speed_m_s();
     pushed_s = ascent.axial_specific_force_m_s2() >= threshold_m_s2 ? pushed_s + tick_s : 0.0;

@@ -15,9 +15,9 @@
 namespace fantail::campaign {
 
 /// What a flight report may come to.
-inline constexpr std::array flight_outcomes{report::Outcome::held,       report::Outcome::not_held,
-                                            report::Outcome::oscillates, report::Outcome::cut_short,
-                                            report::Outcome::not_judged, report::Outcome::no_control};
+inline constexpr std::array flight_outcomes{
+    report::Outcome::held,       report::Outcome::not_held,   report::Outcome::oscillates,   report::Outcome::cut_short,
+    report::Outcome::not_judged, report::Outcome::no_control, report::Outcome::ascent_failed};
 
 /// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
 inline constexpr std::array<std::string_view, 7> figure_columns{

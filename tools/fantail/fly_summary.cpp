@@ -25,6 +25,15 @@ void print_figure(std::string_view label, const std::optional<double>& value, st
   }
 }
 
+void print_apogee(const flight::Flight& flight, const report::Figures& figures) {
+  if (figures.apogee_m) {
+    print_figure("apogee", figures.apogee_m, "{:.1f} m");
+    print_figure("  at time", flight.events.apogee_s, "{:.2f} s");
+  } else {
+    print_figure("apogee", flight.events.apogee_s, "at {:.2f} s; no tick is on record there");
+  }
+}
+
 }  // namespace
 
 void print_summary(const flight::Flight& flight, const report::Results& results) {
@@ -47,15 +56,16 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
   print_figure("control starts", flight.tunnel ? std::nullopt : events.control_start_s, "{:.3f} s after lift-off");
   print_figure("  at height", results.figures.control_start_height_m, "{:.2f} m");
+  const bool is_highest_first = events.burnout_s && events.apogee_s && *events.apogee_s < *events.burnout_s;
+  if (is_highest_first) {
+    print_apogee(flight, results.figures);
+  }
   print_figure("burn-out", events.burnout_s, "{:.2f} s");
   std::string speed{report::top_speed_name(flight)};
   speed.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(speed.front())));
   print_figure(speed, results.figures.max_speed_m_s, "{:.1f} m/s");
-  if (results.figures.apogee_m) {
-    print_figure("apogee", results.figures.apogee_m, "{:.1f} m");
-    print_figure("  at time", events.apogee_s, "{:.2f} s");
-  } else {
-    print_figure("apogee", events.apogee_s, "at {:.2f} s; no tick is on record there");
+  if (!is_highest_first) {
+    print_apogee(flight, results.figures);
   }
   for (const flight::LoopMargin& margin : report::different_margins(flight)) {
     show("  {:<22}{:.0f} deg at {:.0f} m/s, gain margin {}\n", "phase margin", text::degrees(margin.phase_margin_rad),

@@ -164,6 +164,14 @@ void set_time_zero(Flight& flight, double zero_s) {
       move(**time_s);
     }
   }
+  if (flight.before_burnout) {
+    BeforeBurnout& b = *flight.before_burnout;
+    for (std::optional<double>* time_s : {&b.turned_over_s, &b.sank_s, &b.parachute_s, &b.ground_s, &b.left_again_s}) {
+      if (*time_s) {
+        move(**time_s);
+      }
+    }
+  }
   if (flight.imposed_roll) {
     move(flight.imposed_roll->time_s);
   }

@@ -11,6 +11,7 @@
 
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
+#include "flight/before_burnout.hpp"
 #include "flight/free_roll.hpp"
 #include "flight/path.hpp"
 #include "flight/turning.hpp"
@@ -183,6 +184,7 @@ struct Flight {
   std::optional<core::Vector3> gyro_bias_rad_s;  ///< that the law took off; empty: it never flew, or a table
   std::vector<CanardVerdictChange> canard_verdict_changes;
   Unmeasured unmeasured;
+  std::optional<BeforeBurnout> before_burnout;  ///< of a simulated flight; empty: nothing of it happened
   std::vector<Outage> outages;
   std::vector<LoopMargin> loop_margins;     ///< at some speeds under control, the worst among them; empty: not computed
   std::optional<CanardReach> canard_reach;  ///< of the simulated canards; empty: nobody knows

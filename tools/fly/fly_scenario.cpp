@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "fly/burn_watch.hpp"
 #include "fly/describe.hpp"
 #include "fly/loop_margins.hpp"
 #include "fly/model_limits.hpp"
@@ -168,8 +169,10 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   const bool is_held = scenario.surroundings == sim::Surroundings::gimbal || scenario.pin;
   bool was_armed = false;
   Watches watches{.speeds = {}, .limits = ModelLimits{scenario}, .take = hooks.take};
+  BurnWatch burn{scenario};
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     const core::TickRecord& record = world.tick();
+    burn.look(world, in_seconds(world.now()));
     if (world.is_down()) {
       world.advance();
       continue;
@@ -209,6 +212,7 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   flight::end_control_with_outage(flight);
   const sim::World::Events& events = world.events();
   note_events(flight, events);
+  flight.before_burnout = burn.found();
   if (scenario.path && !scenario.path->apogee_s) {
     flight.trajectory_end_s = scenario.pad_time_s + scenario.path->samples.back().time_s;
   }

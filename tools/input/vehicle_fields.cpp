@@ -55,8 +55,8 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"airframe", "nozzle_position_m", number("m", {0, 30}), may, AT(made(it.airframe).nozzle_position_m), "Where the exhaust leaves; at the tail when absent."},
   {"airframe", "assumed", list(100, text()), may, AT(grown(it.airframe_assumed, i)), "What in this section was assumed and not measured, a sentence each; reports of such flights repeat it."},
 
-  {"recovery", "drag_area_m2", number("m2", {0, 100}), may, AT(made(it.recovery).drag_area_m2), "Drag coefficient times area of the parachute, which apogee opens. In six degrees of freedom only, as all of this section."},
-  {"recovery", "delay_s", number("s", {0, 60}), may, AT(made(it.recovery).delay_s), "From apogee until it begins to open."},
+  {"recovery", "drag_area_m2", number("m2", {0, 100}), may, AT(made(it.recovery).drag_area_m2), "Drag coefficient times area of the parachute, which opens when the rocket first sinks. In six degrees of freedom only, as all of this section."},
+  {"recovery", "delay_s", number("s", {0, 60}), may, AT(made(it.recovery).delay_s), "From then until it begins to open."},
   {"recovery", "opening_time_s", number("s", {0.05, 10}), may, AT(made(it.recovery).opening_time_s), "From then until it is full."},
   {"recovery", "position_m", number("m", {0, 30}), may, AT(made(it.recovery).position_m), "Where its line holds the rocket, from the tip of the nose."},
 

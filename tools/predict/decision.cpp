@@ -71,7 +71,8 @@ struct NotHeld {
   report::Outcome outcome;
   std::string_view clause;
 };
-constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::oscillates, "the canards oscillate"},
+constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::ascent_failed, "the ascent fails"},
+                                      NotHeld{report::Outcome::oscillates, "the canards oscillate"},
                                       NotHeld{report::Outcome::cut_short, "control ends early"},
                                       NotHeld{report::Outcome::no_control, "control does not begin"},
                                       NotHeld{report::Outcome::not_judged, "the roll could not be judged"}};

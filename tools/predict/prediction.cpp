@@ -66,7 +66,7 @@ void count(Prediction& p) {
   };
   p.authority = share(number([](const Run& run) { return run.authority_margin_rad > same_angle_rad; }), p.runs.size());
   p.not_judged = came_to(report::Outcome::not_judged);
-  p.without_control = came_to(report::Outcome::no_control);
+  p.without_control = number([](const Run& run) { return !run.speed_at_control_start_m_s; });
   p.held = share(came_to(report::Outcome::held), p.runs.size());
 }
 

@@ -79,14 +79,17 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
   if (!reason || reason == core::PhaseReason::control_time_over) {
     return false;
   }
-  return f.ended_before_apogee_s ? *f.ended_before_apogee_s > near_apogee_s : reason != core::PhaseReason::apogee;
+  // The highest point of a rocket whose ascent failed is none at which the air hardly flows.
+  const bool has_failed = flight.before_burnout && flight.before_burnout->ascent_failed();
+  return f.ended_before_apogee_s.value_or(0.0) > near_apogee_s ||
+         ((has_failed || !f.ended_before_apogee_s) && reason != core::PhaseReason::apogee);
 }
 
 std::string early_end(const flight::Flight& flight, const Figures& f) {
   const flight::PhaseChange& end = flight.phase_changes.back();
   const double end_s = flight.events.control_end_s.value_or(end.time_s);
   std::string text = fmt::format("Control ended at {} s", text::fixed(end_s, 2));
-  if (f.ended_before_apogee_s) {
+  if (f.ended_before_apogee_s.value_or(0.0) > 0.0) {
     text += fmt::format(", {} s before apogee", text::fixed(*f.ended_before_apogee_s, 2));
   }
   if (was_lost(flight)) {

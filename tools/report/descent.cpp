@@ -13,7 +13,7 @@ constexpr double looked_at_s = 1.0;
 
 std::optional<double> apogee_s(const flight::Flight& flight) {
   if (flight.events.apogee_s) {
-    return flight.events.apogee_s;
+    return std::max(flight.events.apogee_s, flight.events.burnout_s);  // a motor pulls harder than a parachute
   }
   for (const flight::PhaseChange& change : flight.phase_changes) {
     if (change.reason == core::PhaseReason::apogee) {

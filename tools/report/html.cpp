@@ -171,6 +171,7 @@ page::Tone tone(const Verdict& verdict) {
     case Outcome::held: return page::Tone::good;
     case Outcome::not_held:
     case Outcome::oscillates:
+    case Outcome::ascent_failed:
     case Outcome::no_control: return page::Tone::bad;
     case Outcome::cut_short: return verdict.ended_early ? page::Tone::bad : page::Tone::unsure;
     case Outcome::not_judged: break;

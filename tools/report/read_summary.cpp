@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "json/value.hpp"
+#include "report/failed_ascent.hpp"
 #include "report/summary_json.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -203,6 +204,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   flight.why_not_armed = text(summary, "why_not_armed");
   flight.trajectory_end_s = number(summary, "trajectory_end_s");
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
+  flight.before_burnout = read_before_burnout(member(summary, "before_burnout"));
   read_outages(flight, member(summary, "outages"));
   read_loop_margins(flight, member(summary, "loop_margins"));
   const Json& reach = member(summary, "canard_reach_deg");

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "json/value.hpp"
+#include "report/failed_ascent.hpp"
 #include "text/degrees.hpp"
 #include "text/sha256.hpp"
 
@@ -197,6 +198,9 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"version", text_or_null(flight.version)}};
   if (flight.trajectory_end_s) {
     summary["trajectory_end_s"] = rounded(*flight.trajectory_end_s);
+  }
+  if (flight.before_burnout) {
+    summary["before_burnout"] = before_burnout_json(flight);
   }
   if (!flight.outages.empty()) {
     summary["outages"] = outages(flight);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "report/control_end.hpp"
+#include "report/failed_ascent.hpp"
 #include "report/fault_sentences.hpp"
 #include "report/unknown_roll.hpp"
 #include "text/degrees.hpp"
@@ -207,9 +208,7 @@ void say_how_far_it_reaches(Verdict& v, const std::string& end) {
   v.text = fmt::format("Until {}: {}", end, v.text);
 }
 
-}  // namespace
-
-Verdict verdict(const flight::Flight& flight, const Figures& figures) {
+Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
   if (!flight.known.phase) {
     return {Outcome::not_judged, "Roll not judged: the log does not say when control was active."};
   }
@@ -229,6 +228,17 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   return v;
 }
 
+}  // namespace
+
+Verdict verdict(const flight::Flight& flight, const Figures& figures) {
+  Verdict v = on_roll(flight, figures);
+  if (const std::string before = before_burnout(flight); !before.empty()) {
+    v.outcome = flight.before_burnout->ascent_failed() ? Outcome::ascent_failed : v.outcome;
+    v.text = before + " " + v.text;
+  }
+  return v;
+}
+
 std::string_view name(Outcome outcome) {
   switch (outcome) {
     case Outcome::held: return "held";
@@ -237,6 +247,7 @@ std::string_view name(Outcome outcome) {
     case Outcome::cut_short: return "cut_short";
     case Outcome::not_judged: return "not_judged";
     case Outcome::no_control: return "no_control";
+    case Outcome::ascent_failed: return "ascent_failed";
   }
   return "unknown";
 }
@@ -249,6 +260,7 @@ std::string_view display_name(Outcome outcome) {
     case Outcome::cut_short: return "Cut short";
     case Outcome::not_judged: return "Not judged";
     case Outcome::no_control: return "No control";
+    case Outcome::ascent_failed: return "Ascent failed";
   }
   return "Unknown";
 }

@@ -23,11 +23,12 @@ enum class Outcome : std::uint8_t {
   cut_short,   ///< control ended before its time, or was not lost before the trajectory it was flown on ended
   not_judged,  ///< under control, but never settled, or without a known disturbance
   no_control,  ///< Controlling was never reached
+  ascent_failed,  ///< whatever the roll: flight::BeforeBurnout::ascent_failed()
 };
 
 struct Verdict {
   Outcome outcome = Outcome::no_control;
-  std::string text;             ///< one to six plain sentences
+  std::string text;             ///< plain sentences
   bool ended_early = false;     ///< whatever the outcome
   bool roll_is_judged = false;  ///< there is a word about how well the roll was held, whatever became of it then
 };

@@ -19,8 +19,8 @@
 namespace fantail::trajectory {
 namespace {
 
-/// After the last row whose felt force is more than this, up to apogee, the motor is out: a rocket that coasts feels
-/// its drag, which pulls backwards.
+/// After the last row whose felt force is more than this, the motor is out: a rocket that coasts feels its drag, which
+/// pulls backwards. Behind apogee it falls, and only a push that has lasted since before it is a motor's.
 constexpr double least_thrust_m_s2 = 2.0;
 
 /// A rocket that climbs slower at the end of its trajectory is within 5 cm and 0.1 s of apogee.
@@ -39,7 +39,7 @@ std::vector<double> heights(const Series& series) {
 
 std::optional<double> burnout_s(const Series& series, const std::vector<sim::PathSample>& samples) {
   std::optional<std::size_t> out;
-  for (std::size_t i = std::max<std::size_t>(series.liftoff, 1); i < series.apogee; ++i) {
+  for (std::size_t i = std::max<std::size_t>(series.liftoff, 1); i < samples.size(); ++i) {
     const sim::PathSample& before = samples[i - 1];
     const sim::PathSample& here = samples[i];
     const double dt_s = here.time_s - before.time_s;
@@ -48,10 +48,15 @@ std::optional<double> burnout_s(const Series& series, const std::vector<sim::Pat
         (here.across_m_s - before.across_m_s) / dt_s * std::sin(here.tilt_rad));
     if (felt_m_s2 > least_thrust_m_s2) {
       out = i + 1;
+    } else if (i + 1 >= series.apogee) {
+      break;
     }
   }
-  // Pushed up to the last row that was looked at: the file ends before, or its speeds do not tell thrust from weight.
-  return out && *out < series.apogee ? std::optional{samples[*out].time_s} : std::nullopt;
+  // Pushed up to apogee or the last row: the file ends before, or its speeds do not tell thrust from weight.
+  constexpr double clearly_s = 0.1;
+  const bool is_told = out && *out < samples.size() &&
+                       (*out < series.apogee || samples[*out].time_s > samples[series.apogee].time_s + clearly_s);
+  return is_told ? std::optional{samples[*out].time_s} : std::nullopt;
 }
 
 /// Both are of the file, and a column in another unit than its header says shows here.

@@ -4,7 +4,7 @@
   const $ = (id) => document.getElementById(id);
   const fixed = (value, digits, unit) => value == null ? "\u2013" : `${fantailNumber(value.toFixed(digits))} ${unit}`;
   const native = JSON.parse($("native").textContent || "{}");
-  const names = {held: "Held", not_held: "Not held", oscillates: "Oscillates", cut_short: "Cut short", not_judged: "Not judged", no_control: "No control"};
+  const names = {held: "Held", not_held: "Not held", oscillates: "Oscillates", cut_short: "Cut short", not_judged: "Not judged", no_control: "No control", ascent_failed: "Ascent failed"};
 
   const usual = "tasha3_launch2";
   let wanted = {scenario: usual, settings: new Map()};

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Rockets that sink, turn over or come down before their motor has burnt out, in flights of the whole avionics.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "campaign/judged_flight.hpp"
+#include "fly/fly_scenario.hpp"
+#include "input/scenario_file.hpp"
+#include "report/summary_json.hpp"
+#include "report/verdict.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::sil {
+namespace {
+
+using report::Outcome;
+
+sim::Scenario second_launch(const std::vector<std::string>& changes) {
+  std::vector<input::Override> overrides;
+  for (const std::string& change : changes) {
+    overrides.push_back(input::parse_override(change));
+  }
+  return input::load_scenario("tasha3_launch2", overrides);
+}
+
+struct JudgedAscent {
+  explicit JudgedAscent(const sim::Scenario& scenario)
+      : flight{fly::fly_scenario(scenario)},
+        figures{report::figures(flight)},
+        verdict{report::verdict(flight, figures)} {}
+  [[nodiscard]] bool says(const std::string& words) const { return verdict.text.find(words) != std::string::npos; }
+
+  flight::Flight flight;
+  report::Figures figures;
+  report::Verdict verdict;
+};
+
+/// A storm and a short guide: the rocket turns into the wind until it points down, with half its motor left.
+std::vector<std::string> in_a_storm() {
+  return {"flight.motion=six_dof", "wind.speed_m_s=20", "launch_guide.length_m=1"};
+}
+
+TEST(FailedAscent, ARocketThatTurnsOverWhileItsMotorBurnsIsNotAtApogee) {
+  const JudgedAscent judged{second_launch(in_a_storm())};
+  const flight::Events& e = judged.flight.events;
+  EXPECT_EQ(judged.verdict.outcome, Outcome::ascent_failed) << judged.verdict.text;
+  EXPECT_TRUE(judged.verdict.text.starts_with("The rocket turned over while the motor burned: "))
+      << judged.verdict.text;
+  EXPECT_TRUE(judged.says("Burn-out was at 3.19 s.")) << judged.verdict.text;
+  // The truth of it: the axis below the horizon, and rows up to burn-out.
+  ASSERT_TRUE(e.apogee_s && e.burnout_s);
+  EXPECT_LT(*e.apogee_s, *e.burnout_s);
+  EXPECT_GT(judged.flight.rows.back().time_s, *e.burnout_s);
+  const auto over = std::ranges::find_if(
+      judged.flight.path, [](const flight::PathPoint& point) { return point.tilt_rad > text::radians(90.0); });
+  ASSERT_NE(over, judged.flight.path.end());
+  EXPECT_NEAR(judged.flight.before_burnout.value().turned_over_s.value(), over->time_s, 0.011);
+  EXPECT_TRUE(judged.verdict.ended_early) << judged.verdict.text;
+}
+
+TEST(FailedAscent, AParachuteThatOpensUnderThrustIsNamed) {
+  std::vector<std::string> changes = in_a_storm();
+  changes.emplace_back("recovery.drag_area_m2=0.5");
+  const JudgedAscent judged{second_launch(changes)};
+  const flight::Events& e = judged.flight.events;
+  ASSERT_TRUE(e.parachute_s);
+  EXPECT_LT(*e.parachute_s, *e.burnout_s);
+  EXPECT_TRUE(judged.says("It opened its parachute at ")) << judged.verdict.text;
+}
+
+TEST(FailedAscent, AShippedFlightAndOneInWindHaveNone) {
+  EXPECT_FALSE(JudgedAscent{second_launch({})}.flight.before_burnout);
+  EXPECT_FALSE(JudgedAscent{second_launch({"flight.motion=six_dof", "wind.speed_m_s=6"})}.flight.before_burnout);
+}
+
+// In the thin tail of a thrust curve a rocket may well be at apogee.
+TEST(FailedAscent, ATailOfAHundredthOfTheImpulseIsNone) {
+  sim::Scenario scenario = second_launch({"flight.motion=six_dof", "wind.speed_m_s=3"});
+  std::vector<sim::ThrustPoint> points = scenario.vehicle.motor.points();
+  points.back().thrust_n = 0.3;  // until 16 s: 4 N s of 465
+  points.push_back({16.0, 0.3});
+  points.push_back({16.01, 0.0});
+  scenario.vehicle.motor = sim::ThrustCurve{points, scenario.vehicle.motor.propellant_kg()};
+  const JudgedAscent judged{scenario};
+  EXPECT_LT(*judged.flight.events.apogee_s, *judged.flight.events.burnout_s);
+  EXPECT_FALSE(judged.flight.before_burnout) << judged.verdict.text;
+}
+
+/// Along a straight line: a push of a second, nothing for so long, and a longer push.
+sim::Scenario with_pause(double pause_s) {
+  sim::Scenario scenario = second_launch({});
+  const double again_s = 1.0 + pause_s;
+  scenario.vehicle.motor = sim::ThrustCurve{{{0.0, 0.0},
+                                             {0.02, 160.0},
+                                             {1.0, 160.0},
+                                             {1.02, 0.0},
+                                             {again_s, 0.0},
+                                             {again_s + 0.02, 170.0},
+                                             {again_s + 3.0, 170.0},
+                                             {again_s + 3.02, 0.0}},
+                                            0.3};
+  return scenario;
+}
+
+TEST(FailedAscent, AMotorThatPausesHasOneApogeeHoweverLongOneLooks) {
+  sim::Scenario scenario = with_pause(4.5);
+  std::vector<std::string> said;
+  for (const double looked_s : {0.0, 1.0, 30.0}) {
+    scenario.time_after_end_s = looked_s;
+    const JudgedAscent judged{scenario};
+    EXPECT_GT(judged.figures.apogee_m.value(), 200.0);
+    EXPECT_TRUE(judged.says(", and the motor lifted it again. A real rocket turns over when it sinks"))
+        << judged.verdict.text;
+    EXPECT_EQ(judged.verdict.outcome, Outcome::ascent_failed);
+    EXPECT_TRUE(judged.says(": the avionics took it for apogee.")) << judged.verdict.text;
+    said.push_back(judged.verdict.text);
+  }
+  EXPECT_EQ(said[0], said[1]);
+  EXPECT_EQ(said[0], said[2]);
+}
+
+TEST(FailedAscent, ARocketThatFallsToTheGroundBetweenTwoBurnsStaysThere) {
+  const JudgedAscent judged{with_pause(12.0)};
+  EXPECT_EQ(judged.verdict.outcome, Outcome::ascent_failed);
+  EXPECT_TRUE(judged.says(" It came down at ")) << judged.verdict.text;
+  EXPECT_LT(*judged.flight.events.apogee_s, 6.0);
+  EXPECT_EQ(judged.flight.rows.back().truth->height_m, 0.0);
+  EXPECT_GT(judged.flight.rows.back().time_s, *judged.flight.events.burnout_s);
+}
+
+TEST(FailedAscent, AHopOnThePadIsToldAndFailsNothing) {
+  sim::Scenario scenario = second_launch({});
+  scenario.vehicle.motor = sim::ThrustCurve{
+      {{0.0, 0.0}, {0.02, 150.0}, {0.05, 10.0}, {0.6, 10.0}, {0.7, 160.0}, {3.5, 160.0}, {3.6, 0.0}}, 0.2};
+  const JudgedAscent judged{scenario};
+  EXPECT_NE(judged.verdict.outcome, Outcome::ascent_failed);
+  EXPECT_TRUE(judged.verdict.text.starts_with("The rocket fell back on its pad at ")) << judged.verdict.text;
+  EXPECT_TRUE(judged.says("and left it again at ")) << judged.verdict.text;
+}
+
+TEST(FailedAscent, JudgedOnTheWayIsTheSame) {
+  for (const sim::Scenario& scenario : {second_launch(in_a_storm()), with_pause(4.5), with_pause(12.0)}) {
+    const JudgedAscent kept{scenario};
+    const campaign::JudgedFlight judged = campaign::fly_and_judge(scenario);
+    EXPECT_EQ(judged.verdict.text, kept.verdict.text);
+    EXPECT_EQ(judged.verdict.outcome, kept.verdict.outcome);
+  }
+}
+
+}  // namespace
+}  // namespace fantail::sil
