@@ -76,6 +76,10 @@ class Environment {
   /// is still to come.
   [[nodiscard]] bool is_past_apogee() const;
   [[nodiscard]] bool is_over() const { return prescribed_ && prescribed_->is_over(); }  ///< the path has no more
+  /// In six degrees of freedom: Twist, of the frame that does not roll.
+  [[nodiscard]] std::optional<double> twist_rad() const {
+    return flight_ ? std::optional{flight_->twist_rad()} : std::nullopt;
+  }
   [[nodiscard]] std::optional<Path> path() const;  ///< empty along a straight line and in the tunnel
   /// It follows the propellant; empty where it does not change.
   [[nodiscard]] std::optional<double> roll_inertia_kg_m2() const;

@@ -16,9 +16,10 @@ Quaternion turned_about_z(double angle_rad) {
   return {.w = cosine, .x = 0.0, .y = 0.0, .z = sine};
 }
 
+constexpr Quaternion upright{.w = 0.5, .x = 0.5, .y = -0.5, .z = 0.5};  // x up, y south
+
 /// The guide leans towards -y of the rocket's frame, so that it carries the rocket towards +y.
 Quaternion attitude_in(const LaunchGuide& guide) {
-  constexpr Quaternion upright{.w = 0.5, .x = 0.5, .y = -0.5, .z = 0.5};  // x up, y south
   return turned_about_z(-guide.azimuth_rad) * upright * turned_about_z(-guide.tilt_rad);
 }
 
@@ -28,7 +29,8 @@ RigidFlight::RigidFlight(const RigidFlightParameters& parameters)
     : parameters_{parameters},
       burnt_per_n_s_{parameters.motor.impulse_n_s() > 0.0 ? 1.0 / parameters.motor.impulse_n_s() : 0.0},
       density_{parameters.atmosphere},
-      density_kg_m3_{density_.at(0.0)} {
+      density_kg_m3_{density_.at(0.0)},
+      twist_{upright, attitude_in(parameters.guide)} {
   state_.attitude = attitude_in(parameters.guide);
   gravity_in_guide_m_s2_ = rotated_back(state_.attitude, gravity_vector_m_s2);
   body_ = body_at(0.0);
@@ -202,6 +204,7 @@ void RigidFlight::fly(double time_s, double roll_rate_rad_s, const Vector3& wind
     return rate_of_change(middle, loads(body, middle, time_s_ + after_s, middle_density_kg_m3, middle_wind_m_s),
                           body.inertia, roll_rate_rad_s);
   });
+  twist_.follow(state_.attitude);
   highest_.look(time_s, state_.position_m.z, state_.velocity_m_s.z, events_.apogee_s);
   if (state_.velocity_m_s.z < 0.0) {
     first_sank_s_ = first_sank_s_.value_or(time_s);

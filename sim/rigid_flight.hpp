@@ -15,6 +15,7 @@
 #include "sim/recovery.hpp"
 #include "sim/rigid_body.hpp"
 #include "sim/thrust_curve.hpp"
+#include "sim/twist.hpp"
 
 namespace fantail::sim {
 
@@ -59,6 +60,7 @@ class RigidFlight {
   [[nodiscard]] double speed_m_s() const { return length(state_.velocity_m_s); }  ///< over ground
   [[nodiscard]] const Vector3& air_speed_m_s() const { return air_speed_m_s_; }   ///< frame of the rocket
   [[nodiscard]] double tilt_rad() const;                                          ///< of the axis, from the vertical
+  [[nodiscard]] double twist_rad() const { return twist_.rad(); }                 ///< of its frame, since the pad
   [[nodiscard]] double mass_kg() const { return body_.inertia.mass_kg; }
   [[nodiscard]] double roll_inertia_kg_m2() const { return body_.inertia.roll_kg_m2; }
   [[nodiscard]] double centre_of_gravity_m() const { return body_.centre_of_gravity_m; }
@@ -114,6 +116,7 @@ class RigidFlight {
   double push_position_m_ = 0.0;
   Stage stage_ = Stage::pad;
   RigidState state_{};
+  Twist twist_;
   Body body_{};
   RateOfChange now_{};
   Vector3 specific_force_m_s2_;

@@ -203,12 +203,14 @@ void World::ignite() {
 }
 
 Truth World::truth() const {
+  const std::optional<double> twist_rad = environment_.twist_rad();
   return {.roll_angle_rad = roll_.angle_rad,
           .roll_rate_rad_s = roll_.rate_rad_s,
           .canard_rad = canards_.torque_angle_rad(roll_.rate_rad_s, environment_.speed_m_s()) - fin_wash_.angle_rad(),
           .height_m = environment_.height_m(),
           .speed_m_s = environment_.speed_m_s(),
-          .disturbance_rad = disturbance_rad_};
+          .disturbance_rad = disturbance_rad_,
+          .geometric_roll_rad = twist_rad ? std::optional{roll_.angle_rad + *twist_rad} : std::nullopt};
 }
 
 std::optional<WindReading> World::wind_reading() const {

@@ -34,6 +34,8 @@ struct Truth {
   double height_m;
   double speed_m_s;        ///< through the air, along the axis
   double disturbance_rad;  ///< equivalent fin offset, swirl included
+  /// The roll angle as a camera sees it (Twist), since the pad; in six degrees of freedom only.
+  std::optional<double> geometric_roll_rad{};
 };
 
 /// What is wrong with an IMU now.

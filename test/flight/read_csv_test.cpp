@@ -260,5 +260,17 @@ TEST(FlightCsv, AFlightThatWasWrittenComesBack) {
   EXPECT_EQ(csv(read(text)), text);
 }
 
+// Files of six degrees of freedom have it; those that were written before it was known have not.
+TEST(FlightCsv, TheRollThatACameraSeesIsReadWhereTheFileHasIt) {
+  const std::string header = "time_s,phase,true_roll_angle_deg";
+  const Flight with = read(header + ",true_geometric_roll_deg\n0,armed,1,2.5\n0.001,armed,1,\n");
+  EXPECT_DOUBLE_EQ(text::degrees(with.rows[0].truth.value().geometric_roll_rad.value()), 2.5);
+  EXPECT_FALSE(with.rows[1].truth.value().geometric_roll_rad);
+  EXPECT_TRUE(with.notes.empty());
+  const Flight without = read(header + "\n0,armed,1\n");
+  EXPECT_FALSE(without.rows[0].truth.value().geometric_roll_rad);
+  EXPECT_FALSE(report::figures(without).camera_roll);
+}
+
 }  // namespace
 }  // namespace fantail::flight

@@ -53,6 +53,15 @@ TEST(Csv, HeaderIsTheContractWordForWord) {
                 "true_disturbance_deg");
 }
 
+TEST(Csv, TheRollThatACameraSeesHasAColumnInSixDegreesOfFreedomOnly) {
+  Flight flight;
+  flight.rows = {some_row()};
+  flight.rows[0].truth = Truth{.geometric_roll_rad = text::radians(7.5)};
+  const std::string text = csv(flight);
+  EXPECT_TRUE(text.substr(0, text.find('\n')).ends_with(",true_disturbance_deg,true_geometric_roll_deg")) << text;
+  EXPECT_TRUE(second_line(flight).ends_with(",7.500000")) << text;
+}
+
 TEST(Csv, WithoutTruthThereAreNoTrueColumns) {
   Flight flight;
   flight.rows = {some_row()};

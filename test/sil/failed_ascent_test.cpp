@@ -148,6 +148,7 @@ TEST(FailedAscent, JudgedOnTheWayIsTheSame) {
     const campaign::JudgedFlight judged = campaign::fly_and_judge(scenario);
     EXPECT_EQ(judged.verdict.text, kept.verdict.text);
     EXPECT_EQ(judged.verdict.outcome, kept.verdict.outcome);
+    EXPECT_EQ(judged.figures.camera_roll, kept.figures.camera_roll);
   }
 }
 

@@ -64,6 +64,7 @@ constexpr auto texts = std::to_array<Text>({
   {"true_height_m", "m", "height above the pad in the simulation"},
   {"true_speed_m_s", "m/s", "speed in the simulation (tunnel: of the air; six degrees of freedom: through the air, along the axis)"},
   {"true_disturbance_deg", "deg", "canard angle that would roll as the crooked fins do, u_d"},
+  {"true_geometric_roll_deg", "deg", "roll angle as a camera sees it, since the pad, not wrapped; in six degrees of freedom only"},
 
   // What a flight log holds of a tick beside these.
   {"sequence", "-", "number of the record in the log"},

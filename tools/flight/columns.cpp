@@ -67,6 +67,13 @@ constexpr std::array all{
     truth<&Truth::height_m>("true_height_m", Unit::as_named),
     truth<&Truth::speed_m_s>("true_speed_m_s", Unit::as_named),
     truth<&Truth::disturbance_rad>("true_disturbance_deg", Unit::degrees),
+    // In six degrees of freedom only: write_csv leaves it out elsewhere.
+    Column{"true_geometric_roll_deg", Unit::degrees, true,
+           [](const Row& row) { return row.truth ? row.truth->geometric_roll_rad.value_or(unknown) : unknown; },
+           [](Row& row, double value) {
+             row.truth = row.truth.value_or(Truth{unknown, unknown, unknown, unknown, unknown, unknown});
+             row.truth->geometric_roll_rad = value;
+           }},
 };
 
 }  // namespace

@@ -36,6 +36,11 @@ std::string csv(const Flight& flight) {
     written =
         written.first(static_cast<std::size_t>(std::ranges::find(written, true, &Column::is_true) - written.begin()));
   }
+  const bool is_geometric = std::ranges::any_of(
+      flight.rows, [](const Row& row) { return row.truth && row.truth->geometric_roll_rad.has_value(); });
+  if (written.size() == columns().size() && !is_geometric) {
+    written = written.first(written.size() - 1);
+  }
   const bool marks = !std::ranges::all_of(flight.rows, &Row::replayed);
   const Column& time = written.front();
   std::string out;

@@ -33,7 +33,8 @@ flight::Truth to_report(const sim::Truth& truth) {
           .canard_rad = truth.canard_rad,
           .height_m = truth.height_m,
           .speed_m_s = truth.speed_m_s,
-          .disturbance_rad = truth.disturbance_rad};
+          .disturbance_rad = truth.disturbance_rad,
+          .geometric_roll_rad = truth.geometric_roll_rad};
 }
 
 flight::PathPoint to_report(const sim::Path& path, double time_s) {

@@ -6,6 +6,7 @@
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
+#include "report/camera_roll.hpp"
 #include "report/extent.hpp"
 #include "report/hold.hpp"
 #include "report/side_deflection.hpp"
@@ -43,6 +44,7 @@ struct Figures {
   std::optional<double> roll_after_end_rad;     ///< largest |roll angle - that at the end of control| until apogee
   std::optional<Oscillation> oscillation;
   std::optional<SideDeflection> side_deflection;
+  std::optional<CameraRoll> camera_roll;
   Extent roll{};                      ///< when the roll angle is known
   HoldRecord hold{};                  ///< when, under control, its distance from the settle point is
   bool begins_under_control = false;  ///< the first row is, so nobody knows since when

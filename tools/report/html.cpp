@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -67,6 +68,11 @@ std::string figure_list(const flight::Flight& flight, const Figures& f, bool rol
   for (const flight::LoopMargin& margin : different_margins(flight)) {
     list.push_back({"Phase margin", fixed(text::degrees(margin.phase_margin_rad), 0), "deg",
                     fmt::format("at {} m/s; gain margin {}", fixed(margin.speed_m_s, 0), gain_margin_text(margin))});
+  }
+  if (f.camera_roll) {
+    add("Camera's roll", text::degrees(f.camera_roll->largest_rad), 1, "deg",
+        fmt::format("at most from the roll angle; {} deg at the end",
+                    fixed(text::degrees(f.camera_roll->at_end_rad), 1)));
   }
   add("Net roll", f.roll_turns, 2, "turns", "under control");
   add("Net roll without control", f.roll_turns_without_control, 2, "turns", "canards at trim");
@@ -202,6 +208,12 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
     page.findings.push_back(
         {"", fmt::format("Under control it turned by {} turns; with its canards at trim it would have turned by {}.",
                          fixed(*figures.roll_turns, 2), fixed(*figures.roll_turns_without_control, 2))});
+  }
+  if (figures.camera_roll && std::abs(figures.camera_roll->largest_rad) >= text::radians(1.0)) {
+    page.findings.push_back(
+        {"", fmt::format("The rocket coned: what a camera sees of its roll came up to {} deg away from the roll angle, "
+                         "which is the integral of the gyro's rate.",
+                         fixed(std::abs(text::degrees(figures.camera_roll->largest_rad)), 1))});
   }
   if (!flight.changes.empty()) {
     page.findings.push_back({"", fmt::format("Changed on the command line: {}.", fmt::join(flight.changes, ", "))});

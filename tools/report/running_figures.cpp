@@ -78,6 +78,7 @@ void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   add_motion(row);
   in_still_air_ = in_still_air_ && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s;
   zero_.add(row);
+  camera_roll_.add(row);
   const bool is_control = row.phase == core::Phase::controlling;
   if (stage_ == Stage::before_control && is_control) {
     begin_control(row);
@@ -236,6 +237,7 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
     f.apogee_m = largest_height_m_;
   }
   f.in_still_air = flight.tunnel && in_still_air_;
+  f.camera_roll = camera_roll_.found();
   if (controlled_ == 0) {
     return f;
   }

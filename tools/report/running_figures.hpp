@@ -7,6 +7,7 @@
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
+#include "report/camera_roll.hpp"
 #include "report/extent.hpp"
 #include "report/figures.hpp"
 #include "report/hold.hpp"
@@ -95,6 +96,7 @@ class RunningFigures {
   std::optional<double> largest_height_m_{};
   bool in_still_air_ = true;
   TrueZero zero_;
+  CameraRollWatch camera_roll_{};
 
   Stage stage_ = Stage::before_control;
   std::size_t controlled_ = 0;

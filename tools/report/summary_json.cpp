@@ -199,6 +199,10 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
   if (flight.trajectory_end_s) {
     summary["trajectory_end_s"] = rounded(*flight.trajectory_end_s);
   }
+  if (const auto& camera = figures.camera_roll) {
+    summary["camera_roll"] = {{"largest_apart_deg", rounded(text::degrees(camera->largest_rad))},
+                              {"at_end_apart_deg", rounded(text::degrees(camera->at_end_rad))}};
+  }
   if (flight.before_burnout) {
     summary["before_burnout"] = before_burnout_json(flight);
   }

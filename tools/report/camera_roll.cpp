@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "report/camera_roll.hpp"
+
+#include <cmath>
+
+namespace fantail::report {
+
+void CameraRollWatch::add(const flight::Row& row) {
+  const bool counts = row.phase == core::Phase::launched || row.phase == core::Phase::controlling;
+  if (!counts || !row.truth || !row.truth->geometric_roll_rad) {
+    return;
+  }
+  const double apart_rad = *row.truth->geometric_roll_rad - row.truth->roll_angle_rad;
+  if (!found_) {
+    zero_rad_ = apart_rad;
+    found_.emplace();
+  }
+  found_->at_end_rad = apart_rad - zero_rad_;
+  if (std::abs(found_->at_end_rad) > std::abs(found_->largest_rad)) {
+    found_->largest_rad = found_->at_end_rad;
+  }
+}
+
+}  // namespace fantail::report
