@@ -46,10 +46,10 @@ Chapter air_chapter(const Tell& tell) {
                                            .tolerance = 0.15,
                                            .kind = Kind::read_back,
                                            .remark = "The simulated fan was given it."}));
-  chapter.claims.push_back(
-      slip("Section 4.1.1", "Unit of the turbulence of Eq 26", "%", "m/s",
-           "A variance over a mean is a speed, as the notation says; as a percentage it would be the "
-           "standard deviation over the mean: 0.0004 m/s at 22 m/s is a deviation of 0.09 m/s, 0.4 % of the mean."));
+  chapter.claims.push_back(slip(
+      "Section 4.1.1", "Unit of the turbulence of Eq 26", "%", "m/s",
+      "A variance over a mean is a speed, as the notation says. In percent it would be the standard deviation over "
+      "the mean: 0.0004 m/s at 22 m/s is a deviation of 0.09 m/s, 0.4 % of the mean."));
   page::Chart speed{.label = "Wind speed over time",
                     .x_label = "time / s",
                     .y_label = "wind speed / m/s",

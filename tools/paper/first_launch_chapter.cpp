@@ -166,14 +166,15 @@ Chapter first_launch_chapter(const Tell& tell) {
   const double to_s = *flight.events.detected_s + 9.0;
   const identify::model::Record record = true_record(run, from_s, to_s, 0.01);
   const double thrust_s = *flight.events.burnout_s - from_s;
-  const identify::model::NodeTimes nodes{0.0, 0.5 * thrust_s, thrust_s, 0.5 * (thrust_s + record.time_s.back()),
-                                         record.time_s.back()};
+  const identify::model::NodeTimes nodes = times_in_thrust_and_coast(thrust_s, 2, record.time_s.back(), 2);
+  const identify::model::Airframe rocket = airframe(run.scenario);
   identify::Options options{.nodes = nodes, .with_error_map = false};
-  const identify::result::Identification open = identify::identify(record, airframe(run.scenario), options);
+  const identify::result::Identification open = identify::identify(record, rocket, options);
   options.closed_loop = identify::closed_loop::Control{.controller = run.scenario.plan.controller,
                                                        .servo_lag_s = run.scenario.vehicle.servo.lag_s};
-  const identify::result::Identification closed = identify::identify(record, airframe(run.scenario), options);
-  std::ranges::move(first_launch_identified({.nodes_s = nodes, .open = open, .closed = closed}),
+  const identify::result::Identification closed = identify::identify(record, rocket, options);
+  std::ranges::move(first_launch_identified(
+                        {.record = record, .rocket = rocket, .thrust_s = thrust_s, .open = open, .closed = closed}),
                     std::back_inserter(chapter.claims));
 
   const Stretch flown{.zero_s = *flight.events.detected_s, .from_s = *flight.events.detected_s - 0.2, .to_s = to_s};

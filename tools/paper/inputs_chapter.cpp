@@ -101,7 +101,7 @@ void add_excitation(std::vector<Claim>& claims, const core::ExcitationPlan& plan
       .what = "Form of the excitation",
       .theirs = "(A0 + \u0394A) sin((\u03c90 + \u0394\u03c9) t), \u03c90 = 2\u03c0 (2t 10)",
       .ours =
-          fmt::format("4 deg sin(2\u03c0 (2t \u2212 10) t); the flight code is within {:.4f} deg of it", furthest_deg),
+          fmt::format("4 deg sin(2\u03c0 (2t \u2212 10) t); the flight code is within {:.6f} deg of it", furthest_deg),
       .holds = furthest_deg < 1e-3,
       .kind = Kind::definition,
       .why =

@@ -30,11 +30,10 @@ inline constexpr std::array<OutsideRow, 15> outside_rows{{
      "Materials have no part in the model; they show in the masses."},
     {"Section 3.1", "A camera stands out by", "10 mm", Kind::outside, "The fin offset is the only asymmetry here."},
     {"Section 3.2", "Stability test: balanced on, strings through holes of", "less than 20 mm, 4 mm", Kind::outside,
-     "How the test was made; `tunnel_stability` is a simulated one."},
+     "How the test was made; the scenario tunnel_stability is a simulated one."},
     {"Section 3.2", "Stability test: the rocket straightens at", "15, 20 and 30 m/s", Kind::not_reproducible,
-     "Neither centre of gravity nor centre of pressure is printed, nor how far and how fast it swung. "
-     "`tunnel_stability` "
-     "repeats the procedure with an assumed airframe, which is stable because it was made so."},
+     "Neither centre of gravity nor centre of pressure is printed, nor how far and how fast it swung. The scenario "
+     "tunnel_stability repeats the procedure with an assumed airframe, which is stable because it was made so."},
     {"Section 4.1", "Reduction of the wind speed 200 mm and 100 mm from the wall", "negligible, less than 5 %",
      Kind::not_reproducible, "The readings are not printed. The simulated tunnel has no boundary layer."},
     {"Section 4.1.1", "Where the sensor is, and what is negligible", "200 mm from the edge, 0.1 m/s", Kind::outside,
@@ -48,7 +47,7 @@ inline constexpr std::array<OutsideRow, 15> outside_rows{{
     {"Section 4.3.1", "At 30 m/s the rocket", "spun and swung", Kind::outside,
      "The string leaves only the roll free here."},
     {"Section 4.3.2, figure 25", "Recovery of launch 2", "back fins damaged on landing by a gust", Kind::outside,
-     "The runs here end at apogee."},
+     "The runs here end a second after apogee."},
     {"Section 4.3.2", "Extra damping behind burn-out", "from the angle of attack and the speed", Kind::outside,
      "Damping depends on neither here; alpha is one number a run."},
     {"Section 4.3.2", "Closed-loop analysis of launch 2", "very similar to the open loop", Kind::not_reproducible,

@@ -66,10 +66,10 @@ void add_ascent(std::vector<Claim>& claims, const flight::Flight& flight, const 
       .decimals = 2,
       .tolerance = 0.1,
       .kind = Kind::simulated,
-      .why_otherwise = fmt::format(
-          "The printed times are rounded to 0.1 s. To be 6 m up after 0.5 s takes {:.0f} m/s2 on average; launch "
-          "1 was 7 m up after 0.63 s, {:.0f} m/s2, with a rocket that was 0.5 kg lighter.",
-          2.0 * 6.0 / (0.5 * 0.5), 2.0 * 7.0 / (0.63 * 0.63))}));
+      .why_otherwise =
+          fmt::format("The printed times are rounded to 0.1 s. To be 6 m up after 0.5 s takes {:.0f} m/s2 on average. "
+                      "Launch 1, 0.5 kg lighter, was 7 m up after 0.63 s, which is {:.0f} m/s2.",
+                      2.0 * 6.0 / (0.5 * 0.5), 2.0 * 7.0 / (0.63 * 0.63))}));
 }
 
 // Figure 26: the published chirp by itself.

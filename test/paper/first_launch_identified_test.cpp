@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "paper/first_launch_identified.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fantail::paper {
+namespace {
+
+TEST(FirstLaunch, TheTimesOfEq35And36AreEvenInThrustAndInCoast) {
+  const identify::model::NodeTimes expected{0.0, 1.47, 2.94, 5.97, 9.0};
+  const identify::model::NodeTimes times = times_in_thrust_and_coast(2.94, 2, 9.0, 2);
+  ASSERT_EQ(times.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(times[i], expected[i], 1e-12) << i;
+  }
+}
+
+}  // namespace
+}  // namespace fantail::paper
