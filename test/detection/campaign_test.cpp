@@ -186,7 +186,7 @@ TEST_F(DetectionCampaign, TheReportSaysWhichJudgedPlanMovedACanard) {
 TEST_F(DetectionCampaign, NoneOfAHundredThousandEventsMovesACanardOfTheSecondLaunchWhenBothAccelerometersAreWell) {
   const std::vector<std::string> names{"tasha3_launch2"};
   Campaign campaign{.rules = rules_of(names), .kinds = {}};
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
+  for (std::size_t kind = 0; kind < index(Kind::launch); ++kind) {
     campaign.kinds.push_back(static_cast<Kind>(kind));
   }
   campaign.both_well = true;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <memory>
+#include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/launch_detector.hpp"
 #include "detection/event_models.hpp"
 #include "detection/rehearsal.hpp"
 #include "detection/screen.hpp"
@@ -10,6 +14,16 @@
 
 namespace fantail::detection {
 namespace {
+
+std::vector<Kind> events_that_are_no_launch() {
+  std::vector<Kind> result;
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    if (!is_launch(static_cast<Kind>(kind))) {
+      result.push_back(static_cast<Kind>(kind));
+    }
+  }
+  return result;
+}
 
 // The whole law has the last word; that the detector alone, and the largest sample before it, leave out only events in
 // which nothing fires is what makes the counts of ten million events believable.
@@ -21,14 +35,15 @@ TEST(Paths, TheFastPathGivesTheAnswerOfTheWholeFlightLaw) {
   std::size_t detected = 0;
   std::size_t controlling = 0;
   std::size_t quiet = 0;
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    for (std::uint64_t event = 0; event < (static_cast<Kind>(kind) == Kind::shaking ? 600U : 60U); ++event) {
-      const auto& a = fast.play(seed, static_cast<Kind>(kind), event, Path::fast);
-      const auto& b = full.play(seed, static_cast<Kind>(kind), event, Path::full);
+  for (const Kind kind : events_that_are_no_launch()) {
+    for (std::uint64_t event = 0; event < (kind == Kind::shaking ? 600U : 60U); ++event) {
+      const auto& a = fast.play(seed, kind, event, Path::fast);
+      const auto& b = full.play(seed, kind, event, Path::full);
       for (std::size_t rule = 0; rule < rules.size(); ++rule) {
-        ASSERT_EQ(a[rule].detected, b[rule].detected) << kind_table[kind].name << ' ' << event << rules[rule].name();
-        ASSERT_EQ(a[rule].controlling, b[rule].controlling) << kind_table[kind].name << ' ' << event;
-        ASSERT_EQ(a[rule].nearness, b[rule].nearness) << kind_table[kind].name << ' ' << event;
+        ASSERT_EQ(a[rule].detected, b[rule].detected) << info(kind).name << ' ' << event << rules[rule].name();
+        ASSERT_EQ(a[rule].controlling, b[rule].controlling) << info(kind).name << ' ' << event;
+        ASSERT_EQ(a[rule].nearness, b[rule].nearness) << info(kind).name << ' ' << event;
+        ASSERT_EQ(a[rule].flown, b[rule].flown) << info(kind).name << ' ' << event;
         detected += b[rule].detected ? 1 : 0;
         controlling += b[rule].controlling ? 1 : 0;
         quiet += b[rule].detected ? 0 : 1;
@@ -41,9 +56,29 @@ TEST(Paths, TheFastPathGivesTheAnswerOfTheWholeFlightLaw) {
   EXPECT_GT(quiet, 1'000U);
 }
 
-// Of many more, through the detector alone.
+/// Does a detector fire that begins with this step?
+bool fires_from(const core::FlightPlan& plan, const Readings& readings, std::size_t first, std::size_t length) {
+  core::LaunchDetector detector{plan.launch_detection, plan.motion.stale_time};
+  for (std::size_t i = first; i < length; ++i) {
+    const core::Microseconds now{static_cast<std::int64_t>(i) * 1'000};
+    std::array<core::AccelerometerSample, 2> samples{};
+    for (std::size_t which = 0; which < 2; ++which) {
+      samples[which] = {.time = now,
+                        .specific_force_m_s2 = {readings.axial_m_s2[which][i], 0.0F, 0.0F},
+                        .quality = readings.quality[which][i]};
+    }
+    if (detector.update(now, samples) == core::DetectionState::detected) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Of many more, through the detector alone: from the beginning, and from any sample on which the law may let it begin
+// anew.
 TEST(Paths, WhereTheScreenSaysThatNoRuleFiresNoneDoes) {
   const std::uint32_t seed = test::seed(7);
+  std::mt19937 random{seed};
   std::vector<Rule> rules = rules_of({});
   rules.push_back(rules.front());
   rules.back().plan.launch_detection.accelerometers = core::AccelerometerRule::two_agree;
@@ -51,23 +86,32 @@ TEST(Paths, WhereTheScreenSaysThatNoRuleFiresNoneDoes) {
   const auto motion = std::make_unique<Motion>();
   const auto readings = std::make_unique<Readings>();
   std::size_t kept_out = 0;
+  std::size_t kept_from_the_law = 0;
   std::size_t fired = 0;
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    for (std::uint64_t event = 0; event < 500; ++event) {
-      Streams streams = streams_of(seed, static_cast<Kind>(kind), event);
-      make_event(static_cast<Kind>(kind), streams, *motion, false);
-      begin_readings(static_cast<Kind>(kind), event, *motion, streams.axial, *readings);
+  for (const Kind kind : events_that_are_no_launch()) {
+    for (std::uint64_t event = 0; event < (is_flight(kind) ? 100U : 500U); ++event) {
+      Streams streams = streams_of(seed, kind, event);
+      make_event(kind, streams, *motion, false);
+      begin_readings(kind, event, *motion, streams.axial, *readings);
       finish_readings(*motion, streams.axial, *readings);
       for (const Rule& rule : rules) {
-        const bool may = may_fire(rule.plan.launch_detection, *motion, *readings);
+        const Screened screen = screened(rule.plan, *motion, *readings);
         const bool does = fires(rule.plan, *readings, motion->length);
-        ASSERT_TRUE(may || !does) << kind_table[kind].name << ' ' << event << ' ' << rule.name();
-        kept_out += may ? 0 : 1;
+        ASSERT_TRUE(screen != Screened::quiet || !does) << info(kind).name << ' ' << event << ' ' << rule.name();
+        kept_out += screen == Screened::quiet ? 1 : 0;
         fired += does ? 1 : 0;
+        const auto rest = static_cast<std::size_t>(rule.plan.motion.rest_time / core::Microseconds{1'000});
+        if (screen != Screened::law_decides && motion->length > rest) {
+          ++kept_from_the_law;
+          const std::size_t first = std::uniform_int_distribution<std::size_t>{rest, motion->length - 1}(random);
+          ASSERT_FALSE(fires_from(rule.plan, *readings, first, motion->length))
+              << info(kind).name << ' ' << event << ' ' << rule.name() << " from step " << first;
+        }
       }
     }
   }
   EXPECT_GT(kept_out, 10'000U);
+  EXPECT_GT(kept_from_the_law, 5'000U);
   EXPECT_GT(fired, 400U);
 }
 

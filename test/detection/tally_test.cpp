@@ -61,6 +61,37 @@ TEST(Tally, ComesBackFromItsTextAsItWas) {
   EXPECT_THROW((void)tally_of(json::parse("[]"), 2), json::Error);
 }
 
+TEST(Tally, AFlightThatARuleControlsAsItShouldIsNoEventForThatRule) {
+  Tally tally{2};
+  const std::vector<Rule> rules(2);
+  const Answer woken{.detected = 9'000, .controlling = 9'400, .nearness = 1.0F, .part = Part::main};
+  tally.count(Kind::missed_flight, 6, rules, {Answer{.flown = true}, woken}, {});
+  EXPECT_EQ(tally.of_rule[0][0].events, 0U);
+  EXPECT_EQ(tally.of_rule[0][0].flown, 1U);
+  EXPECT_EQ(tally.of_rule[1][0].events, 1U);
+  EXPECT_EQ(tally.of_rule[1][0].controlling, 1U);
+  EXPECT_EQ(tally.of_rule[1][0].control_by_part.times(static_cast<int>(Part::main)), 1U);
+  EXPECT_EQ(tally_of(json::parse(tally_json(tally).dump()), 2), tally);
+}
+
+TEST(Tally, OfARaisedRailAWrongTiltIsCountedBesideTheTimeThatItStood) {
+  Tally tally{1};
+  const std::vector<Rule> rules(1);
+  Answer answer{.detected = 300, .controlling = 600, .crossing = 180};
+  answer.tilt_error_rad = -0.2F;  // 11.459 deg
+  const LaunchTruth truth{.ignition = 170, .peak_g = 4, .still_s = 3};
+  tally.count(Kind::raised_rail, 1, rules, {answer}, truth);
+  answer.tilt_error_rad = 0.03F;
+  tally.count(Kind::raised_rail, 2, rules, {answer}, truth);
+  tally.count(Kind::raised_rail, 3, rules, {Answer{}}, truth);
+  const Count& count = tally.of_rule[0][0];
+  EXPECT_EQ(count.tilt_error_ddeg.point(1.0), 115);
+  EXPECT_EQ(count.all_by_still_s.times(3), 3U);
+  EXPECT_EQ(count.tilted_by_still_s.times(3), 1U);
+  EXPECT_EQ(count.missed_by_still_s.times(3), 1U);
+  EXPECT_EQ(tally_of(json::parse(tally_json(tally).dump()), 1), tally);
+}
+
 TEST(Tally, OfEquallyBadEventsTheFirstIsKept) {
   Tally one{1};
   Tally other{1};

@@ -10,7 +10,6 @@
 #include "campaign/parallel_for.hpp"
 #include "detection/parts_file.hpp"
 #include "detection/rehearsal.hpp"
-#include "sim/units.hpp"
 
 namespace fantail::detection {
 namespace {
@@ -51,9 +50,7 @@ std::optional<Tally> played(const Campaign& campaign, const Chunk& chunk, Shared
     }
     const std::uint64_t event = campaign.event(chunk.kind, turn);
     const std::vector<Answer>& answers = rehearsal.play(campaign.seed, chunk.kind, event);
-    const Motion& motion = rehearsal.motion();
-    tally.count(chunk.kind, event, campaign.rules, answers,
-                {.ignition = motion.ignition, .peak_g = static_cast<int>(motion.peak_thrust_m_s2 / sim::gravity_m_s2)});
+    tally.count(chunk.kind, event, campaign.rules, answers, truth_of(rehearsal.motion()));
     ++shared.done;
   }
   return tally;

@@ -35,7 +35,9 @@ struct Campaign {
 };
 
 /// Events that are played and stored together; which are in which depends on nothing but their turn.
-[[nodiscard]] constexpr std::uint64_t events_of_a_chunk(Kind kind) { return is_launch(kind) ? 512 : 4'096; }
+[[nodiscard]] constexpr std::uint64_t events_of_a_chunk(Kind kind) {
+  return is_launch(kind) ? 512 : is_flight(kind) ? 256 : 4'096;
+}
 
 /// A tally for each kind that was asked for, in the order of the enumeration; empty for the others.
 struct Results {

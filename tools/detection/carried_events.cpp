@@ -35,7 +35,7 @@ double add_turn(Motion& motion, double start_s, double time_s, double angle_rad)
   return angle_rad;
 }
 
-/// Fastest half stroke [m] that arms of this reach, force and power have at this frequency with 4 kg in them.
+/// Largest half stroke [m] that arms of this reach, force and power have at this frequency with 4 kg in them.
 double longest_stroke_m(double frequency_hz) {
   constexpr double mass_kg = 4.0;
   constexpr double reach_m = 0.3;
@@ -128,13 +128,12 @@ void make_transport(Streams& streams, Motion& motion, bool all) {
   }
 }
 
-void make_shaking(sim::Random& random, Motion& motion) {
-  motion.begin(Motion::most, uniform(random, 0.0, 90.0 * degree));
+void add_shaking(sim::Random& random, Motion& motion, std::size_t first, std::size_t last, double least_share) {
   const double frequency_hz = log_uniform(random, 1.0, 8.0);
   const double w = 2.0 * std::numbers::pi * frequency_hz;
   // The second harmonic's share is within the bounds, and not on top of them.
   const double harmonic = uniform(random, 0.0, 0.3);
-  const double peak = uniform(random, 0.3, 1.0) * longest_stroke_m(frequency_hz) * w * w / (1.0 + harmonic);
+  const double peak = uniform(random, least_share, 1.0) * longest_stroke_m(frequency_hz) * w * w / (1.0 + harmonic);
   const double second = harmonic * peak;
   Oscillator hand{frequency_hz, random.uniform() < 0.5 ? 0.0 : std::numbers::pi};
   Oscillator twice{2.0 * frequency_hz, uniform(random, 0.0, 6.28)};
@@ -142,10 +141,9 @@ void make_shaking(sim::Random& random, Motion& motion) {
   const double wobble_rate = uniform(random, 0.0, 1.5);
   motion.turns = true;
   // Half a period until the arms are up to it.
-  const std::size_t first = steps(lead_s);
   const double rise = std::min(1.0, 2.0 * frequency_hz * step_s);
   double share = 0.0;
-  for (std::size_t i = first; i < motion.length; ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     share = std::min(1.0, share + rise);
     motion.axial_m_s2[i] = static_cast<float>(share * (peak * hand.sine() + second * twice.sine()));
     motion.pitch_rate_rad_s[i] = static_cast<float>(share * wobble_rate * wobble.cosine());
@@ -153,6 +151,11 @@ void make_shaking(sim::Random& random, Motion& motion) {
     twice.advance();
     wobble.advance();
   }
+}
+
+void make_shaking(sim::Random& random, Motion& motion) {
+  motion.begin(steps(3.0), uniform(random, 0.0, 90.0 * degree));
+  add_shaking(random, motion, steps(lead_s), motion.length, 0.3);
 }
 
 }  // namespace fantail::detection

@@ -34,7 +34,14 @@ void make_gust(sim::Random& random, Motion& motion);
 void make_vibration(Streams& streams, Motion& motion, bool all);
 void make_tilt(sim::Random& random, Motion& motion);
 
+/// Shaken along its axis in these steps, at this share of the bounds or more.
+void add_shaking(sim::Random& random, Motion& motion, std::size_t first, std::size_t last, double least_share);
+
 /// `rms_g`: of the vibration; negative: drawn, 0 to 2.
 void make_launch(Streams& streams, Motion& motion, double rms_g, bool all);
+void make_raised_rail(Streams& streams, Motion& motion, bool all);
+
+void make_missed_flight(Streams& streams, Motion& motion, bool all);
+void make_uncontrolled_flight(Streams& streams, Motion& motion, bool all);
 
 }  // namespace fantail::detection

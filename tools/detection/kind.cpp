@@ -63,6 +63,18 @@ constexpr std::array<KindInfo, kinds> kind_table{{
    "as launch, with an accelerometer that failed in the quarter of a second before ignition",
    "as above",
    "a plan that asks for two is meant to miss these: they are shown, and not judged"},
+  {"raised_rail",
+   "armed on a rail that is raised by 5 to 90 deg in 1 to 5 s, to 0 to 15 deg from the vertical, in every second case with a knock of 1 to 4 g at its stop; still for 0.2 to 10 s; then as launch",
+   "angles and times of a person who raises a launch rail: assumed",
+   "the rail turns about one axis; shown, and not judged: the wait is the crew's"},
+  {"missed_flight",
+   "a flight that a plan may miss, up to 70 m/s, in turn: 1.6 to 2.45 g for 2 to 4 s; 5 to 15 g with one accelerometer low by 2.1 to 4 g; one silent during the burn; 10 to 25 g for 100 to 190 ms; 3 to 5 g with vibration of 2 g rms. Then coast, ejection kick, drogue, descent, main (every second), landing, lying still for 1 to 8 s, and a crew that lifts, carries, turns, shakes, puts down or drives. Openings: half-sine or square, 2 to 20 g, 50 ms to 1 s, at any angle of the axis; jolts of 0.5 to 2 g; swing of 0.1 to 30 deg, spin of 0.5 to 360 deg/s; landing 5 to 100 g, 5 to 50 ms",
+   "assumed; flight by mechanics, with drag; shaking as in the kind of that name",
+   "parachutes act straight up; a long hard opening takes more speed than the rocket has; a descent lasts at most 8 s for each parachute"},
+  {"uncontrolled_flight",
+   "a flight that is detected and of which control may not begin, in turn: gyro silent from before the launch to after the burn; 3 to 4 g for 0.4 to 0.6 s, too slow for the guide's gate; one accelerometer low by 2.1 to 4 g from 0.15 to 0.3 s after ignition. Then as missed_flight",
+   "as above",
+   "as above"},
 }};
 // clang-format on
 

@@ -9,7 +9,8 @@
 
 namespace fantail::detection {
 
-/// What happens to an armed rocket. The first are no launches, and a rocket that believes in one is wrong.
+/// What happens to an armed rocket. Of the first and of the last a rocket that believes in a launch is wrong. The order
+/// is that of their seeds, so a new kind comes last.
 enum class Kind : std::uint8_t {
   handling,
   drop,
@@ -25,12 +26,17 @@ enum class Kind : std::uint8_t {
   launch,
   launch_at_2_g,
   launch_one_bad,
+  raised_rail,
+  missed_flight,
+  uncontrolled_flight,
 };
-inline constexpr std::size_t kinds = 14;
-inline constexpr std::size_t event_kinds = 11;  ///< of these
+inline constexpr std::size_t kinds = 17;
 
 [[nodiscard]] constexpr std::size_t index(Kind kind) { return static_cast<std::size_t>(kind); }
-[[nodiscard]] constexpr bool is_launch(Kind kind) { return index(kind) >= event_kinds; }
+[[nodiscard]] constexpr bool is_launch(Kind kind) { return kind >= Kind::launch && kind <= Kind::raised_rail; }
+/// A whole flight, from the pad to the hands that carry the rocket home. It counts for those rules that did not control
+/// it, and then only what comes after it.
+[[nodiscard]] constexpr bool is_flight(Kind kind) { return kind > Kind::raised_rail; }
 
 /// What a model draws, and how much that is worth.
 struct KindInfo {
@@ -60,7 +66,7 @@ inline constexpr std::array<std::string_view, conditions> condition_names{"well"
 /// Follows from the number, so that any number of events has its share of each: every second one has both well, but of
 /// a launch with one bad none has, and of the other launches all have.
 [[nodiscard]] constexpr Condition condition_of(Kind kind, std::uint64_t event) {
-  if (kind == Kind::launch || kind == Kind::launch_at_2_g) {
+  if (is_launch(kind) && kind != Kind::launch_one_bad) {
     return Condition::well;
   }
   const std::uint64_t turn = kind == Kind::launch_one_bad ? event : event / 2;

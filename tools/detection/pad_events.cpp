@@ -82,7 +82,7 @@ double add_chuff(Streams& streams, Motion& motion, double start_s, bool all) {
 
 void make_chuff(Streams& streams, Motion& motion, bool all) {
   sim::Random& random = streams.model;
-  motion.begin(Motion::most, uniform(random, 0.0, largest_tilt_rad));
+  motion.begin(steps(3.0), uniform(random, 0.0, largest_tilt_rad));
   const auto bursts = 1 + static_cast<int>(3.0 * random.uniform());
   double t = lead_s;
   for (int i = 0; i < bursts && t < 2.5; ++i) {
@@ -108,7 +108,7 @@ void make_neighbour(Streams& streams, Motion& motion, bool all) {
   const double frequency_hz = log_uniform(random, 40.0, 450.0);
   const double rise_s = uniform(random, 0.1, 0.5);
   const double decay_s = uniform(random, 0.3, 1.5);
-  std::array<float, Motion::most> envelope;
+  std::array<float, 2'000> envelope;
   const std::size_t first = steps(lead_s);
   const double decay_a_step = sim::exponential(-step_s / decay_s);
   double level = 0.0;

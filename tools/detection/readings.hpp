@@ -26,6 +26,13 @@ struct SensorErrors {
   std::size_t onset = 0;  ///< from this step on
 };
 
+/// An angle that is turned step by step, so that no sine is needed; kept at unit length to the second order.
+struct Turned {
+  float cosine = 1.0F;
+  float sine = 0.0F;
+  void turn(float angle_rad);
+};
+
 inline constexpr float force_noise_m_s2 = 0.3F;  ///< of each accelerometer, as the shipped vehicles have it
 
 /// What both accelerometers say along the axis, with noise, zeros, ends of range and the fault, and which way is up.
@@ -63,11 +70,13 @@ class InputMaker {
   [[nodiscard]] const core::Inputs& step(std::size_t step);
 
  private:
-  void set_gyro(float pitch_rate_rad_s, const std::array<double, 3>& noise);
+  void set_gyro(const core::Vector3& rate_rad_s, const std::array<double, 3>& noise);
 
   const Motion& motion_;
   const Readings& readings_;
   sim::Random random_;
+  Turned roll_;
+  float stuck_y_m_s2_ = 0.0F;
   float stuck_z_m_s2_ = 0.0F;
   core::Inputs inputs_;
 };

@@ -2,10 +2,11 @@
 #include "detection/rehearsal.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/autopilot.hpp"
 #include "core/launch_detector.hpp"
-#include "detection/screen.hpp"
+#include "core/trig.hpp"
 
 namespace fantail::detection {
 namespace {
@@ -29,7 +30,7 @@ float share_of_gate(const core::GuidePlan& guide, const core::Motion& motion) {
 /// Nothing more can come: control has begun, or the launch was none and there is no time left for the rest without
 /// which another one is not listened for.
 bool is_settled(const core::FlightPlan& plan, const Answer& answer, core::Phase phase, std::size_t steps_left) {
-  return answer.controlling ||
+  return answer.controlling || answer.flown ||
          (answer.detected && phase == core::Phase::armed &&
           core::Microseconds{static_cast<std::int64_t>(steps_left) * 1'000} < plan.motion.rest_time);
 }
@@ -52,10 +53,13 @@ Rehearsal::Rehearsal(std::span<const Rule> rules)
       motion_{std::make_unique<Motion>()},
       readings_{std::make_unique<Readings>()},
       answers_(rules.size()),
-      wanted_(rules.size()) {}
+      wanted_(rules.size()),
+      screened_(rules.size()),
+      is_in_flight_(rules.size()) {}
 
 const std::vector<Answer>& Rehearsal::play(std::uint64_t seed, Kind kind, std::uint64_t event, Path path) {
   answers_.assign(rules_.size(), {});
+  is_in_flight_.assign(rules_.size(), false);
   Streams streams = streams_of(seed, kind, event);
   const bool whole = path == Path::full || is_launch(kind);
   make_event(kind, streams, *motion_, whole);
@@ -78,8 +82,8 @@ const std::vector<Answer>& Rehearsal::play(std::uint64_t seed, Kind kind, std::u
 bool Rehearsal::any_fires(sim::Random& axial) {
   bool any = false;
   for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
-    wanted_[rule] = may_fire(rules_[rule].plan.launch_detection, *motion_, *readings_);
-    any = any || wanted_[rule];
+    screened_[rule] = screened(rules_[rule].plan, *motion_, *readings_);
+    any = any || screened_[rule] != Screened::quiet;
   }
   if (!any) {
     return false;
@@ -87,7 +91,8 @@ bool Rehearsal::any_fires(sim::Random& axial) {
   finish_readings(*motion_, axial, *readings_);
   any = false;
   for (std::size_t rule = 0; rule < rules_.size(); ++rule) {
-    wanted_[rule] = wanted_[rule] && fires(rules_[rule].plan, *readings_, motion_->length);
+    wanted_[rule] = screened_[rule] == Screened::law_decides || (screened_[rule] == Screened::detector_decides &&
+                                                                 fires(rules_[rule].plan, *readings_, motion_->length));
     any = any || wanted_[rule];
   }
   return any;
@@ -137,14 +142,27 @@ void Rehearsal::follow(std::size_t rule, std::size_t step, const core::TickRecor
       motion_->thrust_m_s2[step] >= plan.launch_detection.threshold_m_s2) {
     answer.crossing = step;
   }
-  if (record.phase != core::Phase::launched && record.phase != core::Phase::controlling) {
+  const bool believes = record.phase == core::Phase::launched || record.phase == core::Phase::controlling;
+  if (motion_->flight_end > 0) {
+    is_in_flight_[rule] = believes && (is_in_flight_[rule] || step < motion_->flight_end);
+    if (is_in_flight_[rule]) {
+      answer.flown = record.phase == core::Phase::controlling;
+      return;
+    }
+  }
+  if (!believes) {
     return;
+  }
+  if (has_thrust && !answer.detected) {
+    const float true_tilt = core::atan2(std::abs(readings_->up_z[step]), readings_->up_x[step]).radians();
+    answer.tilt_error_rad = record.motion.tilt.radians() - true_tilt;
   }
   answer.detected = answer.detected.value_or(step);
   if (record.phase == core::Phase::launched) {
     answer.nearness = std::max(answer.nearness, std::min(Answer::held_back, share_of_gate(plan.guide, record.motion)));
   } else if (!answer.controlling) {
     answer.controlling = step;
+    answer.part = motion_->part_of(step);
     answer.nearness = 1.0F;
     if (has_thrust) {
       answer.distance_m = motion_->distance_m[step];

@@ -12,18 +12,24 @@
 #include "detection/event_models.hpp"
 #include "detection/readings.hpp"
 #include "detection/rule.hpp"
+#include "detection/screen.hpp"
 
 namespace fantail::detection {
 
 /// What one rule made of one event. Steps are milliseconds from the beginning of the event.
 struct Answer {
-  std::optional<std::size_t> detected{};     ///< the first time that it believed in a launch
+  /// The first time that it believed in a launch; of a flight that comes down, after the flight.
+  std::optional<std::size_t> detected{};
   std::optional<std::size_t> controlling{};  ///< from here on the canards may move
   /// How far a detection came towards the gate of height and speed: at 1 it opens. Of the two the smaller share.
   float nearness = 0.0F;
   /// Beyond the gate, and kept from control by accelerometers that disagree.
   static constexpr float held_back = 0.999F;
+  // Of flights that come down.
+  bool flown = false;        ///< control began in the flight, rightly: what comes after is no event for this rule
+  Part part = Part::launch;  ///< in which control began otherwise
   // Of launches.
+  float tilt_error_rad = 0.0F;            ///< estimated less true tilt, at detection
   std::optional<std::size_t> crossing{};  ///< the thrust alone is first at the rule's threshold
   float distance_error_m = 0.0F;          ///< estimated less true distance along the guide, at control start
   float distance_m = 0.0F;                ///< the true one
@@ -32,7 +38,7 @@ struct Answer {
 /// Which way an event goes through the flight law.
 enum class Path : std::uint8_t {
   /// Nothing where no noise can make a rule fire; else the product's launch detector alone; and the whole law only
-  /// where that fires. Of launches the whole law.
+  /// where that fires, or where a detector that was shut off for a while might. Of launches the whole law.
   fast,
   full,  ///< the whole law always
 };
@@ -66,6 +72,8 @@ class Rehearsal {
   std::unique_ptr<Readings> readings_;
   std::vector<Answer> answers_;
   std::vector<bool> wanted_;
+  std::vector<Screened> screened_;
+  std::vector<bool> is_in_flight_;  ///< each rule, in the launch of a flight that comes down
 };
 
 }  // namespace fantail::detection

@@ -60,6 +60,42 @@ std::string by_thrust(const Count& count) {
                       : fmt::format("    by peak thrust over weight, missed and later than {} ms: {}\n", late_ms, text);
 }
 
+/// Of flights that come down: how many were none, and in which part control started.
+std::string flight_lines(const Report& report, std::size_t rule) {
+  std::string text;
+  for (const Kind kind : report.campaign.kinds) {
+    if (!is_flight(kind)) {
+      continue;
+    }
+    std::uint64_t flown = 0;
+    Histogram by_part;
+    for (const Count& count : report.results.of_kind[index(kind)]->of_rule[rule]) {
+      flown += count.flown;
+      by_part.add(count.control_by_part);
+    }
+    text +=
+        fmt::format("  {}: not counted, because this plan controls them as it should: {}\n", info(kind).name, flown);
+    std::string starts;
+    for (const auto& [part, times] : by_part.counts()) {
+      starts += fmt::format("{}{} {}", starts.empty() ? "" : ", ", part_names[static_cast<std::size_t>(part)], times);
+    }
+    text += starts.empty() ? "" : fmt::format("    false actuations by part, accelerometers well or not: {}\n", starts);
+  }
+  return text;
+}
+
+/// Of rails that were raised: by the seconds from then to ignition.
+std::string by_time_still(const Count& count) {
+  std::string text;
+  for (const auto& [still_s, all] : count.all_by_still_s.counts()) {
+    text += fmt::format("{}{} s {} and {} of {}", text.empty() ? "" : "; ", still_s,
+                        count.missed_by_still_s.times(still_s), count.tilted_by_still_s.times(still_s), all);
+  }
+  return text.empty() ? text
+                      : fmt::format("    by whole seconds still, missed and tilt off by more than {} deg: {}\n",
+                                    tilted_ddeg / 10, text);
+}
+
 std::string launch_lines(const Report& report, std::size_t rule) {
   std::string text;
   for (const Kind kind : report.campaign.kinds) {
@@ -79,15 +115,16 @@ std::string launch_lines(const Report& report, std::size_t rule) {
         text += fmt::format(
             "    detected {} ms after the thrust's first crossing (99 %: {}); control starts {} ms after ignition "
             "(99 %: {}), {} m along the guide (1 to 99 %: {} to {}), by an estimate that is off by {} m ({} to {}); "
-            "inside the guide {}\n",
+            "inside the guide {}; tilt off by {} deg (99 %: {})\n",
             in_units(count.latency_ms.point(0.5), 1.0, 0), in_units(count.latency_ms.point(0.99), 1.0, 0),
             in_units(count.control_ms.point(0.5), 1.0, 0), in_units(count.control_ms.point(0.99), 1.0, 0),
             in_units(count.distance_cm.point(0.5), 0.01, 2), in_units(count.distance_cm.point(0.01), 0.01, 2),
             in_units(count.distance_cm.point(0.99), 0.01, 2), in_units(count.error_cm.point(0.5), 0.01, 2),
             in_units(count.error_cm.point(0.01), 0.01, 2), in_units(count.error_cm.point(0.99), 0.01, 2),
-            count.inside_guide);
+            count.inside_guide, in_units(count.tilt_error_ddeg.point(0.5), 0.1, 1),
+            in_units(count.tilt_error_ddeg.point(0.99), 0.1, 1));
       }
-      text += condition == 0 ? by_thrust(count) : "";
+      text += condition == 0 ? by_thrust(count) + by_time_still(count) : "";
     }
   }
   return text;
@@ -136,7 +173,7 @@ std::string report_text(const Report& report, std::size_t columns) {
     text +=
         fmt::format("\n{}{}\n", campaign.rules[rule].name(), campaign.rules[rule].judged ? "" : " (shown, not judged)");
     const bool any_event = std::ranges::any_of(campaign.kinds, [](Kind kind) { return !is_launch(kind); });
-    text += any_event ? events_table(report, rule, columns) : "";
+    text += any_event ? events_table(report, rule, columns) + flight_lines(report, rule) : "";
     text += launch_lines(report, rule);
   }
   text += '\n';

@@ -39,7 +39,8 @@ std::string events_html(const Report& report, std::size_t rule) {
         rows.push_back(
             {{std::string{info(kind).name}},
              {std::string{condition_names[condition]}},
-             number_cell(count.events),
+             {.text = fmt::format("{}", count.events),
+              .below = count.flown > 0 ? fmt::format("{} more controlled as they should be", count.flown) : ""},
              {with_bound(count.detected, count.events)},
              bad_if_any(count.controlling, count.events, report.campaign.rules[rule].judged && condition == 0),
              {.text = text::fixed(100.0 * count.worst.value, 0) + " %",

@@ -26,6 +26,25 @@ json::Value by_peak_thrust(const Count& count) {
   return rows;
 }
 
+json::Value by_time_still(const Count& count) {
+  std::vector<json::Value> rows;
+  for (const auto& [still_s, all] : count.all_by_still_s.counts()) {
+    rows.push_back({{"still_s", still_s},
+                    {"launches", all},
+                    {"missed", count.missed_by_still_s.times(still_s)},
+                    {"tilt_off_by_more_than_5_deg", count.tilted_by_still_s.times(still_s)}});
+  }
+  return rows;
+}
+
+json::Value by_part(const Count& count) {
+  json::Value value;
+  for (std::size_t part = 0; part < flight_parts; ++part) {
+    value[part_names[part]] = count.control_by_part.times(static_cast<int>(part));
+  }
+  return value;
+}
+
 json::Value row(const Report& report, Kind kind, std::size_t rule, std::size_t condition) {
   const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][condition];
   json::Value value{{"kind", info(kind).name},
@@ -42,10 +61,18 @@ json::Value row(const Report& report, Kind kind, std::size_t rule, std::size_t c
     value["distance_at_control_start_m"] = points(count.distance_cm, 1e-2);
     value["distance_error_m"] = points(count.error_cm, 1e-2);
     value["by_peak_thrust"] = by_peak_thrust(count);
+    value["tilt_error_deg"] = points(count.tilt_error_ddeg, 0.1);
+    if (kind == Kind::raised_rail) {
+      value["by_time_still"] = by_time_still(count);
+    }
   } else {
     value["detected_at_most"] = upper_bound_95(count.detected, count.events);
     value["false_actuations_at_most"] = upper_bound_95(count.controlling, count.events);
     value["largest_share_of_gate"] = count.worst.value;
+    if (is_flight(kind)) {
+      value["controlled_as_they_should"] = count.flown;
+      value["false_actuations_by_part"] = by_part(count);
+    }
   }
   value["worst"] = command_of(report.campaign, kind, count.worst.event);
   return value;

@@ -72,9 +72,23 @@ Requirement launches_missed(const Report& report, std::size_t rule) {
                                   !is_met && may_be ? "; more launches may show it" : "")};
 }
 
+/// Of flights that come down, one accelerometer bad.
+Sum bad_flights_of(const Results& results, std::size_t rule) {
+  Sum sum;
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    if (results.of_kind[kind] && is_flight(static_cast<Kind>(kind))) {
+      const Sum one_bad = one_bad_of(*results.of_kind[kind], rule);
+      sum.events += one_bad.events;
+      sum.controlling += one_bad.controlling;
+    }
+  }
+  return sum;
+}
+
 bool judges(const Campaign& campaign, bool launches) {
   return std::ranges::any_of(campaign.rules, &Rule::judged) && std::ranges::any_of(campaign.kinds, [&](Kind kind) {
-           return campaign.number_of(kind) > 0 && is_launch(kind) == launches && kind != Kind::launch_one_bad;
+           return campaign.number_of(kind) > 0 && is_launch(kind) == launches && kind != Kind::launch_one_bad &&
+                  kind != Kind::raised_rail;
          });
 }
 
@@ -90,8 +104,8 @@ Sum one_bad_of(const Tally& tally, std::size_t rule) {
 
 Sum events_of(const Results& results, std::size_t rule) {
   Sum sum;
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    if (results.of_kind[kind]) {
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    if (results.of_kind[kind] && !is_launch(static_cast<Kind>(kind))) {
       for (const Count& count : results.of_kind[kind]->of_rule[rule]) {
         add(sum, count);
       }
@@ -102,8 +116,8 @@ Sum events_of(const Results& results, std::size_t rule) {
 
 Sum well_events_of(const Results& results, std::size_t rule) {
   Sum sum;
-  for (std::size_t kind = 0; kind < event_kinds; ++kind) {
-    if (results.of_kind[kind]) {
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    if (results.of_kind[kind] && !is_launch(static_cast<Kind>(kind))) {
       add(sum, results.of_kind[kind]->of_rule[rule][0]);
     }
   }
@@ -186,8 +200,19 @@ std::vector<std::string> known_limits(const Report& report) {
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < report.campaign.rules.size(); ++i) {
     const Rule& rule = report.campaign.rules[i];
-    const Sum bad = bad_events_of(report.results, i);
-    if (rule.judged && bad.controlling > 0) {
+    if (!rule.judged) {
+      continue;
+    }
+    const Sum flights = bad_flights_of(report.results, i);
+    if (flights.controlling > 0) {
+      sentences.push_back(fmt::format(
+          "{}: false actuations {} in {} recoveries with one accelerometer bad, after a flight that was not controlled",
+          rule.name(), with_bound(flights.controlling, flights.events), flights.events));
+    }
+    Sum bad = bad_events_of(report.results, i);
+    bad.events -= flights.events;
+    bad.controlling -= flights.controlling;
+    if (bad.controlling > 0) {
       const bool is_one = rule.plan.launch_detection.accelerometers == core::AccelerometerRule::one;
       sentences.push_back(fmt::format(
           "{}: false actuations {} in {} events with one accelerometer bad: {}", rule.name(),

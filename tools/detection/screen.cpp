@@ -42,41 +42,72 @@ Said said_by(std::size_t which, const SensorErrors& errors, std::size_t length) 
   return {length, length};
 }
 
+/// A detector that is given samples as large as they can be.
+class Bound {
+ public:
+  Bound(const core::LaunchDetectionPlan& plan, float first)
+      : plan_{plan},
+        share_{plan.low_pass ? core::lag_fraction(2.0F * std::numbers::pi_v<float> * plan.low_pass_hz *
+                                                  static_cast<float>(step_s))
+                             : 1.0F},
+        filtered_{first} {}
+
+  /// True when the hold may be complete. `anew`: the detector may have begun with this sample.
+  bool take(float sample, float range, bool anew) {
+    filtered_ += share_ * (sample - filtered_);
+    filtered_ = anew ? std::max(filtered_, sample) : filtered_;
+    const bool is_above = filtered_ + margin_m_s2 >= plan_.threshold_m_s2 || sample >= range;
+    above_ = is_above ? above_ + core::Microseconds{1'000} : core::Microseconds{-1'000};
+    return above_ >= plan_.hold;
+  }
+
+ private:
+  const core::LaunchDetectionPlan& plan_;
+  float share_;
+  float filtered_;
+  core::Microseconds above_{-1'000};
+};
+
 }  // namespace
 
-bool may_fire(const core::LaunchDetectionPlan& plan, const Motion& motion, const Readings& readings) {
+Screened screened(const core::FlightPlan& flight_plan, const Motion& motion, const Readings& readings) {
+  const core::LaunchDetectionPlan& plan = flight_plan.launch_detection;
+  const auto first_rest = static_cast<std::size_t>(flight_plan.motion.rest_time / core::Microseconds{1'000});
+  const Screened unknown = motion.length > first_rest ? Screened::law_decides : Screened::detector_decides;
   const SensorErrors& errors = readings.errors;
   const std::optional<std::size_t> which = one_that_decides(plan, errors);
   if (!which || (*which == errors.bad && errors.condition == Condition::saturated)) {
-    return true;
+    return unknown;
   }
   const float range = accelerometer_range_m_s2[*which];
   const float bias = errors.bias_m_s2[*which].x;
   const float noise = force_noise_m_s2 * largest_gaussian + margin_m_s2;
   if (readings.smallest_felt_m_s2 + bias - noise <= -range) {
-    return true;
+    return unknown;
   }
   const float most = bias + noise;
   if (readings.largest_felt_m_s2 + most < plan.threshold_m_s2) {
-    return false;
+    return Screened::quiet;
   }
-  const float share =
-      plan.low_pass
-          ? core::lag_fraction(2.0F * std::numbers::pi_v<float> * plan.low_pass_hz * static_cast<float>(step_s))
-          : 1.0F;
   const Said said = said_by(*which, errors, motion.length);
-  float filtered = std::min(readings.felt_m_s2[0] + most, range);
-  core::Microseconds above{-1'000};
+  const float kept = 1.0F - motion.trouble.low_share;  // one that reads low is less negative, too
+  const auto sample_at = [&](std::size_t i) {
+    const float felt = readings.felt_m_s2[std::min(i, said.stands_from)];
+    return std::min(std::max(felt, kept * felt) + most, range);
+  };
+  Bound always{plan, sample_at(0)};
+  Bound anew{plan, sample_at(0)};
+  Screened result = Screened::quiet;
   for (std::size_t i = 0; i < said.end; ++i) {
-    const float sample = std::min(readings.felt_m_s2[std::min(i, said.stands_from)] + most, range);
-    filtered += share * (sample - filtered);
-    const bool is_above = filtered + margin_m_s2 >= plan.threshold_m_s2 || sample >= range;
-    above = is_above ? above + core::Microseconds{1'000} : core::Microseconds{-1'000};
-    if (above >= plan.hold) {
-      return true;
+    const float sample = sample_at(i);
+    if (result == Screened::quiet && always.take(sample, range, false)) {
+      result = Screened::detector_decides;
+    }
+    if (i >= first_rest && anew.take(sample, range, true)) {
+      return Screened::law_decides;
     }
   }
-  return false;
+  return result;
 }
 
 }  // namespace fantail::detection

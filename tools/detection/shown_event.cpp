@@ -49,11 +49,17 @@ void add_gates(page::Chart& speed, page::Chart& way, const std::vector<Rule>& ru
 std::string names_of(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, "; ")); }
 
 /// Who does what, first those of whom it is bad.
-void judge(ShownEvent& shown, const std::vector<Rule>& rules, const std::vector<Answer>& answers, bool launch,
+void judge(ShownEvent& shown, Kind kind, const std::vector<Rule>& rules, const std::vector<Answer>& answers,
            bool both_well) {
+  const bool launch = is_launch(kind);
   std::vector<std::string> do_it;
   std::vector<std::string> do_not;
+  std::vector<std::string> fly_it;
   for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+    if (answers[rule].flown) {
+      fly_it.push_back(rules[rule].name());
+      continue;
+    }
     const bool does = launch ? answers[rule].detected.has_value() : answers[rule].controlling.has_value();
     (does ? do_it : do_not).push_back(rules[rule].name());
     shown.is_bad = shown.is_bad || (rules[rule].judged && both_well && does != launch);
@@ -62,11 +68,18 @@ void judge(ShownEvent& shown, const std::vector<Rule>& rules, const std::vector<
     shown.verdict = do_not.empty()  ? "Every plan detects this launch."
                     : do_it.empty() ? "No plan detects this launch."
                                     : fmt::format("Detected by {}; missed by {}.", names_of(do_it), names_of(do_not));
+    return;
+  }
+  const char* const what = is_flight(kind) ? "This is the end of a flight" : "This is no launch";
+  if (do_it.empty() || (do_not.empty() && fly_it.empty())) {
+    shown.verdict = do_it.empty() ? fmt::format("{}, and no plan moves a canard.", what)
+                                  : fmt::format("{}, and every plan moves the canards.", what);
   } else {
-    shown.verdict = do_it.empty()    ? "This is no launch, and no plan moves a canard."
-                    : do_not.empty() ? "This is no launch, and every plan moves the canards."
-                                     : fmt::format("This is no launch. The canards are moved by {}; not by {}.",
-                                                   names_of(do_it), names_of(do_not));
+    shown.verdict = fmt::format("{}. The canards are moved by {}{}.", what, names_of(do_it),
+                                do_not.empty() ? "" : "; not by " + names_of(do_not));
+  }
+  if (!fly_it.empty()) {
+    shown.verdict += fmt::format(" Its launch is detected and controlled, as it should be, by {}.", names_of(fly_it));
   }
 }
 
@@ -92,6 +105,10 @@ page::Chart readings_chart(const Rehearsal& rehearsal, const std::vector<Rule>& 
 }
 
 std::string said(const Rule& rule, const Answer& answer, bool launch) {
+  if (answer.flown) {
+    return fmt::format("{}: detects and controls this flight, as it should; what comes after is not played",
+                       rule.name());
+  }
   if (!answer.detected) {
     return fmt::format("{}: no launch detected", rule.name());
   }
@@ -110,6 +127,19 @@ std::string said(const Rule& rule, const Answer& answer, bool launch) {
   }
   return text +
          fmt::format(", no control: {} % of the gate", text::fixed(100.0 * static_cast<double>(answer.nearness), 0));
+}
+
+/// When each part of a flight that comes down begins; one that takes no time is left out.
+std::string parts_line(const Motion& motion) {
+  std::string text;
+  for (std::size_t part = 0; part < flight_parts; ++part) {
+    const std::size_t begin = motion.part_begin[part];
+    if (begin < (part + 1 < flight_parts ? motion.part_begin[part + 1] : motion.length)) {
+      text += fmt::format("{}{} {} s", text.empty() ? "  parts begin: " : ", ", part_names[part],
+                          text::fixed(seconds(begin), 3));
+    }
+  }
+  return text + '\n';
 }
 
 }  // namespace
@@ -138,6 +168,7 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
                            text::fixed(seconds(rehearsal.motion().length), 3),
                            text::fixed(rehearsal.motion().start_pitch_rad / sim::radians_per_degree, 1));
   shown.text += fmt::format("  range of the kind, from which this event is drawn: {}\n", info(kind).what);
+  shown.text += is_flight(kind) ? parts_line(rehearsal.motion()) : "";
   shown.text += errors.condition == Condition::well
                     ? std::string{"  both accelerometers well\n"}
                     : fmt::format("  {}: the {} accelerometer, from {} s\n",
@@ -159,7 +190,7 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
     }
   }
   add_gates(speed, way, campaign.rules);
-  judge(shown, campaign.rules, answers, is_launch(kind), errors.condition == Condition::well);
+  judge(shown, kind, campaign.rules, answers, errors.condition == Condition::well);
   shown.figures_html = page::figure(readings) + page::figure(speed) + page::figure(way);
   return shown;
 }

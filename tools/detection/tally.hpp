@@ -31,12 +31,16 @@ class Histogram {
 };
 
 inline constexpr int late_ms = 300;
+inline constexpr int tilted_ddeg =
+    50;  ///< tenths of a degree: beyond this an attitude is wrong, and not its sensors' zeros
 
 /// What is true of a launch.
 struct LaunchTruth {
-  std::size_t ignition = 0;  ///< the step
-  int peak_g = 0;            ///< largest thrust over the weight, rounded down
+  std::size_t ignition = 0;      ///< the step
+  int peak_g = 0;                ///< largest thrust over the weight, rounded down
+  std::optional<int> still_s{};  ///< of a rail that was raised: since then, rounded down
 };
+[[nodiscard]] LaunchTruth truth_of(const Motion& motion);
 
 /// The event that came worst, so that it can be shown again.
 struct Worst {
@@ -55,6 +59,10 @@ struct Count {
   std::uint64_t controlling = 0;  ///< the canards could move
   Worst worst{};
 
+  // Of flights that come down.
+  std::uint64_t flown = 0;  ///< controlled as they should be, and in none of the other figures
+  Histogram control_by_part{};
+
   // Of launches.
   std::uint64_t inside_guide = 0;  ///< control began while the rocket was truly in the guide
   Histogram latency_ms{};          ///< from the first crossing of the threshold by the thrust to the detection
@@ -63,7 +71,12 @@ struct Count {
   Histogram distance_cm{};         ///< the true one
   Histogram all_by_peak_g{};       ///< by the largest thrust over the weight, rounded down
   Histogram missed_by_peak_g{};
-  Histogram late_by_peak_g{};  ///< detected more than `late_ms` after the crossing
+  Histogram late_by_peak_g{};   ///< detected more than `late_ms` after the crossing
+  Histogram tilt_error_ddeg{};  ///< estimated less true tilt at detection, without sign, in tenths of a degree
+  // Of rails that were raised, by the whole seconds between that and ignition.
+  Histogram all_by_still_s{};
+  Histogram missed_by_still_s{};
+  Histogram tilted_by_still_s{};  ///< detected with a tilt that is off by more than `tilted_ddeg`
 
   friend bool operator==(const Count&, const Count&) = default;
 };

@@ -28,6 +28,10 @@ json::Value count_json(const Count& count) {
                     {"controlling", count.controlling},
                     {"worst_event", count.worst.event},
                     {"worst", count.worst.value}};
+  if (count.flown > 0 || count.control_by_part.total() > 0) {
+    value["flown"] = count.flown;
+    value["control_by_part"] = histogram_json(count.control_by_part);
+  }
   if (count.all_by_peak_g.total() > 0) {
     value["inside_guide"] = count.inside_guide;
     value["latency_ms"] = histogram_json(count.latency_ms);
@@ -37,6 +41,10 @@ json::Value count_json(const Count& count) {
     value["all_by_peak_g"] = histogram_json(count.all_by_peak_g);
     value["missed_by_peak_g"] = histogram_json(count.missed_by_peak_g);
     value["late_by_peak_g"] = histogram_json(count.late_by_peak_g);
+    value["tilt_error_ddeg"] = histogram_json(count.tilt_error_ddeg);
+    value["all_by_still_s"] = histogram_json(count.all_by_still_s);
+    value["missed_by_still_s"] = histogram_json(count.missed_by_still_s);
+    value["tilted_by_still_s"] = histogram_json(count.tilted_by_still_s);
   }
   return value;
 }
@@ -46,6 +54,10 @@ Count count_of(const json::Value& value) {
               .detected = value["detected"].count(),
               .controlling = value["controlling"].count(),
               .worst = {.event = value["worst_event"].count(), .value = value["worst"].number()}};
+  if (value.contains("flown")) {
+    count.flown = value["flown"].count();
+    count.control_by_part = histogram_of(value["control_by_part"]);
+  }
   if (value.contains("all_by_peak_g")) {
     count.inside_guide = value["inside_guide"].count();
     count.latency_ms = histogram_of(value["latency_ms"]);
@@ -55,6 +67,10 @@ Count count_of(const json::Value& value) {
     count.all_by_peak_g = histogram_of(value["all_by_peak_g"]);
     count.missed_by_peak_g = histogram_of(value["missed_by_peak_g"]);
     count.late_by_peak_g = histogram_of(value["late_by_peak_g"]);
+    count.tilt_error_ddeg = histogram_of(value["tilt_error_ddeg"]);
+    count.all_by_still_s = histogram_of(value["all_by_still_s"]);
+    count.missed_by_still_s = histogram_of(value["missed_by_still_s"]);
+    count.tilted_by_still_s = histogram_of(value["tilted_by_still_s"]);
   }
   return count;
 }
