@@ -84,6 +84,22 @@ TEST(DetectionVerdict, WithBothWellAFalseActuationIsAFailureAndWithOneBadAKnownL
   EXPECT_EQ(verdict(requirements(report)), Verdict::met);
 }
 
+TEST(DetectionVerdict, ARecoveryWithOneBadIsNotExplainedByAShake) {
+  Report report = of("tasha3_launch2", {Kind::shaking, Kind::missed_flight});
+  count_of(report, Kind::shaking) = {.events = 100};
+  count_of(report, Kind::shaking, Condition::stuck) = {.events = 40};
+  count_of(report, Kind::missed_flight) = {.events = 90, .flown = 10};
+  count_of(report, Kind::missed_flight, Condition::dead) = {.events = 50, .detected = 9, .controlling = 3, .flown = 2};
+  EXPECT_EQ(known_limits(report).size(), 1U);
+  EXPECT_TRUE(says(report,
+                   "tasha3_launch2: false actuations 3 (at most 14.8 %) in 50 recoveries with one accelerometer bad, "
+                   "after a flight that was not controlled"));
+  EXPECT_TRUE(says(report, "false actuations 0 (at most 1.6 %) in 190 events with both accelerometers well"));
+  EXPECT_NE(report_text(report).find("missed_flight: not counted, because this plan controls them as it should: 12"),
+            std::string::npos);
+  EXPECT_NE(report_html(report).find("10 more controlled as they should be"), std::string::npos);
+}
+
 TEST(DetectionVerdict, TheWorstKindAndItsBoundStandBesideThePooledOne) {
   Report report = of("tasha3_launch2", {Kind::shaking, Kind::chuff, Kind::gust});
   count_of(report, Kind::shaking) = {.events = 100};

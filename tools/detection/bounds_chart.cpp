@@ -96,7 +96,11 @@ std::string bounds_svg(const Report& report, double width) {
   const double top = legend_row * static_cast<double>(rules) + 6.0;
   const double bottom = top + row * static_cast<double>(rows.size());
   page::SvgPlot plot;
-  plot.place({84.0, top, width - page::end_margin(ticks), bottom}, x, {0.0, 1.0});
+  double left = 84.0;
+  for (const Kind kind : rows) {
+    left = std::max(left, page::text_width(info(kind).name) + 12.0);
+  }
+  plot.place({left, top, width - page::end_margin(ticks), bottom}, x, {0.0, 1.0});
   plot.begin("chart", "False actuations of each kind of event, with their 95 % bounds", width,
              bottom + page::tick_row + page::label_row + 7.0);
   plot.outline("frame");

@@ -18,8 +18,8 @@ std::string events_table(const Report& report, std::size_t rule, std::size_t col
       {{"event"}, {"events"}, {"launch imagined"}, {"false actuations"}, {"with one accelerometer bad", 1}}};
   const auto row = [&table](const auto& event, const auto& events, const auto& imagined, const auto& false_ones,
                             const auto& of_bad) {
-    table.row({fmt::format("  {:<10}", event), fmt::format(" {:>10}", events), fmt::format(" {:>20}", imagined),
-               fmt::format(" {:>30}", false_ones), fmt::format("   {}", of_bad)});
+    table.row({fmt::format("  {:<19}", event), fmt::format(" {:>9}", events), fmt::format(" {:>18}", imagined),
+               fmt::format(" {:>26}", false_ones), fmt::format("   {}", of_bad)});
   };
   row("event", "events", "launch imagined", "false actuations", "with one accelerometer bad");
   for (const Kind kind : report.campaign.kinds) {
