@@ -27,10 +27,10 @@ float share_of_gate(const core::GuidePlan& guide, const core::Motion& motion) {
   return std::max(0.0F, std::min(distance, speed));
 }
 
-/// Nothing more can come: control has begun, or the launch was none and there is no time left for the rest without
-/// which another one is not listened for.
+/// Nothing more can come: control has begun or is over for good, or the launch was none and there is no time left for
+/// the rest without which another one is not listened for.
 bool is_settled(const core::FlightPlan& plan, const Answer& answer, core::Phase phase, std::size_t steps_left) {
-  return answer.controlling || answer.flown ||
+  return answer.controlling || answer.flown || phase == core::Phase::finished ||
          (answer.detected && phase == core::Phase::armed &&
           core::Microseconds{static_cast<std::int64_t>(steps_left) * 1'000} < plan.motion.rest_time);
 }

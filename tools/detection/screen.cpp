@@ -95,6 +95,11 @@ Screened screened(const core::FlightPlan& flight_plan, const Motion& motion, con
     const float felt = readings.felt_m_s2[std::min(i, said.stands_from)];
     return std::min(std::max(felt, kept * felt) + most, range);
   };
+  // Of what a filter had before it was shut off, so little is left by the first sample after a rest.
+  const float rest_s = static_cast<float>(first_rest) * static_cast<float>(step_s);
+  const float left =
+      plan.low_pass ? range * (1.0F - core::lag_fraction(2.0F * std::numbers::pi_v<float> * plan.low_pass_hz * rest_s))
+                    : 0.0F;
   Bound always{plan, sample_at(0)};
   Bound anew{plan, sample_at(0)};
   Screened result = Screened::quiet;
@@ -103,7 +108,7 @@ Screened screened(const core::FlightPlan& flight_plan, const Motion& motion, con
     if (result == Screened::quiet && always.take(sample, range, false)) {
       result = Screened::detector_decides;
     }
-    if (i >= first_rest && anew.take(sample, range, true)) {
+    if (i >= first_rest && anew.take(sample + left, range, true)) {
       return Screened::law_decides;
     }
   }
