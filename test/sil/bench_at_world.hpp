@@ -46,7 +46,7 @@ class BenchAtWorld final : public link::Place {
   [[nodiscard]] hal::Microseconds now() const override { return now_; }
   void wait(hal::Microseconds at_most) override {
     for (hal::Microseconds waited{}; waited < at_most; waited += millisecond) {
-      if (world) {
+      if (world && !stopped) {
         record = world->tick();
         world->advance();
       }
@@ -89,6 +89,7 @@ class BenchAtWorld final : public link::Place {
   std::optional<sim::World> world;
   core::TickRecord record;
   std::function<void()> after_tick;
+  bool stopped = false;  ///< as a node by SIGSTOP: the rocket's time stands still, and the PC's goes on
 
  private:
   static sim::Scenario load(const std::string& name, std::uint64_t seed) {

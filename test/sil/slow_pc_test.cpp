@@ -144,7 +144,7 @@ Outcome outcome_of(const MakeExercise& make, const Fault& fault, const char* sce
       }
     }
     return outcome;
-  } catch (const bench::TooSlow& error) {
+  } catch (const bench::Unmeasured& error) {
     EXPECT_NE(std::string{error.what()}.find("nothing is said of the canards"), std::string::npos);
   } catch (const link::LinkError& error) {
     EXPECT_NE(std::string{error.what()}.find("it heard no heartbeat"), std::string::npos) << error.what();

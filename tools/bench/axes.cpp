@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "link/session.hpp"
+#include "link/wrapping_counter.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 constexpr hal::Microseconds look_period{10'000};
 constexpr hal::Microseconds patience{60'000'000};
 constexpr hal::Microseconds time_at_rest{1'000'000};
-constexpr double report_clock_s = 16.384;  // GyroReport::time_ms begins again
-constexpr double longest_gap_s = 0.1;      // a hand does not turn a rocket there and back in less
+using ReportClock = link::WrappingCounter<1 << 14>;  // GyroReport::time_ms
+constexpr double longest_gap_s = 0.1;                // a hand does not turn a rocket there and back in less
 
 sim::Vector3 vector(const core::Vector3& v) {
   return {.x = static_cast<double>(v.x), .y = static_cast<double>(v.y), .z = static_cast<double>(v.z)};
@@ -31,6 +32,7 @@ class Sensors {
   bool listen(Done done, OnGyro gyro, OnAccelerometer accelerometer) {
     link::Timeout timeout{patience, place_.now()};
     while (!done()) {
+      link_.expect_one_rocket();
       if (link_.has_fallen_silent()) {
         throw link::LinkError{"the avionics has fallen silent"};
       }
@@ -133,11 +135,9 @@ class Turn {
     if (report.quality != core::SampleQuality::valid) {
       return;  // a gap, which is judged by its length
     }
-    const double time_s = 1e-3 * report.time_ms;
     const sim::Vector3 rate_rad_s = vector(report.rate_rad_s) - bias_rad_s_;
     if (last_) {
-      const double passed_s = time_s - last_->time_s;
-      const double step_s = passed_s < 0.0 ? passed_s + report_clock_s : passed_s;
+      const double step_s = 1e-3 * static_cast<double>(last_->clock.step_to(report.time_ms));
       if (step_s > longest_gap_s) {
         throw NotTurned{fmt::format("of the gyro's rates {:.2f} s in a row were not heard", step_s)};
       }
@@ -145,14 +145,14 @@ class Turn {
       angle_rad_ = angle_rad_ + step_rad;
       turned_ = sim::renormalized(turned_ * sim::small_rotation(step_rad));
     }
-    last_ = {.time_s = time_s, .rate_rad_s = rate_rad_s};
+    last_ = {.clock = ReportClock{report.time_ms}, .rate_rad_s = rate_rad_s};
   }
   [[nodiscard]] const sim::Vector3& angle_rad() const { return angle_rad_; }
   [[nodiscard]] const sim::Quaternion& turned() const { return turned_; }
 
  private:
   struct Last {
-    double time_s;
+    ReportClock clock;
     sim::Vector3 rate_rad_s;
   };
   sim::Vector3 bias_rad_s_;
@@ -173,7 +173,10 @@ const std::array<AskedTurn, turn_count>& asked_turns() {
   return turns;
 }
 
-TurnsSeen watch_turns(link::Place& place, link::AvionicsLink& link, const std::function<void(const AskedTurn&)>& tell) {
+namespace {
+
+TurnsSeen turns_of_one(link::Place& place, link::AvionicsLink& link,
+                       const std::function<void(const AskedTurn&)>& tell) {
   Sensors sensors{place, link};
   TurnsSeen seen{};
   Rest before = rest(sensors, "the rocket does not come to rest");
@@ -198,6 +201,17 @@ TurnsSeen watch_turns(link::Place& place, link::AvionicsLink& link, const std::f
     before = after;
   }
   return seen;
+}
+
+}  // namespace
+
+TurnsSeen watch_turns(link::Place& place, link::AvionicsLink& link, const std::function<void(const AskedTurn&)>& tell) {
+  try {
+    return turns_of_one(place, link, tell);
+  } catch (const NotTurned&) {
+    link::look_for_second_rocket(place, link);
+    throw;
+  }
 }
 
 }  // namespace fantail::bench

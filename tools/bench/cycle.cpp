@@ -74,14 +74,14 @@ void perform_laps(Cycle& cycle, const Exercise& lap, link::Session& session, lin
       session.wait();  // the examination takes some 10 ms: a heartbeat before it and one after it
       measured = lap_of(examine(recording, lap, cycle.tolerances, cycle.heading));
       session.wait();
-    } catch (const TooSlow& slow) {
-      measured.doubt = slow.what();
+    } catch (const Unmeasured& unmeasured) {
+      measured.doubt = unmeasured.what();
     }
     measured.begin_s = begin_s;
     measured.battery_v = battery_v;
     cycle.laps.push_back(measured);
     if (static_cast<double>(void_laps(cycle)) > most_void_share * static_cast<double>(cycle.planned_laps)) {
-      throw TooSlow{
+      throw Unmeasured{
           fmt::format("nothing is said of the canards: {} of {} laps could not be measured, the last one "
                       "because of this: {}",
                       void_laps(cycle), cycle.laps.size(), measured.doubt)};

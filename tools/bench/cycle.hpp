@@ -47,12 +47,12 @@ struct Cycle {
 
 /// Laps that fail one behind the other before the run ends by itself, to spare the servos.
 inline constexpr std::size_t most_failing_laps = 3;
-/// Of all planned laps, the share that may be left out because this PC was too slow for them.
+/// Of all planned laps, the share that may be left out because too much of them was not received.
 inline constexpr double most_void_share = 0.05;
 
 /// Adds lap by lap to `cycle` until all that are planned are done, so whatever ends it, what has been measured is
-/// there. `progress` is told the seconds done after each lap and in between; it may throw to give up. Throws TooSlow
-/// when more laps had to be left out than may be.
+/// there. `progress` is told the seconds done after each lap and in between; it may throw to give up. Throws
+/// Unmeasured when more laps had to be left out than may be.
 void perform_laps(Cycle& cycle, const Exercise& lap, link::Session& session, link::AvionicsLink& link,
                   const std::function<void(double)>& progress);
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bench/punctuality.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -21,19 +23,48 @@ constexpr int most_long_looks = 10;
 constexpr std::int64_t longest_gap_ms = 20;
 // Ticks lost unseen come in sixteens; heartbeats are a tick early or late.
 constexpr std::int64_t unseen_ms = 8;
+constexpr hal::Microseconds longest_look{longest_look_ms * 1'000};
 
-[[noreturn]] void give_up(const std::string& why) {
-  throw TooSlow{"this PC was too slow; nothing is said of the canards: " + why +
-                ". End other programs, then do it again"};
-}
+std::int64_t milliseconds(hal::Microseconds time) { return time.count() / 1'000; }
 
 }  // namespace
 
+void Punctuality::give_up_too_slow(const std::string& why) const {
+  throw TooSlow{
+      fmt::format("this PC was too slow; nothing is said of the canards: {}, and its longest pause between two looks "
+                  "at the bus was "
+                  "{} ms. End other programs, then do it again",
+                  why, milliseconds(longest_pause_))};
+}
+
+// What is known of the cause, and no more.
+void Punctuality::give_up(const std::string& why) const {
+  if (longest_pause_ > longest_look) {
+    give_up_too_slow(why);
+  }
+  if (longest_silence_ > longest_look) {
+    throw Unmeasured{fmt::format(
+        "no report of the rocket came for {} ms while this PC listened; nothing is said of the canards: {}. Was the "
+        "avionics or its node stopped, or the cable off? Mend that, then do it again",
+        milliseconds(longest_silence_), why)};
+  }
+  throw Unmeasured{fmt::format(
+      "the rocket's reports did not come whole and in time; nothing is said of the canards: {}, although this PC never "
+      "paused for more than {} ms. Check cable, terminators and adapter, then do it again",
+      why, milliseconds(longest_pause_))};
+}
+
+void Punctuality::begin_look(hal::Microseconds now) {
+  longest_pause_ = std::max(longest_pause_, now - std::exchange(last_look_, now));
+  longest_silence_ = std::max(longest_silence_, now - last_heard_);
+}
+
 void Punctuality::note(const link::Tick& tick) {
   if (const std::int64_t gap_ms = tick.number - last_.value_or(tick.number - 1) - 1; gap_ms > longest_gap_ms) {
-    give_up(fmt::format("it missed {} ms of the rocket's reports", gap_ms));
+    give_up(fmt::format("{} ms of the rocket's reports are missing at once", gap_ms));
   }
   last_ = tick.number;
+  last_heard_ = last_look_;
   if (!first_) {
     first_ = tick.number;
   }
@@ -42,16 +73,18 @@ void Punctuality::note(const link::Tick& tick) {
 
 void Punctuality::end_look() {
   if (const std::uint32_t overrun = link_.overrun() - overrun_before_; overrun > 0) {
-    give_up(fmt::format("{} frames were lost because they were not read in time", overrun));
+    const std::string why = fmt::format("{} frames that had reached it found no room to wait in", overrun);
+    longest_silence_ > longest_look ? give_up(why) : give_up_too_slow(why);
   }
   if (const auto uncounted_ms = link_.uncounted_ms(); uncounted_ms && uncounted_before_ms_) {
     if (const std::int64_t unseen = *uncounted_ms - *uncounted_before_ms_; std::abs(unseen) > unseen_ms) {
-      give_up(fmt::format("by the rocket's clock it missed {} ms of the rocket's reports", std::abs(unseen)));
+      give_up(
+          fmt::format("the rocket's clock and the numbers of its reports drifted apart by {} ms", std::abs(unseen)));
     }
   }
   if (last_ && last_at_look_ && *last_ - *last_at_look_ > longest_look_ms && ++long_looks_ > most_long_looks) {
-    give_up(fmt::format("it read nothing for more than {} ms, {} times; at most {} times are allowed", longest_look_ms,
-                        long_looks_, most_long_looks));
+    give_up(fmt::format("more than {} ms of its reports came at once, {} times; at most {} times are allowed",
+                        longest_look_ms, long_looks_, most_long_looks));
   }
   last_at_look_ = last_;
 }

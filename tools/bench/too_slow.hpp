@@ -8,10 +8,14 @@
 
 namespace fantail::bench {
 
-/// What was recorded says nothing of the canards, because this PC read late or lost frames. what() says it for a
-/// person.
-class TooSlow : public std::runtime_error {
+/// What was recorded says nothing of the canards. what() says it for a person, and what is known of the cause.
+class Unmeasured : public std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+/// Because this PC read late, or lost frames that had reached it.
+class TooSlow : public Unmeasured {
+  using Unmeasured::Unmeasured;
 };
 
 /// What else may be done when an exercise was given up after so long: one canard alone, where this PC kept up for as

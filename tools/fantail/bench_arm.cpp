@@ -37,23 +37,27 @@ void tell(const ArmOptions& options, const std::string& text) {
   }
 }
 
-protocol::StatusReport status(const link::AvionicsLink& link) { return link.newest<protocol::StatusReport>()->message; }
+protocol::StatusReport status(const link::AvionicsLink& link) { return link.reported<protocol::StatusReport>("state"); }
+
+std::string refusal(const link::AvionicsLink& link) {
+  return replies::sentence(link.reported<protocol::ArmReply>("answer to arming").refusal);
+}
 
 void look(link::Place& place, link::AvionicsLink& link) {
   place.wait(glance);
   link.listen(place.now());
+  link.expect_one_rocket();
   if (link.has_fallen_silent()) {
     throw link::LinkError{"the avionics has stopped answering"};
   }
 }
 
 void test(const ArmOptions& options, link::ArmSteps& steps) {
-  std::optional<std::size_t> moving;
+  link::CanardUnderTest moving;
   tell(options, "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.");
   const auto show = [&](const protocol::ArmReply& now) {
-    if (now.self_test == protocol::SelfTestState::running && now.canard != moving) {
-      moving = now.canard;
-      tell(options, fmt::format("  canard {}", *moving + 1));
+    if (const auto canard = moving.news(now)) {
+      tell(options, fmt::format("  canard {}", *canard + 1));
     }
   };
   protocol::ArmReply reply;
@@ -115,14 +119,12 @@ void arm(const ArmOptions& options) {
     throw RequirementNotMet{"the avionics refuses to be armed: " + replies::sentence(answer.refusal)};
   }
   if (!steps.confirm(*answer.nonce)) {
-    throw RequirementNotMet{"the avionics refuses to be armed: " +
-                            replies::sentence(link.newest<protocol::ArmReply>()->message.refusal)};
+    throw RequirementNotMet{"the avionics refuses to be armed: " + refusal(link)};
   }
   tell(options, "ARMED. Opening the arm switch makes the rocket safe again.");
   if (options.start) {
     if (!steps.start_control(*answer.nonce)) {
-      throw RequirementNotMet{"control does not start: " +
-                              replies::sentence(link.newest<protocol::ArmReply>()->message.refusal)};
+      throw RequirementNotMet{"control does not start: " + refusal(link)};
     }
     tell(options, "Control has started.");
   }

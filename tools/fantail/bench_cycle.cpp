@@ -107,8 +107,8 @@ void cycle(const CycleOptions& options) {
   await_rocket(options.bench, place, link);
   expect_plan_in_force(on_desk, options.bench, link);
   const auto session = open_session(place, link);
-  const auto lap =
-      bench::Exercise::limits_together(bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims()));
+  const auto lap = bench::Exercise::limits_together(
+      bench::bounds(link.reported<protocol::LimitReport>("canard limits"), session->trims()));
   complete(on_desk.heading, options.bench, link);
   bench::Cycle result{.heading = on_desk.heading,
                       .tolerances = on_desk.tolerances,

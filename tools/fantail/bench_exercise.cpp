@@ -120,12 +120,13 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make, const st
               Desk& on_desk, CanPlace& place, link::AvionicsLink& link, BenchPage& page) {
   page.wait_for_viewer();
   const auto session = open_session(place, link);
-  const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session->trims());
+  const bench::Bounds bounds = bench::bounds(link.reported<protocol::LimitReport>("canard limits"), session->trims());
   const bench::Exercise what = or_usage([&] {
     bench::Exercise made = make(bounds, options);
     bench::expect_enough_movement(made, index(options), on_desk.tolerances);
     return made;
   });
+  complete(on_desk.heading, options.bench, link);
   page.begin(what, on_desk.tolerances, on_desk.heading);
   const link::Recording recording = perform(what, options, *session, link, page);
   complete(on_desk.heading, options.bench, link);
@@ -163,7 +164,7 @@ void run(const ExerciseOptions& options, const MakeExercise& make) {
                                    options.bench.interface};
   try {
     exercise(options, make, folder, on_desk, place, link, page);
-  } catch (const bench::TooSlow& error) {
+  } catch (const bench::Unmeasured& error) {
     page.give_up(error.what(), false);
     throw;
   } catch (const text::OutputError& error) {

@@ -37,7 +37,7 @@ std::string text(const std::optional<double>& angle_deg, const char* unknown) {
 
 std::string line(const HoldOptions& options, const link::AvionicsLink& link) {
   const auto index = static_cast<std::size_t>(options.canard - 1);
-  const auto command = degrees(link.newest<protocol::CommandReport>()->message.angle[index]);
+  const auto command = degrees(link.reported<protocol::CommandReport>("canard commands").angle[index]);
   const auto& encoders = link.newest<protocol::EncoderReport>();
   const auto encoder = encoders ? degrees(encoders->message.angle[index]) : std::nullopt;
   const auto& status = link.newest<protocol::StatusReport>();

@@ -53,6 +53,7 @@ void watch(const WatchOptions& options) {
         while (link.listen(place.now())) {
         }
       } while (place.now() < next);
+      link.expect_one_rocket();  // else the rows would be of both
       watch.look(place.now());
       const bool is_seen = screen ? screen->draw(painted_phase(watch.table()))
                                   : show_live(options.bench.json ? watch.json() : watch.line());

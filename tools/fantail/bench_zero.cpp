@@ -41,7 +41,7 @@ using Readings = link::Each<std::vector<bench::ZeroRun>>;
 
 // Each canard alone, one after the other, and all of that again: what differs between the runs is the uncertainty.
 Readings measure(link::Session& session, link::AvionicsLink& link, const sim::CanardTolerances& tolerances) {
-  const bench::Bounds bounds = bench::bounds(link.newest<protocol::LimitReport>()->message, session.trims());
+  const bench::Bounds bounds = bench::bounds(link.reported<protocol::LimitReport>("canard limits"), session.trims());
   const double lap_s = bench::Exercise::limits_of(bounds, 0).duration_s();
   Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = lap_s * static_cast<double>(4 * runs)}};
   Readings readings;

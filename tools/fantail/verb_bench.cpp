@@ -35,6 +35,7 @@ void await_rocket(const BenchOptions& options, link::Place& place, link::Avionic
   while (!at_rest() && !timeout.expired(place.now()) && !link.has_fallen_silent()) {
     place.wait(hal::Microseconds{10'000});
     link.listen(place.now());
+    link.expect_one_rocket();
   }
 }
 

@@ -132,6 +132,7 @@ void run(const GatewayOptions& options) {
     while (place.now() < end) {
       place.wait(std::min(longest_wait, end - place.now()));
       gateway.listen(place.now());
+      gateway.expect_one_rocket();
       printer.look(place.now());
     }
   } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it

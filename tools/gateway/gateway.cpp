@@ -6,8 +6,6 @@
 namespace fantail::gateway {
 namespace {
 
-constexpr std::uint32_t wrap_ms = 1U << 24U;
-
 using std::chrono::milliseconds;
 
 // Several times as old as a report becomes before the next one; then it is not known any more.
@@ -22,28 +20,35 @@ constexpr int most_portions = 30;
 
 std::optional<double> radians(core::Angle angle) { return static_cast<double>(angle.radians()); }
 
+// What it has come to since the first look.
+std::int64_t total(std::optional<link::WrappingCounter<256>>& counter, std::uint8_t value) {
+  if (!counter) {
+    counter.emplace(value);
+  }
+  counter->read(value);
+  return counter->total();
+}
+
 }  // namespace
 
 bool AvionicsClock::hear(std::uint32_t uptime_ms, hal::Microseconds now) {
-  // Less than half a wrap on is on; anything else is back, and a clock goes back only by a new start.
-  const std::uint32_t step_ms = last_uptime_ms_ ? (uptime_ms - *last_uptime_ms_) % wrap_ms : 0;
-  const bool new_start = step_ms >= wrap_ms / 2;
-  if (!last_uptime_ms_ || new_start) {
-    uptime_ = std::chrono::milliseconds{uptime_ms};
-    ahead_ = uptime_ - now;
+  // A clock goes back only by a new start.
+  const bool new_start = uptime_ && uptime_->is_back(uptime_ms);
+  if (!uptime_ || new_start) {
+    uptime_.emplace(uptime_ms);
+    ahead_ = uptime() - now;
     told_ = {};
   } else {
-    uptime_ += std::chrono::milliseconds{step_ms};
-    const hal::Microseconds heard = uptime_ - now;
+    uptime_->read(uptime_ms);
+    const hal::Microseconds heard = uptime() - now;
     // A frame can come late but not early. The slow way back follows two clocks that do not go alike.
     ahead_ = heard > ahead_ ? heard : ahead_ + (heard - ahead_) / 8;
   }
-  last_uptime_ms_ = uptime_ms;
   return new_start;
 }
 
 std::optional<hal::Microseconds> AvionicsClock::at(hal::Microseconds now) {
-  if (!last_uptime_ms_) {
+  if (!uptime_) {
     return std::nullopt;
   }
   told_ = std::max(told_, now + ahead_);
@@ -154,21 +159,15 @@ void Gateway::send_health(core::Microseconds time) {
                               .longest_tick_s = 1e-6 * report->longest_tick_us,
                               .late_ticks = {},
                               .bus = telemetry::Health::Bus{.state = static_cast<hal::CanState>(report->bus_state),
-                                                            .unsent = unsent_.take(report->unsent),
-                                                            .overrun = overrun_.take(report->overrun),
-                                                            .errors = errors_.take(report->bus_errors)},
+                                                            .unsent = total(unsent_, report->unsent),
+                                                            .overrun = total(overrun_, report->overrun),
+                                                            .errors = total(errors_, report->bus_errors)},
                               .gateway = telemetry::Health::Gateway{.state = bus_.state(),
                                                                     .frames = static_cast<std::int64_t>(heard.frames),
                                                                     .lost = static_cast<std::int64_t>(heard.lost),
                                                                     .damaged = static_cast<std::int64_t>(heard.damaged),
                                                                     .foreign = static_cast<std::int64_t>(heard.foreign),
                                                                     .overrun = bus_.counters().overrun}});
-}
-
-std::int64_t Gateway::Unwrapped::take(std::uint8_t value) {
-  count += last ? static_cast<std::uint8_t>(value - *last) : value;
-  last = value;
-  return count;
 }
 
 }  // namespace fantail::gateway

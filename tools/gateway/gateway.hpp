@@ -7,6 +7,7 @@
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
 #include "link/avionics_link.hpp"
+#include "link/heartbeats.hpp"
 #include "telemetry/sender.hpp"
 
 namespace fantail::gateway {
@@ -22,9 +23,10 @@ class AvionicsClock {
   [[nodiscard]] std::optional<hal::Microseconds> at(hal::Microseconds now);
 
  private:
-  std::optional<std::uint32_t> last_uptime_ms_;
-  hal::Microseconds uptime_{};  ///< of the last heartbeat, over the wraps of its counter
-  hal::Microseconds ahead_{};   ///< what the avionics' clock is before ours
+  [[nodiscard]] hal::Microseconds uptime() const { return std::chrono::milliseconds{uptime_->total()}; }
+
+  std::optional<link::UptimeCounter> uptime_;  ///< of the last heartbeat
+  hal::Microseconds ahead_{};                  ///< what the avionics' clock is before ours
   hal::Microseconds told_{};
 };
 
@@ -55,6 +57,8 @@ class Gateway {
   [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
   [[nodiscard]] hal::CanState bus_state() const { return bus_.state(); }
   [[nodiscard]] int restarts() const { return restarts_; }
+  /// Throws link::TwoRockets: messages of both would be sent as of one.
+  void expect_one_rocket() const { link_.expect_one_rocket(); }
 
  private:
   template <typename Message>
@@ -64,13 +68,6 @@ class Gateway {
   void send_state(hal::Microseconds now, core::Microseconds time);
   void send_canards(hal::Microseconds now, core::Microseconds time);
   void send_health(core::Microseconds time);
-
-  /// Of a counter modulo 256, what it has come to since the first look.
-  struct Unwrapped {
-    std::optional<std::uint8_t> last;
-    std::int64_t count = 0;
-    std::int64_t take(std::uint8_t value);
-  };
 
   ListenOnlyBus bus_;
   telemetry::Sink& sink_;
@@ -84,9 +81,9 @@ class Gateway {
   std::uint64_t motions_ = 0;
   std::uint64_t healths_ = 0;
   std::optional<core::Microseconds> canards_sent_;
-  Unwrapped unsent_;
-  Unwrapped overrun_;
-  Unwrapped errors_;
+  std::optional<link::WrappingCounter<256>> unsent_;  ///< modulo 256, as the two below
+  std::optional<link::WrappingCounter<256>> overrun_;
+  std::optional<link::WrappingCounter<256>> errors_;
 };
 
 }  // namespace fantail::gateway

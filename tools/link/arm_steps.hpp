@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 #include "link/avionics_link.hpp"
@@ -15,7 +17,18 @@ class SelfTestRefused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The steps of arming. All throw LinkError when nobody answers for two seconds.
+/// Which canard the self-test moves, each said once.
+class CanardUnderTest {
+ public:
+  /// The canard, from 0, when this reply is the first that names it; empty otherwise.
+  [[nodiscard]] std::optional<std::size_t> news(const protocol::ArmReply& reply);
+
+ private:
+  std::optional<std::size_t> last_;
+};
+
+/// The steps of arming. All throw LinkError when nobody answers for two seconds, and TwoRockets. A report does not say
+/// who sent it, so what one frame alone says decides nothing: a state must be reported again.
 class ArmSteps {
  public:
   ArmSteps(Place& place, AvionicsLink& link) : place_{place}, link_{link} {}
@@ -36,10 +49,12 @@ class ArmSteps {
   void send(protocol::ArmAction action, std::uint32_t nonce = 0);
   void look();
   [[nodiscard]] bool reaches(core::Phase phase);
+  [[nodiscard]] bool stands(const protocol::ArmReply& reply);
 
   Place& place_;
   AvionicsLink& link_;
   protocol::FrameCounter counter_;
+  int contradictions_ = 0;
 };
 
 }  // namespace fantail::link

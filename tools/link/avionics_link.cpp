@@ -54,7 +54,11 @@ bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
       }
       log_data_.push_back(*data);
     } else if (const auto* heartbeat = std::get_if<protocol::HeartbeatReport>(&*decoded.message)) {
-      uncounted_ms_ = static_cast<std::int64_t>(heartbeat->uptime_ms) - last_command_;
+      if (heartbeats_.hear(heartbeat->uptime_ms) && last_command_) {
+        uncounted_ms_ = *heartbeats_.uptime_ms() - last_command_->total();
+      }
+    } else if (const auto* board = std::get_if<protocol::BoardReport>(&*decoded.message)) {
+      take(*board);
     } else if (std::holds_alternative<protocol::StatusReport>(*decoded.message)) {
       silence_.emplace(longest_silence, now);
       silent_ = false;
@@ -70,18 +74,18 @@ void AvionicsLink::keep(const Message& message, hal::Microseconds now) {
 }
 
 void AvionicsLink::take(const protocol::CommandReport& report, std::uint8_t counter) {
-  last_command_ = unwrap(last_command_, counter);
+  unwrap(last_command_, counter);
   command_ = report;
 }
 
 void AvionicsLink::take(const protocol::EncoderReport& report, std::uint8_t counter) {
-  last_encoder_ = unwrap(last_encoder_, counter);
+  unwrap(last_encoder_, counter);
   // Half a tick, where the other half was lost, is none.
-  if (last_encoder_ % 16 != last_command_ % 16 || last_command_ < 0) {
+  if (!last_command_ || last_command_->step_to(counter) != 0) {
     return;
   }
   last_encoder_ = last_command_;
-  Tick tick{.number = last_encoder_,
+  Tick tick{.number = last_encoder_->total(),
             .command_rad = radians(command_.angle),
             .encoder_rad = radians(report.angle),
             .limited = {}};
@@ -94,14 +98,23 @@ void AvionicsLink::take(const protocol::EncoderReport& report, std::uint8_t coun
   ticks_.push_back(tick);
 }
 
+void AvionicsLink::take(const protocol::BoardReport& report) {
+  const std::uint32_t faults_before = board_ ? board_->faults : 0;
+  const bool flash_failed_before = board_ && board_->flash_failed;
+  board_ = report;
+  board_->faults |= faults_before;
+  board_->flash_failed = board_->flash_failed || flash_failed_before;
+}
+
 // Sixteen or more frames lost at once look like none; the bus counts those that it had no room for.
-std::int64_t AvionicsLink::unwrap(std::int64_t last, std::uint8_t counter) {
-  if (last < 0) {
-    return counter;
+void AvionicsLink::unwrap(std::optional<FrameNumber>& last, std::uint8_t counter) {
+  if (!last) {
+    last.emplace(counter);
+    return;
   }
-  const std::int64_t step = (counter - last % 16 + 15) % 16 + 1;
+  // A frame is another one than the last, so the same number is a whole round on.
+  const std::int64_t step = last->read_next(counter);
   figures_.lost += static_cast<std::uint64_t>(step - 1);
-  return last + step;
 }
 
 std::optional<Tick> AvionicsLink::take_tick() {

@@ -8,6 +8,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <string>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -15,6 +16,8 @@
 #include "core/inputs.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
+#include "link/heartbeats.hpp"
+#include "link/link_error.hpp"
 #include "link/place.hpp"
 #include "protocol/bus_codec.hpp"
 
@@ -90,6 +93,15 @@ class AvionicsLink {
   [[nodiscard]] const std::optional<Heard<Message>>& newest() const {
     return std::get<std::optional<Heard<Message>>>(heard_);
   }
+  /// The newest message. Throws LinkError when none has ever come; `what` it says, for the sentence: "canard limits".
+  template <typename Message>
+  [[nodiscard]] const Message& reported(const char* what) const {
+    const auto& heard = newest<Message>();
+    if (!heard) {
+      throw LinkError{std::string{"the avionics has not reported its "} + what};
+    }
+    return heard->message;
+  }
   /// How many there have been.
   template <typename Message>
   [[nodiscard]] std::uint64_t count() const {
@@ -114,6 +126,16 @@ class AvionicsLink {
   [[nodiscard]] const LinkFigures& figures() const { return figures_; }
   /// Frames that reached this PC and were lost there, because nobody read them in time.
   [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
+  /// Throws TwoRockets as soon as the heartbeats heard cannot be those of one avionics.
+  void expect_one_rocket() const {
+    if (two_rockets()) {
+      throw TwoRockets{*two_rockets()};
+    }
+  }
+  /// The sentence that it throws; empty: one rocket alone.
+  [[nodiscard]] const std::optional<std::string>& two_rockets() const { return heartbeats_.two_rockets(); }
+  /// The newest report of the board, with every fault that any of its reports had.
+  [[nodiscard]] const std::optional<protocol::BoardReport>& board() const { return board_; }
   /// The rocket's own clock less our count of its ticks, by the newest heartbeat. While every tick is reported it
   /// changes only when ticks were lost that their counter, modulo 16, could not show.
   [[nodiscard]] std::optional<std::int64_t> uncounted_ms() const { return uncounted_ms_; }
@@ -126,19 +148,25 @@ class AvionicsLink {
     using Tuple = std::tuple<std::optional<Heard<Messages>>...>;
   };
 
+  /// The counter of the command and encoder reports: 4 bits.
+  using FrameNumber = WrappingCounter<16>;
+
   template <typename Message>
   void keep(const Message& message, hal::Microseconds now);
   void take(const protocol::CommandReport& report, std::uint8_t counter);
   void take(const protocol::EncoderReport& report, std::uint8_t counter);
-  [[nodiscard]] std::int64_t unwrap(std::int64_t last, std::uint8_t counter);
+  void take(const protocol::BoardReport& report);
+  void unwrap(std::optional<FrameNumber>& last, std::uint8_t counter);
 
   hal::CanBus& bus_;
   OneOfEach<protocol::FromAvionics>::Tuple heard_{};
   LinkFigures figures_{};
   std::optional<Timeout> silence_;
   bool silent_ = false;
-  std::int64_t last_command_ = -1;
-  std::int64_t last_encoder_ = -1;
+  Heartbeats heartbeats_;
+  std::optional<protocol::BoardReport> board_;
+  std::optional<FrameNumber> last_command_;
+  std::optional<FrameNumber> last_encoder_;
   std::optional<std::int64_t> uncounted_ms_;
   protocol::CommandReport command_{};
   std::deque<Tick> ticks_;

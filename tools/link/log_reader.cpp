@@ -44,6 +44,7 @@ std::string name(LogAction what) { return what == LogAction::plan ? "plan" : "fl
 
 void LogReader::ask(LogAction action, std::uint32_t offset, std::uint16_t size) {
   link_.listen(place_.now());
+  link_.expect_one_rocket();
   link_.forget_log_data();
   tag_ = (tag_ + 1U) & 0x0FU;
   heard_before_ = link_.count<protocol::LogReply>();

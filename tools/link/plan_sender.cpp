@@ -20,6 +20,8 @@ constexpr Microseconds answer_time{2'000'000};
 constexpr Microseconds write_time{10'000'000};
 // The bus load allows for one data frame in ten milliseconds.
 constexpr Microseconds pace{10'000};
+constexpr int heartbeats_asked = 5;
+constexpr Microseconds in_force_time{3'000'000};
 
 protocol::BusFrame data_frame(std::span<const std::byte> block, std::size_t index) {
   protocol::PlanData data{.index = static_cast<std::uint8_t>(index)};
@@ -28,12 +30,33 @@ protocol::BusFrame data_frame(std::span<const std::byte> block, std::size_t inde
   return encode(data);
 }
 
+// Its heartbeat names it, as often as it takes to hear a second rocket.
+void expect_in_force(Place& place, AvionicsLink& link, std::uint32_t block_crc) {
+  std::uint64_t seen = link.count<protocol::HeartbeatReport>();
+  int named = 0;
+  for (Timeout timeout{in_force_time, place.now()}; named < heartbeats_asked;) {
+    if (timeout.expired(place.now())) {
+      throw LinkError{
+          "the avionics has stored the plan, but its heartbeat names another one: `fantail bench plan show` reads the "
+          "one in force"};
+    }
+    place.wait(Microseconds{2'000});
+    link.listen(place.now());
+    link.expect_one_rocket();
+    if (const std::uint64_t now_seen = link.count<protocol::HeartbeatReport>(); now_seen != seen) {
+      seen = now_seen;
+      named = link.reported<protocol::HeartbeatReport>("heartbeat").plan_crc == block_crc ? named + 1 : 0;
+    }
+  }
+}
+
 }  // namespace
 
 protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const std::byte> block,
                               const std::function<void(std::size_t)>& progress) {
   const auto heard = [&] {
     link.listen(place.now());
+    link.expect_one_rocket();
     return link.count<protocol::PlanReply>();
   };
   const protocol::PlanBegin begin{.size = static_cast<std::uint16_t>(block.size()),
@@ -57,9 +80,12 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     if (const std::uint64_t now_seen = heard(); now_seen != seen) {
       seen = now_seen;
       answer.restart();
-      const protocol::PlanReply reply = link.newest<protocol::PlanReply>()->message;
+      const protocol::PlanReply reply = link.reported<protocol::PlanReply>("plan transfer");
       // Until it has taken this beginning, what it writes and stores is the plan of a bench that was here before.
       const bool stored_this = reply.state == TransferState::stored && next;
+      if (stored_this) {
+        expect_in_force(place, link, begin.block_crc);
+      }
       if (stored_this || reply.state == TransferState::refused) {
         return reply;
       }

@@ -22,6 +22,9 @@ constexpr Microseconds glance{2'000};
 constexpr int portion = 32;  // frames
 constexpr int most_portions = 30;
 constexpr Microseconds answer_time{2'000'000};
+// While one rocket sends so many, a second one has sent enough to be told from it.
+constexpr std::uint64_t heartbeats_of_one = 5;
+constexpr Microseconds time_to_tell{500'000};
 // The very first motion after power-up is slow, down to 5 deg/s from wherever the canards were left.
 constexpr Microseconds centring_look{500'000};
 constexpr Microseconds centring_time{10'000'000};
@@ -56,17 +59,31 @@ void await_avionics(Place& place, AvionicsLink& link, Microseconds longest) {
     const auto& heartbeat = link.newest<protocol::HeartbeatReport>();
     return heartbeat && heartbeat->message.version == protocol::bus_protocol_version;
   };
-  const auto complete = [&] { return speaks_our_version() && link.count<protocol::LimitReport>() > 0; };
+  const auto complete = [&] {
+    return speaks_our_version() && link.count<protocol::HeartbeatReport>() >= heartbeats_of_one &&
+           link.count<protocol::StatusReport>() > 0 && link.count<protocol::LimitReport>() > 0 &&
+           link.count<protocol::BoardReport>() > 0;
+  };
   for (link.listen(place.now()); !complete(); link.listen(place.now())) {
+    link.expect_one_rocket();
     if (timeout.expired(place.now())) {
       require_our_version(link);
       throw LinkError{link.figures().frames == 0
                           ? "the avionics is silent: is it powered (its node running), is the bus terminated at both "
                             "ends, and does it run at 1 Mbit/s?"
-                          : "the avionics sends frames, but its heartbeat or its canard limits are missing: is the bus "
-                            "overloaded?"};
+                          : "the avionics sends frames, but its heartbeat, its state, its canard limits or the report "
+                            "of its board is missing: is the bus overloaded?"};
     }
     place.wait(glance);
+  }
+  link.expect_one_rocket();
+}
+
+void look_for_second_rocket(Place& place, AvionicsLink& link) {
+  for (const Microseconds end = place.now() + time_to_tell; place.now() < end;) {
+    place.wait(glance);
+    link.listen(place.now());
+    link.expect_one_rocket();
   }
 }
 
@@ -100,7 +117,8 @@ void Session::look_for_another_bench() {
     place_.wait(glance);
     link_.listen(place_.now());
   }
-  if (link_.newest<protocol::StatusReport>()->message.session_open) {
+  link_.expect_one_rocket();
+  if (link_.reported<protocol::StatusReport>("state").session_open) {
     throw another_bench();
   }
 }
@@ -212,19 +230,26 @@ void Session::check_still_open() const {
     throw LinkError{
         "the CAN interface is down; the avionics centres the canards by itself 0.1 s after the last heartbeat"};
   }
-  const auto& reply = link_.newest<protocol::SessionReply>()->message;
+  link_.expect_one_rocket();
+  const auto& reply = link_.reported<protocol::SessionReply>("bench session");
   if (reply.session == number_ && reply.state == protocol::SessionState::closed) {
-    const bool by_pc = reply.reason == protocol::SessionReason::heartbeat_lost && longest_gap_ > longest_pause;
-    throw LinkError{
-        "the avionics has ended the bench session: " + replies::sentence(reply.reason) +
-        (by_pc ? ", and this PC, suspended or too busy, sent no heartbeat for " + tenths(longest_gap_) : "")};
+    std::string known;
+    if (reply.reason == protocol::SessionReason::heartbeat_lost) {
+      known = longest_gap_ > longest_pause
+                  ? ", and this PC, suspended or too busy, sent no heartbeat for " + tenths(longest_gap_)
+                  : fmt::format(
+                        ", although this PC never paused for more than {} ms: frames were lost, or the avionics "
+                        "stood still",
+                        longest_gap_.count() / 1000);
+    }
+    throw LinkError{"the avionics has ended the bench session: " + replies::sentence(reply.reason) + known};
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
   if (reply.session != number_ && reply.state == protocol::SessionState::open) {
     throw LinkError{"the bench session has ended, and another bench has opened one"};
   }
   if (link_.has_fallen_silent()) {
-    throw LinkError{"the avionics has stopped reporting; it centres the canards by itself"};
+    throw LinkError{"the avionics has stopped reporting; it centres the canards by itself if it still runs"};
   }
 }
 

@@ -2,22 +2,20 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 
 #include "link/avionics_link.hpp"
 #include "link/place.hpp"
 
 namespace fantail::link {
 
-/// The avionics does not answer, refuses, or has ended the session. what() says it for a person.
-class LinkError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Waits until the avionics has been heard. Throws LinkError with what to look at when it stays silent for so long, or
-/// speaks another version of the protocol.
+/// Waits until the avionics has been heard, as long as it takes to hear a second one too: half a second. Throws
+/// LinkError with what to look at when it stays silent for so long, or speaks another version of the protocol;
+/// TwoRockets when it is not alone.
 void await_avionics(Place& place, AvionicsLink& link, hal::Microseconds longest = hal::Microseconds{2'000'000});
+
+/// Listens for half a second: by then a second rocket has told itself from the first. Throws TwoRockets. For whoever
+/// would blame something else for reports that do not fit.
+void look_for_second_rocket(Place& place, AvionicsLink& link);
 
 /// The right to move the canards. It opens with the object and lives on heartbeats, which are sent while the bench
 /// waits; however the object ends, by the end of its work or by an exception, the canards are centred.
@@ -43,6 +41,8 @@ class Session {
   bool close();
 
   [[nodiscard]] std::uint16_t number() const { return number_; }
+  /// By the clock of this PC.
+  [[nodiscard]] hal::Microseconds now() const { return place_.now(); }
 
   /// Where the canards stand when nothing is asked.
   [[nodiscard]] const Each<core::Angle>& trims() const { return trims_; }

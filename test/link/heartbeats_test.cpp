@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// One rocket sends a heartbeat every 100 ms of its own time; what cannot be so is two of them.
+#include "link/heartbeats.hpp"
+
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "../core/random_stream.hpp"
+#include "seed.hpp"
+
+namespace fantail::link {
+namespace {
+
+constexpr std::uint32_t wrap_ms = 1U << 24U;
+
+/// `count` heartbeats of a rocket from `first_ms` on.
+void hear(Heartbeats& ear, std::uint64_t first_ms, int count) {
+  for (int i = 0; i < count; ++i) {
+    (void)ear.hear(static_cast<std::uint32_t>((first_ms + 100U * static_cast<unsigned>(i)) % wrap_ms));
+  }
+}
+
+TEST(WrappingCounter, CountsOnOverEveryWrap) {
+  WrappingCounter<256> counter{250};
+  for (int value = 251; value < 2'000; ++value) {
+    EXPECT_EQ(counter.read(value % 256), 1);
+    EXPECT_EQ(counter.total(), value);
+  }
+  EXPECT_TRUE(counter.is_back((counter.total() - 100) % 256));
+  EXPECT_FALSE(counter.is_back((counter.total() + 100) % 256));
+}
+
+TEST(WrappingCounter, OfFramesTakesTheSameNumberForAWholeRound) {
+  WrappingCounter<16> counter{15};
+  EXPECT_EQ(counter.read_next(0), 1);
+  EXPECT_EQ(counter.read_next(0), 16);
+  EXPECT_EQ(counter.read_next(15), 15);
+  EXPECT_EQ(counter.total(), 15 + 1 + 16 + 15);
+}
+
+TEST(Heartbeats, OfARocketThatIsOnForDaysAreOfOneClockThatNeverWraps) {
+  Heartbeats ear;
+  hear(ear, 44, 3 * 24 * 36'000);
+  EXPECT_EQ(ear.uptime_ms(), 44 + 100LL * (3 * 24 * 36'000 - 1));
+  EXPECT_FALSE(ear.two_rockets());
+}
+
+TEST(Heartbeats, OfARocketThatIsSwitchedOffAndOnAreOfOneRocketWhenever) {
+  for (std::uint64_t on_ms = 44; on_ms < 3'000; on_ms += 100) {
+    Heartbeats ear;
+    hear(ear, 1'000'044, 3);
+    for (std::uint64_t time_ms = 44; time_ms <= on_ms; time_ms += 100) {
+      hear(ear, time_ms, 1);
+    }
+    hear(ear, 44, 100);
+    EXPECT_FALSE(ear.two_rockets()) << "off after " << on_ms << " ms: " << *ear.two_rockets();
+    EXPECT_EQ(ear.uptime_ms(), 44 + 9'900);
+  }
+}
+
+TEST(Heartbeats, OfARocketThatNobodyHeardForAWhileAreOfOneRocket) {
+  for (const std::uint64_t gap_ms : {200U, 500U, 1'000U, 60'000U, 3'600'000U}) {
+    Heartbeats ear;
+    hear(ear, 1'044, 10);
+    hear(ear, 1'944 + gap_ms, 10);
+    EXPECT_FALSE(ear.two_rockets()) << gap_ms;
+    EXPECT_EQ(ear.uptime_ms(), 1'944 + static_cast<std::int64_t>(gap_ms) + 900);
+  }
+}
+
+TEST(Heartbeats, AFrameThatTheBusGivesTwiceIsNoSecondRocket) {
+  Heartbeats ear;
+  for (std::uint64_t time_ms = 44; time_ms < 20'000; time_ms += 100) {
+    hear(ear, time_ms, time_ms % 5'000 == 44 ? 2 : 1);
+  }
+  EXPECT_FALSE(ear.two_rockets());
+}
+
+// Also when both were switched on by one switch, and count the same milliseconds.
+TEST(Heartbeats, OfTwoRocketsAreToldWithinFiveWhateverTheirUptimes) {
+  for (const std::int64_t between_ms :
+       {0LL, 1LL, 30LL, 99LL, 100LL, 101LL, 200LL, 300LL, 400LL, 500LL, 1'000LL, 20'000LL, 8'388'608LL, 16'777'116LL}) {
+    for (const std::uint64_t first_ms : {44ULL, 5'044ULL, 16'777'144ULL}) {
+      Heartbeats ear;
+      int heard = 0;
+      for (std::uint64_t i = 0; !ear.two_rockets() && heard < 50; ++i) {
+        hear(ear, first_ms + 100 * i, 1);
+        hear(ear, first_ms + 100 * i + static_cast<std::uint64_t>(between_ms), 1);
+        heard += 2;
+      }
+      EXPECT_LE(heard, 6) << between_ms << " ms between them, the first on for " << first_ms << " ms";
+    }
+  }
+}
+
+TEST(Heartbeats, OneOfSomebodyElseIsTold) {
+  Heartbeats ear;
+  hear(ear, 100'044, 10);
+  hear(ear, 7, 1);
+  hear(ear, 101'044, 1);
+  ASSERT_TRUE(ear.two_rockets());
+  EXPECT_EQ(*ear.two_rockets(),
+            "two rockets, or a device that imitates one, report on this bus, with uptimes of 100.9 s and 0.0 s; "
+            "disconnect all but one");
+}
+
+// The queue of the PC had room for the first of them alone, and then both came.
+TEST(Heartbeats, OfTwoRocketsAreToldAfterALongGapToo) {
+  Heartbeats ear;
+  hear(ear, 1'044, 3);
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    hear(ear, 4'144 + 100 * i, 1);
+    hear(ear, 10'044 + 100 * i, 1);
+  }
+  EXPECT_TRUE(ear.two_rockets());
+}
+
+// Of each rocket some are lost; the order in which two come does not matter.
+TEST(Heartbeats, OfTwoRocketsAreToldOnABusThatLosesAQuarterAndOfOneNever) {
+  core::RandomStream random{test::seed()};
+  for (int trial = 0; trial < 2'000; ++trial) {
+    const auto first_ms = static_cast<std::uint64_t>(random.whole(0, 16'777'215));
+    const auto between_ms = static_cast<std::uint64_t>(random.whole(0, 16'777'215));
+    Heartbeats alone;
+    Heartbeats both;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const std::uint64_t one_ms = first_ms + 100 * i;
+      if (!random.chance(0.25)) {
+        hear(alone, one_ms, 1);
+      }
+      const bool other_first = random.chance(0.5);
+      for (const bool other : {other_first, !other_first}) {
+        if (!random.chance(0.25)) {
+          hear(both, other ? one_ms + between_ms : one_ms, 1);
+        }
+      }
+    }
+    EXPECT_FALSE(alone.two_rockets()) << "trial " << trial;
+    EXPECT_TRUE(both.two_rockets()) << "trial " << trial << ", " << between_ms << " ms between them";
+  }
+}
+
+}  // namespace
+}  // namespace fantail::link

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The rocket's clock against what its reports show and what this PC did: no sentence may say more than is known.
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "bench/too_slow.hpp"
+#include "sil/bench_at_world.hpp"
+#include "sil/bus_filter.hpp"
+
+namespace fantail::sil {
+namespace {
+
+/// The sheet of canard 1 alone, or why there is none.
+struct Result {
+  std::optional<bench::Sheet> sheet;
+  std::string complaint;
+  bool too_slow = false;
+};
+
+Result limits_of_canard_1(BenchAtWorld& rocket, link::Place& place) {
+  link::AvionicsLink link{place.bus()};
+  try {
+    link::await_avionics(place, link);
+    for (int i = 0; i < 300; ++i) {
+      place.wait(10 * millisecond);
+      link.listen(place.now());
+    }
+    link::Session session{place, link, 5};
+    const bench::Exercise exercise = bench::Exercise::limits_of(
+        bench::bounds(link.reported<protocol::LimitReport>("canard limits"), session.trims()), 0);
+    const link::Recording recording = bench::perform(exercise, session, link, [](double) {});
+    EXPECT_TRUE(session.close());
+    return {.sheet = bench::examine(recording, exercise, rocket.scenario.vehicle.canard_tolerances, {}),
+            .complaint = {}};
+  } catch (const bench::TooSlow& error) {
+    return {.sheet = {}, .complaint = error.what(), .too_slow = true};
+  } catch (const std::runtime_error& error) {
+    return {.sheet = {}, .complaint = error.what()};
+  }
+}
+
+// HeartbeatReport has 24 bits for the milliseconds since power-up, from bit 8 on.
+void turn_on_earlier(hal::CanFrame& frame, std::uint32_t by_ms) {
+  if (frame.id != 0x140) {
+    return;
+  }
+  const std::uint32_t uptime_ms = (frame.data[1] | frame.data[2] << 8U | frame.data[3] << 16U) + by_ms;
+  for (unsigned byte = 0; byte < 3; ++byte) {
+    frame.data[1 + byte] = static_cast<std::uint8_t>(uptime_ms >> (8U * byte));
+  }
+}
+
+// 2^24 ms are 4 h 39 min 37.216 s, and the exercise lasts from some 5 to 10 s after this rocket's power-up.
+TEST(RocketTime, AnExerciseInWhichTheUptimeBeginsAgainAtZeroIsJudgedAsAnyOther) {
+  for (const std::uint32_t wrap_at_ms : {1'000U, 3'000U, 6'000U, 7'044U, 8'500U}) {
+    BenchAtWorld rocket{"bench_healthy"};
+    BusFilter place{rocket, [&](hal::CanFrame& frame) {
+                      turn_on_earlier(frame, (1U << 24U) - wrap_at_ms);
+                      return true;
+                    }};
+    const Result result = limits_of_canard_1(rocket, place);
+    ASSERT_TRUE(result.sheet) << "it wraps after " << wrap_at_ms << " ms: " << result.complaint;
+    EXPECT_TRUE(result.sheet->passed());
+  }
+}
+
+TEST(RocketTime, ANodeThatIsStoppedForAWhileDoesNotMakeThePcSlow) {
+  for (const int stop_ms : {30, 70, 300, 1'500}) {
+    BenchAtWorld rocket{"bench_healthy"};
+    rocket.after_tick = [&, ticks = 0]() mutable {
+      ticks += 1;
+      rocket.stopped = ticks % 7'000 >= 7'000 - stop_ms;
+    };
+    const Result result = limits_of_canard_1(rocket, rocket);
+    EXPECT_FALSE(result.too_slow) << stop_ms << " ms: " << result.complaint;
+    EXPECT_EQ(result.complaint.find("this PC was too slow"), std::string::npos) << result.complaint;
+    if (result.sheet) {
+      EXPECT_TRUE(result.sheet->passed());
+    }
+  }
+}
+
+TEST(RocketTime, ANodeThatStaysStoppedIsSaidToHaveStoppedReporting) {
+  BenchAtWorld rocket{"bench_healthy"};
+  rocket.after_tick = [&, ticks = 0]() mutable { rocket.stopped = ++ticks > 7'000; };
+  EXPECT_EQ(limits_of_canard_1(rocket, rocket).complaint,
+            "the avionics has stopped reporting; it centres the canards by itself if it still runs");
+}
+
+// The rocket lives on and nothing of it arrives: its clock goes on by what no report shows.
+TEST(RocketTime, ReportsThatDoNotArriveAreNotBlamedOnAPcThatListened) {
+  struct Loss {
+    int missing_ms;
+    const char* known;
+  };
+  for (const Loss& loss :
+       {Loss{48, "the rocket's reports did not come whole and in time; nothing is said of the canards"},
+        Loss{160, "no report of the rocket came for 16"}}) {
+    BenchAtWorld rocket{"bench_healthy"};
+    BusFilter place{rocket, [&](hal::CanFrame&) {
+                      const auto now_ms = rocket.now().count() / 1'000;
+                      return now_ms < 7'000 || now_ms >= 7'000 + loss.missing_ms;
+                    }};
+    const Result result = limits_of_canard_1(rocket, place);
+    EXPECT_FALSE(result.too_slow);
+    EXPECT_EQ(result.complaint.find(loss.known), 0U) << result.complaint;
+    EXPECT_EQ(result.complaint.find("too slow"), std::string::npos) << result.complaint;
+  }
+}
+
+TEST(RocketTime, APcThatPausedIsCalledTooSlowAndItsPauseIsNamed) {
+  BenchAtWorld rocket{"bench_healthy"};
+  BusFilter place{rocket, [&](hal::CanFrame&) { return true; }};
+  rocket.after_tick = [&, ticks = 0]() mutable {
+    if (++ticks == 7'000) {
+      rocket.after_tick = nullptr;
+      rocket.wait(75 * millisecond);  // of 225 and more frames the PC's queue keeps 64
+    }
+  };
+  const Result result = limits_of_canard_1(rocket, place);
+  EXPECT_TRUE(result.too_slow) << result.complaint;
+  EXPECT_NE(result.complaint.find("its longest pause between two looks at the bus was 7"), std::string::npos)
+      << result.complaint;
+}
+
+}  // namespace
+}  // namespace fantail::sil
