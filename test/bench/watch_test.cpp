@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
+#include "bench/board_state.hpp"
 #include "hal/board.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "json/value.hpp"
@@ -60,6 +61,13 @@ TEST_F(WatchTest, ASoundBoardHasNoFault) {
   const Json object = json::parse(watch.json());
   EXPECT_EQ(object["board_faults"], Json::array());
   EXPECT_EQ(object["battery_v"], nullptr);
+}
+
+TEST_F(WatchTest, CountersThatWrapHaveTheirModulusBesideThem) {
+  hear({});
+  const Json object = json::parse(watch.json());
+  EXPECT_EQ(object["avionics_counters_modulo"], 256);
+  EXPECT_EQ(object["uptime_modulo_s"], 16'777.216);
 }
 
 TEST_F(WatchTest, WhatTheBoardHasNotSaidIsNull) {

@@ -72,6 +72,7 @@ void perform_laps(Cycle& cycle, const Exercise& lap, link::Session& session, lin
         begin_s = tick_s * static_cast<double>(tick - *first_tick);
       }
       session.wait();  // the examination takes some 10 ms: a heartbeat before it and one after it
+      cycle.heading.board = link.board();
       measured = lap_of(examine(recording, lap, cycle.tolerances, cycle.heading));
       session.wait();
     } catch (const Unmeasured& unmeasured) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/board_state.hpp"
 #include "bench/cycle.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
@@ -45,22 +46,23 @@ std::string cycle_json(const Cycle& cycle) {
     }
   }
   const Heading& heading = cycle.heading;
-  const Json all = {{"judgement", name(judgement(cycle))},
-                    {"conclusions", conclusions(cycle)},
-                    {"vehicle", text_or_null(heading.vehicle)},
-                    {"plan", text_or_null(heading.plan)},
-                    {"plan_crc", text_or_null(heading.plan_crc)},
-                    {"date", text_or_null(heading.date)},
-                    {"avionics", text_or_null(heading.avionics)},
-                    {"lap_s", rounded(cycle.lap_s)},
-                    {"planned_laps", cycle.planned_laps},
-                    {"laps", cycle.laps.size()},
-                    {"left_out", left_out},
-                    {"ended_because", text_or_null(cycle.ended_because)},
-                    {"canards", canards},
-                    {"battery_v", knows_battery(cycle) ? course_json(battery_course(cycle), 1.0) : Json{}},
-                    {"notes", heading.notes},
-                    {"version", heading.version}};
+  Json all = {{"judgement", name(judgement(cycle))},
+              {"conclusions", conclusions(cycle)},
+              {"vehicle", text_or_null(heading.vehicle)},
+              {"plan", text_or_null(heading.plan)},
+              {"plan_crc", text_or_null(heading.plan_crc)},
+              {"date", text_or_null(heading.date)},
+              {"avionics", text_or_null(heading.avionics)},
+              {"lap_s", rounded(cycle.lap_s)},
+              {"planned_laps", cycle.planned_laps},
+              {"laps", cycle.laps.size()},
+              {"left_out", left_out},
+              {"ended_because", text_or_null(cycle.ended_because)},
+              {"canards", canards},
+              {"battery_v", knows_battery(cycle) ? course_json(battery_course(cycle), 1.0) : Json{}},
+              {"notes", heading.notes},
+              {"version", heading.version}};
+  add_board(all, heading.board, "plan_source");
   return all.pretty();
 }
 

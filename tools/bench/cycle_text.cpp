@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "bench/board_state.hpp"
 #include "bench/cycle.hpp"
 #include "bench/sheet_parts.hpp"
 #include "text/degrees.hpp"
@@ -42,7 +43,8 @@ class Page {
                                        {"plan", h.plan},
                                        {"plan CRC", h.plan_crc},
                                        {"date", h.date},
-                                       {"avionics", h.avionics}}) {
+                                       {"avionics", h.avionics},
+                                       {"board", h.board ? board_text(*h.board) : std::string{}}}) {
       if (!value.empty()) {
         out_ += fmt::format("  {:<10}{}\n", label, printable(value));
       }

@@ -2,11 +2,12 @@
 #include "bench/sheet.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include "bench/board_state.hpp"
 #include "bench/sent_wave.hpp"
 #include "bench/trace.hpp"
 #include "core/flight_plan.hpp"
@@ -20,6 +21,7 @@ using text::degrees;
 using text::fixed;
 
 constexpr double least_whole = 0.95;  // share of the exercise that must have been recorded
+const double least_travel_rad = text::radians(0.5);
 const double resolution_rad = text::radians(0.01);
 
 bool all_passed(const std::vector<Check>& checks) {
@@ -78,10 +80,13 @@ class Examination {
 
   void general() {
     limits();
+    board();
     const double expected = exercise_.duration_s() / tick_s;
     const auto spanned = static_cast<double>(sheet_.ticks + sheet_.lost_ticks);
     const double lost = sheet_.ticks == 0 ? 1.0 : static_cast<double>(sheet_.lost_ticks) / spanned;
     add(lost <= most_lost_share, "{} of {} ticks were lost on the way.", sheet_.lost_ticks, fixed(spanned, 0));
+    travel();
+    const std::size_t of_plan = sheet_.doubts.size();
     if (lost > most_lost_share) {
       doubt("{} of {} ticks were lost on the way", sheet_.lost_ticks, fixed(spanned, 0));
     }
@@ -97,6 +102,7 @@ class Examination {
         doubt("canard {} could not be measured ({})", result.canard + 1, result.diagnosis.seen);
       }
     }
+    sheet_.recorded_whole = sheet_.doubts.size() == of_plan;
   }
 
  private:
@@ -167,6 +173,34 @@ class Examination {
     }
   }
 
+  // The check has its sentence either way: what is signed says that the board was asked.
+  void board() {
+    if (!sheet_.heading.board) {
+      return;
+    }
+    const std::vector<std::string> bars = bars_to_arming(*sheet_.heading.board);
+    if (bars.empty()) {
+      add(true, "The board reports no fault that forbids arming.");
+    } else {
+      add(false, "The rocket cannot be armed: its board reported {}. Correct that, and make a new sheet.",
+          fmt::join(bars, ", "));
+    }
+  }
+
+  // A canard that hardly moves shows neither scale nor speed.
+  void travel() {
+    for (const CanardResult& result : sheet_.canards) {
+      const double limit_rad = exercise_.bounds().limit_rad[result.canard];
+      const double centre_rad = exercise_.bounds().centre_rad[result.canard];
+      if (exercise_.kind() == ExerciseKind::limits &&
+          limit_rad - std::abs(centre_rad) < least_travel_rad - 0.5 * resolution_rad) {
+        doubt("canard {} has a limit of {} deg and a trim of {} deg; less than {} deg between them is not judged",
+              result.canard + 1, fixed(degrees(limit_rad), 2), fixed(degrees(centre_rad), 2),
+              fixed(degrees(least_travel_rad), 1));
+      }
+    }
+  }
+
   const link::Recording& recording_;
   const Exercise& exercise_;
   Sheet& sheet_;
@@ -227,50 +261,6 @@ Sheet examine(const link::Recording& recording, const Exercise& exercise, const 
   examination.canards();
   examination.general();
   return sheet;
-}
-
-std::vector<std::string> conclusions(const Sheet& sheet) {
-  std::vector<std::string> all;
-  if (sheet.judgement() == Judgement::none) {
-    for (const std::string& doubt : sheet.doubts) {
-      all.push_back(fmt::format("{}{}.", static_cast<char>(std::toupper(static_cast<unsigned char>(doubt.front()))),
-                                doubt.substr(1)));
-    }
-    all.emplace_back(
-        "Nothing is said of the canards. End other programs on this PC, check the adapter and the bus, and run again.");
-    return all;
-  }
-  for (const CanardResult& result : sheet.canards) {
-    if (!result.passed()) {
-      all.push_back(sentence(result.canard, result.diagnosis));
-    }
-  }
-  for (const GeneralCheck& general : sheet.general) {
-    if (!general.passed) {
-      all.push_back(general.text);
-    }
-  }
-  if (all.empty() && sheet.kind == ExerciseKind::limits) {
-    all.push_back(sheet.canards.size() == core::canard_count
-                      ? "By their encoders all four canards follow their commands, to their limits and no further."
-                      : "By its encoder the canard follows its command, to its limits and no further.");
-    // An encoder that is mounted the other way round agrees with a servo that is: both can be wrong together.
-    all.emplace_back(
-        "No encoder shows which way a canard rolls the rocket. Look at each (fantail bench hold N 5): seen from "
-        "outside, "
-        "nose up, its leading edge turns to the right where the plan's direction is normal, to the left where it is "
-        "reversed.");
-  } else if (all.empty()) {
-    all.push_back(fmt::format("Canard {} {}", sheet.canards.front().canard + 1,
-                              sheet.kind == ExerciseKind::step
-                                  ? "went to the angle commanded, in the time and at the speed required. A step does "
-                                    "not show its other side, "
-                                    "its trim and its backlash: fantail bench limits judges them."
-                                  : "followed the sine as far as required, and stands at its trim. Its "
-                                    "phase lag is not judged; "
-                                    "fantail bench limits judges limits, backlash and speed."));
-  }
-  return all;
 }
 
 }  // namespace fantail::bench

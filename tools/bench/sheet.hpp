@@ -14,6 +14,7 @@
 #include "bench/verdict.hpp"
 #include "core/canard_monitor.hpp"
 #include "link/avionics_link.hpp"
+#include "protocol/bus_messages.hpp"
 #include "sim/canard_tolerances.hpp"
 #include "text/wrapped.hpp"
 
@@ -32,6 +33,9 @@ struct Heading {
   std::optional<Each<double>> planned_limit_rad{};
   /// The last verdict of the avionics' own monitor; shown and not judged.
   Each<std::optional<core::CanardVerdict>> monitor{};
+  /// As the board last reported itself, with every fault that it had while the bench listened. Empty: the caller does
+  /// not know, and nothing is said of it.
+  std::optional<protocol::BoardReport> board{};
 };
 
 struct TurnResult {
@@ -71,7 +75,8 @@ struct Sheet {
   double duration_s = 0.0;  ///< between the first and the last tick
   std::vector<CanardResult> canards{};
   std::vector<GeneralCheck> general{};
-  std::vector<std::string> doubts{};  ///< why the recording is no basis for a judgement, a clause each
+  std::vector<std::string> doubts{};  ///< why there is no basis for a judgement, a clause each
+  bool recorded_whole = true;         ///< the doubts are about the plan's limits alone
   /// A canard that was commanded beyond its limit fails whatever else is doubtful.
   [[nodiscard]] Judgement judgement() const;
   [[nodiscard]] bool passed() const { return judgement() == Judgement::pass; }

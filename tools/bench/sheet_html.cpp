@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "bench/board_state.hpp"
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
@@ -31,7 +32,11 @@ page::Page heading(const Sheet& sheet) {
   const Heading& h = sheet.heading;
   return {.kind = fmt::format("Fantail bench \u00b7 Canard {}", name(sheet.kind)),
           .title = title(h),
-          .facts = {{"Plan", h.plan}, {"Plan CRC-32C", h.plan_crc}, {"Date", h.date}, {"Avionics", h.avionics}},
+          .facts = {{"Plan", h.plan},
+                    {"Plan CRC-32C", h.plan_crc},
+                    {"Date", h.date},
+                    {"Avionics", h.avionics},
+                    {"Board", h.board ? board_text(*h.board) : ""}},
           .footer = "Fantail " + h.version};
 }
 

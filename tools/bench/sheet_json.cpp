@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include "bench/board_state.hpp"
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
 #include "core/flight_plan.hpp"
@@ -103,27 +104,28 @@ std::string sheet_json(const Sheet& sheet) {
   for (const GeneralCheck& check : sheet.general) {
     general.push_back({{"passed", check.passed}, {"text", check.text}});
   }
-  const Json all = {{"exercise", name(sheet.kind)},
-                    {"passed", sheet.passed()},
-                    {"judgement", name(sheet.judgement())},
-                    {"doubts", sheet.doubts},
-                    {"conclusions", conclusions(sheet)},
-                    {"vehicle", text_or_null(heading.vehicle)},
-                    {"plan", text_or_null(heading.plan)},
-                    {"plan_crc", text_or_null(heading.plan_crc)},
-                    {"date", text_or_null(heading.date)},
-                    {"avionics", text_or_null(heading.avionics)},
-                    {"hard_limit_deg", rounded(static_cast<double>(core::hard_canard_limit.degrees()))},
-                    {"limit_deg", angles(sheet.bounds.limit_rad)},
-                    {"centre_deg", angles(sheet.bounds.centre_rad)},
-                    {"tolerances", tolerances(sheet.tolerances)},
-                    {"canards", canards},
-                    {"general", general},
-                    {"ticks", sheet.ticks},
-                    {"lost_ticks", sheet.lost_ticks},
-                    {"duration_s", rounded(sheet.duration_s)},
-                    {"notes", heading.notes},
-                    {"version", heading.version}};
+  Json all = {{"exercise", name(sheet.kind)},
+              {"passed", sheet.passed()},
+              {"judgement", name(sheet.judgement())},
+              {"doubts", sheet.doubts},
+              {"conclusions", conclusions(sheet)},
+              {"vehicle", text_or_null(heading.vehicle)},
+              {"plan", text_or_null(heading.plan)},
+              {"plan_crc", text_or_null(heading.plan_crc)},
+              {"date", text_or_null(heading.date)},
+              {"avionics", text_or_null(heading.avionics)},
+              {"hard_limit_deg", rounded(static_cast<double>(core::hard_canard_limit.degrees()))},
+              {"limit_deg", angles(sheet.bounds.limit_rad)},
+              {"centre_deg", angles(sheet.bounds.centre_rad)},
+              {"tolerances", tolerances(sheet.tolerances)},
+              {"canards", canards},
+              {"general", general},
+              {"ticks", sheet.ticks},
+              {"lost_ticks", sheet.lost_ticks},
+              {"duration_s", rounded(sheet.duration_s)},
+              {"notes", heading.notes},
+              {"version", heading.version}};
+  add_board(all, heading.board, "plan_source");
   return all.pretty();
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "bench/board_state.hpp"
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
@@ -52,7 +53,8 @@ class Page {
                                        {"plan", h.plan},
                                        {"plan CRC", h.plan_crc},
                                        {"date", h.date},
-                                       {"avionics", h.avionics}}) {
+                                       {"avionics", h.avionics},
+                                       {"board", h.board ? board_text(*h.board) : std::string{}}}) {
       if (!value.empty()) {
         line("  {:<10}{}", label, printable(value));
       }

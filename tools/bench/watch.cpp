@@ -7,15 +7,13 @@
 #include <fmt/ranges.h>
 
 #include "avionics/board_text.hpp"
+#include "bench/board_state.hpp"
 #include "core/tick_record.hpp"
-#include "hal/board.hpp"
 #include "json/value.hpp"
 #include "replies/sentence.hpp"
 
 namespace fantail::bench {
 namespace {
-
-constexpr unsigned most_overruns = 0xFF;  // the report counts no further
 
 using Json = json::Value;
 
@@ -71,15 +69,7 @@ link::Each<CanardRow> rows(const link::AvionicsLink& link, hal::Microseconds now
 
 // Two or three lines, each with its end.
 std::string board_lines(const protocol::BoardReport& report) {
-  const std::string faults = report.faults == 0
-                                 ? "no fault"
-                                 : fmt::format("{} (it cannot be armed)", fmt::join(fault_names(report.faults), ", "));
-  const std::string battery =
-      report.battery_mv ? fmt::format("{:.2f} V", 1e-3 * *report.battery_mv) : std::string{"not measured"};
-  std::string text = fmt::format("board: {}; {}, battery {}, {}{} control ticks missed\n", faults,
-                                 avionics::text(static_cast<hal::ResetCause>(report.reset_cause)), battery,
-                                 report.overruns, report.overruns == most_overruns ? " or more" : "");
-  text += fmt::format("plan: {}\n", avionics::text(report.plan));
+  std::string text = fmt::format("board: {}\nplan: {}\n", board_text(report), avionics::text(report.plan));
   if (report.flash_failed) {
     text += "flash: it does not answer, or does not keep what is written; the rocket cannot be armed\n";
   }
@@ -87,17 +77,6 @@ std::string board_lines(const protocol::BoardReport& report) {
 }
 
 }  // namespace
-
-std::vector<std::string> fault_names(std::uint32_t faults) {
-  std::vector<std::string> names;
-  for (unsigned bit = 0; bit < 32; ++bit) {
-    if ((faults >> bit & 1U) != 0) {
-      names.push_back(bit < hal::board_faults ? std::string{name(static_cast<hal::BoardFault>(bit))}
-                                              : fmt::format("bit_{}", bit));
-    }
-  }
-  return names;
-}
 
 template <typename Message>
 std::optional<Message> Watch::known() const {
@@ -158,7 +137,8 @@ std::string Watch::table() const {
                       status->self_test_running ? ", self-test running" : "");
   if (health) {
     text += fmt::format(
-        "avionics' bus: {}, {} frames unsent, {} overrun, {} bus errors, frames refused: {} (counts are modulo 256)\n",
+        "avionics' bus: {}, {} frames unsent, {} overrun, {} bus errors, frames refused: {} (each count is modulo "
+        "256)\n",
         replies::name(static_cast<hal::CanState>(health->bus_state)), health->unsent, health->overrun,
         health->bus_errors, refused());
   }
@@ -222,9 +202,11 @@ std::string Watch::json() const {
   json["gyro_bias_deg_s"] = status ? Json(text::degrees(static_cast<double>(status->gyro_bias_rad_s))) : Json{};
   json["self_test_running"] = status ? Json(status->self_test_running) : Json{};
   json["uptime_s"] = heartbeat ? rounded(1e-3 * heartbeat->uptime_ms) : Json{};
+  json["uptime_modulo_s"] = 16'777.216;  // it begins again at 0 then
   json["plan_crc"] = heartbeat ? Json(fmt::format("{:08x}", heartbeat->plan_crc)) : Json{};
   json["longest_tick_us"] = health ? Json(health->longest_tick_us) : Json{};
   json["avionics_bus_state"] = health ? Json(replies::name(static_cast<hal::CanState>(health->bus_state))) : Json{};
+  json["avionics_counters_modulo"] = 256;  // of the three below and of frames_refused_by_avionics
   json["avionics_unsent"] = health ? Json(health->unsent) : Json{};
   json["avionics_overrun"] = health ? Json(health->overrun) : Json{};
   json["avionics_bus_errors"] = health ? Json(health->bus_errors) : Json{};
@@ -235,13 +217,7 @@ std::string Watch::json() const {
                                   : Json{};
   json["arm_refusal"] =
       arming && arming->refusal != protocol::ArmRefusal::none ? Json(replies::sentence(arming->refusal)) : Json{};
-  const auto board = known<protocol::BoardReport>();
-  json["board_faults"] = board ? Json(fault_names(board->faults)) : Json{};
-  json["reset_cause"] = board ? Json(hal::name(static_cast<hal::ResetCause>(board->reset_cause))) : Json{};
-  json["battery_v"] = board && board->battery_mv ? rounded(1e-3 * *board->battery_mv) : Json{};
-  json["ticks_missed"] = board ? Json(board->overruns) : Json{};  // 255: or more
-  json["plan"] = board ? Json(replies::name(board->plan)) : Json{};
-  json["flash_failed"] = board ? Json(board->flash_failed) : Json{};
+  add_board(json, known<protocol::BoardReport>(), "plan");
   json["canards"] = Json::array();
   for (const CanardRow& row : rows(link_, now_)) {
     json["canards"].push_back({{"command_deg", rounded(row.command_deg)},

@@ -3,15 +3,11 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "hal/can_bus.hpp"
 #include "link/avionics_link.hpp"
 
 namespace fantail::bench {
-
-/// The names of docs/can.md; "bit_20" for one that only newer avionics knows.
-[[nodiscard]] std::vector<std::string> fault_names(std::uint32_t faults);
 
 /// What is known about the bus and whoever speaks on it, made once a look.
 class Watch {

@@ -50,16 +50,17 @@ Desk desk(const std::string& vehicle_name, const std::string& plan_name) {
 
 void expect_plan_in_force(const Desk& desk, const BenchOptions& options, const link::AvionicsLink& link) {
   const std::string& plan = desk.heading.plan;
-  if (desk.plan_crc && *desk.plan_crc != link.newest<protocol::HeartbeatReport>()->message.plan_crc) {
+  if (desk.plan_crc && *desk.plan_crc != link.reported<protocol::HeartbeatReport>("heartbeat").plan_crc) {
     throw RequirementNotMet{"the rocket does not hold " + plan + "; send it with fantail bench plan " + plan +
                             " --can " + options.interface};
   }
 }
 
 void complete(bench::Heading& heading, const BenchOptions& options, const link::AvionicsLink& link) {
-  const protocol::HeartbeatReport heartbeat = link.newest<protocol::HeartbeatReport>()->message;
+  const auto& heartbeat = link.reported<protocol::HeartbeatReport>("heartbeat");
   heading.plan_crc = fmt::format("{:08x}", heartbeat.plan_crc);
   heading.avionics = fmt::format("{}, bus protocol {}", options.interface, heartbeat.version);
+  heading.board = link.board();
   if (const auto& health = link.newest<protocol::HealthReport>()) {
     for (std::size_t i = 0; i < heading.monitor.size(); ++i) {
       heading.monitor[i] = health->message.verdicts[i];

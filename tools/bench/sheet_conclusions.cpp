@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <cctype>
+
+#include <fmt/core.h>
+
+#include "bench/sheet.hpp"
+
+namespace fantail::bench {
+
+std::vector<std::string> conclusions(const Sheet& sheet) {
+  std::vector<std::string> all;
+  if (sheet.judgement() == Judgement::none) {
+    for (const std::string& doubt : sheet.doubts) {
+      all.push_back(fmt::format("{}{}.", static_cast<char>(std::toupper(static_cast<unsigned char>(doubt.front()))),
+                                doubt.substr(1)));
+    }
+    all.emplace_back(sheet.recorded_whole ? "Nothing is said of the canards. Send a plan with a wider limit of the "
+                                            "canards, or smaller trims, and run again."
+                                          : "Nothing is said of the canards. End other programs on this PC, check the "
+                                            "adapter and the bus, and run again.");
+    return all;
+  }
+  for (const CanardResult& result : sheet.canards) {
+    if (!result.passed()) {
+      all.push_back(sentence(result.canard, result.diagnosis));
+    }
+  }
+  for (const GeneralCheck& general : sheet.general) {
+    if (!general.passed) {
+      all.push_back(general.text);
+    }
+  }
+  if (all.empty() && sheet.kind == ExerciseKind::limits) {
+    all.push_back(sheet.canards.size() == core::canard_count
+                      ? "By their encoders all four canards follow their commands, to their limits and no further."
+                      : "By its encoder the canard follows its command, to its limits and no further.");
+    // An encoder that is mounted the other way round agrees with a servo that is: both can be wrong together.
+    all.emplace_back(
+        "No encoder shows which way a canard rolls the rocket. Look at each (fantail bench hold N 5): seen from "
+        "outside, "
+        "nose up, its leading edge turns to the right where the plan's direction is normal, to the left where it is "
+        "reversed.");
+  } else if (all.empty()) {
+    all.push_back(fmt::format("Canard {} {}", sheet.canards.front().canard + 1,
+                              sheet.kind == ExerciseKind::step
+                                  ? "went to the angle commanded, in the time and at the speed required. A step does "
+                                    "not show its other side, "
+                                    "its trim and its backlash: fantail bench limits judges them."
+                                  : "followed the sine as far as required, and stands at its trim. Its "
+                                    "phase lag is not judged; "
+                                    "fantail bench limits judges limits, backlash and speed."));
+  }
+  return all;
+}
+
+}  // namespace fantail::bench
