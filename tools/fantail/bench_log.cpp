@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: MIT
+#include "fantail/bench_log.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
 #include <fmt/core.h>
 
-#include "fantail/bench_options.hpp"
-#include "fantail/can_place.hpp"
 #include "fantail/flight_files.hpp"
 #include "fantail/interrupt.hpp"
-#include "fantail/line_input.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
-#include "json/value.hpp"
-#include "link/log_download.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -29,49 +25,15 @@ namespace {
 namespace fs = std::filesystem;
 using Json = json::Value;
 
-struct LogOptions {
-  BenchOptions bench;
-  std::string out = "out/bench_log";
-  std::optional<int> flight;
-  bool list = false;
-  bool erase = false;
-  bool discard = false;
-  bool yes = false;
-};
-
-/// At one rocket, for one run of the verb.
-struct Visit {
-  explicit Visit(const LogOptions& chosen) : options{chosen}, place{chosen.bench.interface}, link{place.bus()} {
-    await_rocket(chosen.bench, place, link);
-    info = reader.info();
-    json["used_bytes"] = info.used_bytes;
-    json["free_bytes"] = info.free_bytes;
-  }
-
-  template <typename... Values>
-  void tell(fmt::format_string<Values...> text, Values&&... values) const {
-    if (!options.bench.json) {
-      show(text, std::forward<Values>(values)...);
-    }
-  }
-
-  const LogOptions& options;
-  CanPlace place;
-  link::AvionicsLink link;
-  link::LogReader reader{place, link};
-  link::LogInfo info{};
-  Json json{};
-};
-
 constexpr double mega = 1e6;
 
-std::vector<link::ListedFlight> list_flights(Visit& visit) {
+std::vector<link::ListedFlight> list_flights(LogVisit& visit) {
   Progress progress{"looking for flights",
                     {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
   return link::list_flights(visit.reader, visit.info.used_bytes, [&](std::uint32_t done) { progress.show(done); });
 }
 
-void list(Visit& visit) {
+void list(LogVisit& visit) {
   visit.tell("{:.2f} MB recorded, {:.2f} MB free\n", visit.info.used_bytes / mega, visit.info.free_bytes / mega);
   visit.json["flights"] = Json::array();
   int number = 0;
@@ -87,7 +49,7 @@ void list(Visit& visit) {
   }
 }
 
-link::LogStretch stretch_of(Visit& visit) {
+link::LogStretch stretch_of(LogVisit& visit) {
   if (!visit.options.flight) {
     return {.offset = 0, .size = visit.info.used_bytes};
   }
@@ -100,7 +62,7 @@ link::LogStretch stretch_of(Visit& visit) {
   return flights[number - 1].stretch;
 }
 
-void say_file(Visit& visit, const FlightFile& file) {
+void say_file(LogVisit& visit, const FlightFile& file) {
   const link::RecordedFlight& flight = file.flight;
   const std::string path = (fs::path{visit.options.out} / file.name).string();
   if (flight.records == 0) {
@@ -109,7 +71,9 @@ void say_file(Visit& visit, const FlightFile& file) {
     visit.tell("{}  {:.1f} s, {:.2f} MB, {}\n", path, flight.duration_s(),
                static_cast<double>(flight.end - flight.begin) / mega,
                flight.intact() ? "intact"
-                               : fmt::format("damaged in the flash: {} records missing, {} damaged bytes",
+                               : fmt::format("{}: {} records missing, {} damaged bytes",
+                                             visit.check.agrees() ? "damaged in the flash, by two fetches that agree"
+                                                                  : "damaged, and not read alike twice",
                                              flight.missing_records, flight.damaged_bytes));
   }
   const Json json{{"file", path},
@@ -124,74 +88,76 @@ void say_file(Visit& visit, const FlightFile& file) {
   visit.json["files"].push_back(json);
 }
 
-void fetch(Visit& visit) {
+template <typename Work>
+auto keeping(const link::LogPart& part, const link::LogStretch& stretch, const Work& work) {
+  const auto kept = [&](const char* why) {
+    return fmt::format("{}; {} of {} bytes are kept in {}, and the same command goes on from there", why, part.size(),
+                       stretch.size, part.path().string());
+  };
+  try {
+    return work();
+  } catch (const Interrupted&) {
+    throw Interrupted{kept("interrupted")};
+  } catch (const link::LinkError& error) {
+    throw link::LinkError{kept(error.what())};
+  }
+}
+
+std::uint32_t download(LogVisit& visit, const link::LogStretch& stretch, link::LogPart& part) {
+  const std::uint32_t there = std::min(part.size(), stretch.size);
+  // What was there already took no time now.
+  Progress progress{"downloading",
+                    {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size - there)}};
+  return link::download(visit.reader, stretch, part,
+                        [&](std::uint32_t done) { progress.show(done > there ? done - there : done); });
+}
+
+link::LogCheck verify(LogVisit& visit, const link::LogStretch& stretch, link::LogPart& part, std::uint32_t resumed) {
+  Progress progress{"fetching again",
+                    {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size)}};
+  return link::verify(visit.reader, stretch, part, resumed, [&](std::uint32_t done) { progress.show(done); });
+}
+
+void say_check(LogVisit& visit) {
+  const link::LogCheck& check = visit.check;
+  visit.json["mended_bytes"] = check.mended_bytes;
+  visit.json["unsteady_bytes"] = check.unsteady_bytes;
+  if (check.mended_bytes > 0) {
+    visit.tell("{} bytes of what was there had been damaged on this PC, and were fetched again\n", check.mended_bytes);
+  }
+  if (check.unsteady_bytes > 0) {
+    visit.tell("{} bytes were read differently each time: fetch them once more before you trust them\n",
+               check.unsteady_bytes);
+  }
+}
+
+void fetch(LogVisit& visit) {
   const link::LogStretch stretch = stretch_of(visit);
   const fs::path folder{visit.options.out};
   link::LogPart part{folder / (visit.options.flight ? fmt::format("flight_{:03}.part", *visit.options.flight)
                                                     : std::string{"record.part"})};
-  std::uint32_t before = 0;
-  try {
-    const std::uint32_t there = std::min(part.size(), stretch.size);
-    // What was there already took no time now.
-    Progress progress{"downloading",
-                      {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size - there)}};
-    before = link::download(visit.reader, stretch, part,
-                            [&](std::uint32_t done) { progress.show(done > there ? done - there : done); });
-  } catch (const Interrupted&) {
-    throw Interrupted{fmt::format("interrupted; {} of {} bytes are kept in {}, and the same command goes on from there",
-                                  part.size(), stretch.size, part.path().string())};
-  } catch (const link::LinkError& error) {
-    throw link::LinkError{fmt::format("{}; {} of {} bytes are kept in {}, and the same command goes on from there",
-                                      error.what(), part.size(), stretch.size, part.path().string())};
-  }
+  const std::uint32_t before = keeping(part, stretch, [&] {
+    const std::uint32_t resumed = download(visit, stretch, part);
+    visit.check = verify(visit, stretch, part, resumed);
+    return resumed;
+  });
   visit.tell("{} bytes downloaded and verified{}\n", stretch.size - before,
              before > 0 ? fmt::format(", {} were there already", before) : std::string{});
   visit.json["downloaded_bytes"] = stretch.size - before;
   visit.json["resumed_bytes"] = before;
   visit.json["repeated_chunks"] = visit.reader.repeated();
+  say_check(visit);
   visit.json["files"] = Json::array();
   const auto first = static_cast<std::size_t>(visit.options.flight.value_or(1));
-  for (const FlightFile& file : write_flights(folder, part.read(0, stretch.size), first)) {
+  visit.record = part.read(0, stretch.size);
+  for (const FlightFile& file : write_flights(folder, visit.record, first)) {
     say_file(visit, file);
   }
   part.remove();
 }
 
-void await_consent(Visit& visit) {
-  if (visit.options.yes) {
-    return;
-  }
-  say("Type ERASE to erase the flight record of the rocket, anything else to keep it: ");
-  LineInput input;
-  std::optional<std::string> line;
-  while (!(line = input.next())) {
-    if (input.ended()) {
-      throw RequirementNotMet{"ERASE was not typed; the flight record is kept"};
-    }
-    visit.place.wait(hal::Microseconds{50'000});
-    visit.link.listen(visit.place.now());
-  }
-  if (*line != "ERASE") {
-    throw RequirementNotMet{"not confirmed; the flight record is kept"};
-  }
-}
-
-void erase(Visit& visit) {
-  await_consent(visit);
-  try {
-    link::Session session{visit.place, visit.link, static_cast<std::uint16_t>(std::random_device{}())};
-    Progress progress{"erasing",
-                      {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
-    visit.reader.erase(session, [&](std::uint32_t left) { progress.show(visit.info.used_bytes - left); });
-    (void)session.close();
-  } catch (const Interrupted&) {
-    throw Interrupted{"interrupted; the avionics stops erasing, and what it has not erased yet is still there"};
-  }
-  visit.tell("the flight record is erased\n");
-}
-
-void log(const LogOptions& options) {
-  Visit visit{options};
+void log(const BenchLogOptions& options) {
+  LogVisit visit{options};
   const bool empty = visit.info.used_bytes == 0;
   if (empty) {
     visit.tell("nothing is recorded; {:.2f} MB are free\n", visit.info.free_bytes / mega);
@@ -201,7 +167,7 @@ void log(const LogOptions& options) {
     fetch(visit);
   }
   if (options.erase && !empty) {
-    erase(visit);
+    erase_record(visit);
   }
   if (options.bench.json) {
     visit.json["erased"] = options.erase;
@@ -213,7 +179,7 @@ void log(const LogOptions& options) {
 
 void add_bench_log(const Verb& bench) {
   auto verb = bench.verb("log", "Download the recorded flights, and erase them if asked to");
-  auto options = std::make_shared<LogOptions>();
+  auto options = std::make_shared<BenchLogOptions>();
   add_bench_options(verb, options->bench, "Print one JSON object; the question goes to standard error");
   verb.option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]")
       .offers(folders)
@@ -221,10 +187,10 @@ void add_bench_log(const Verb& bench) {
   auto flight =
       verb.option("--flight", options->flight, "Only this one, numbered as in --list").range(1, 9999).value_name("N");
   auto list_flag = verb.flag("--list", options->list, "List what is recorded, and download nothing");
-  auto erase_flag =
-      verb.flag("--erase", options->erase, "Then erase the record; everything is downloaded and verified before that");
+  auto erase_flag = verb.flag("--erase", options->erase,
+                              "Then erase the record; everything is downloaded and verified whole before that");
   verb.flag("--discard", options->discard, "Erase without downloading").needs(erase_flag);
-  verb.flag("--yes", options->yes, "Do not ask before erasing; for scripts").needs(erase_flag);
+  verb.flag("--yes", options->yes, "Do not ask before erasing an intact record; for scripts").needs(erase_flag);
   erase_flag.excludes(flight).excludes(list_flag);
   flight.excludes(list_flag);
   verb.examples(

@@ -58,6 +58,11 @@ std::vector<FlightFile> write_flights(const std::filesystem::path& folder, std::
     add({.begin = 0, .end = record.size(), .damaged_bytes = record.size()}, first, "unreadable_{:03}.bin");
   }
   text::OutputFolder{folder}.write(contents);
+  for (const text::NamedFile& file : contents) {
+    if (!holds(folder / file.name, file.content)) {
+      throw text::OutputError{(folder / file.name).string() + ": does not hold what was written to it"};
+    }
+  }
   return files;
 }
 

@@ -14,22 +14,8 @@
 namespace fantail::link {
 namespace {
 
-std::vector<std::byte> read_all(LogReader& reader, std::uint32_t offset, std::uint32_t size) {
-  std::vector<std::byte> bytes;
-  while (bytes.size() < size) {
-    const auto done = static_cast<std::uint32_t>(bytes.size());
-    const std::vector<std::byte> more = reader.read(offset + done, size - done);
-    bytes.insert(bytes.end(), more.begin(), more.end());
-  }
-  return bytes;
-}
-
 bool same_record(LogReader& reader, const LogStretch& stretch, const LogPart& part) {
-  const std::uint32_t compared = std::min<std::uint32_t>(part.size(), protocol::largest_log_chunk);
-  const auto same = [&](std::uint32_t offset) {
-    return read_all(reader, stretch.offset + offset, compared) == part.read(offset, compared);
-  };
-  return part.size() <= stretch.size && same(0) && same(part.size() - compared);
+  return part.size() <= stretch.size && still_there(reader, stretch.offset, part.read(0, part.size()));
 }
 
 // Of the smallest sector that there is in NOR flash; larger ones are multiples of it.
@@ -56,6 +42,25 @@ std::optional<ListedFlight> flight_at(LogReader& reader, std::uint32_t offset, s
 }
 
 }  // namespace
+
+std::vector<std::byte> read_all(LogReader& reader, std::uint32_t offset, std::uint32_t size) {
+  std::vector<std::byte> bytes;
+  while (bytes.size() < size) {
+    const auto done = static_cast<std::uint32_t>(bytes.size());
+    const std::vector<std::byte> more = reader.read(offset + done, size - done);
+    bytes.insert(bytes.end(), more.begin(), more.end());
+  }
+  return bytes;
+}
+
+bool still_there(LogReader& reader, std::uint32_t offset, std::span<const std::byte> bytes) {
+  const std::size_t compared = std::min<std::size_t>(bytes.size(), protocol::largest_log_chunk);
+  const auto same = [&](std::size_t at) {
+    return std::ranges::equal(bytes.subspan(at, compared), read_all(reader, offset + static_cast<std::uint32_t>(at),
+                                                                    static_cast<std::uint32_t>(compared)));
+  };
+  return same(0) && same(bytes.size() - compared);
+}
 
 LogPart::LogPart(std::filesystem::path path) : path_{std::move(path)} {
   std::error_code error;
@@ -102,6 +107,16 @@ void LogPart::append(std::span<const std::byte> bytes) {
     fail();
   }
   size_ += static_cast<std::uint32_t>(bytes.size());
+}
+
+void LogPart::overwrite(std::uint32_t offset, std::span<const std::byte> bytes) {
+  errno = 0;
+  std::fstream file{path_, std::ios::binary | std::ios::in | std::ios::out};
+  file.seekp(offset);
+  const auto* const text = reinterpret_cast<const char*>(bytes.data());  // NOLINT
+  if (!file.write(text, static_cast<std::streamsize>(bytes.size())).flush()) {
+    fail();
+  }
 }
 
 void LogPart::start_anew() {

@@ -15,9 +15,10 @@
 
 namespace fantail::link {
 
-/// What has been downloaded so far, in a file that outlives this program. It holds whole, verified bytes only, in
-/// order; a program that is killed can leave it shorter, and never wrong. Every call throws text::OutputError with
-/// the path and the system's reason.
+/// What has been downloaded so far, in a file that outlives this program. Verified bytes only are written to it, in
+/// order; a program that is killed can leave it shorter. A power cut, a disk or a person can leave it wrong, so what is
+/// read back is to be verified again (log_verify.hpp). Every call throws text::OutputError with the path and the
+/// system's reason.
 class LogPart {
  public:
   /// Goes on with the file that is there; makes its folder.
@@ -27,6 +28,8 @@ class LogPart {
   [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] std::vector<std::byte> read(std::uint32_t offset, std::uint32_t size) const;
   void append(std::span<const std::byte> bytes);
+  /// Puts other bytes in the place of some that are there.
+  void overwrite(std::uint32_t offset, std::span<const std::byte> bytes);
   void start_anew();
   /// When it is no longer needed.
   void remove();
@@ -45,6 +48,12 @@ struct LogStretch {
   std::uint32_t offset = 0;
   std::uint32_t size = 0;
 };
+
+/// As many bytes as asked for, in as many requests as it takes.
+[[nodiscard]] std::vector<std::byte> read_all(LogReader& reader, std::uint32_t offset, std::uint32_t size);
+
+/// Whether the avionics still has these bytes from `offset` on, by the first and the last 1792 of them.
+[[nodiscard]] bool still_there(LogReader& reader, std::uint32_t offset, std::span<const std::byte> bytes);
 
 /// Fills the part until it holds the stretch, and returns the bytes that were there already. It goes on with those when
 /// their first and last 1792 bytes are still what the avionics has; otherwise they are of another record, and it starts
