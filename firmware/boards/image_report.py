@@ -15,8 +15,8 @@ import subprocess
 import sys
 
 PREFIX = "arm-none-eabi-"
-FLASH_LIMIT = 98 * 1024
-RAM_LIMIT = 48 * 1024
+FLASH_LIMIT = 112 * 1024
+RAM_LIMIT = 56 * 1024
 
 # Names of the C library, of libgcc and of libstdc++ that stand for something a flight image does without.
 FORBIDDEN = {
