@@ -50,5 +50,22 @@ TEST(AvionicsClock, AnAvionicsThatWasSwitchedOnAgainBeginsAnew) {
   EXPECT_EQ(clock.at(Microseconds{5'000'000}), Microseconds{44'000});
 }
 
+// After 2^23 ms and more, 2 h 20 min, a clock that goes back to 0 looks to 24 bits like one that goes on.
+TEST(AvionicsClock, AnAvionicsThatWasOnForHoursAndIsSwitchedOnAgainBeginsAnewToo) {
+  for (const std::uint32_t on_for_ms : {8'000'000U, 9'000'000U, 12'000'000U, 16'700'000U}) {
+    AvionicsClock clock;
+    (void)clock.hear(on_for_ms, Microseconds{0});
+    EXPECT_TRUE(clock.hear(44, Microseconds{5'000'000})) << on_for_ms;
+    EXPECT_EQ(clock.at(Microseconds{5'000'000}), Microseconds{44'000}) << on_for_ms;
+  }
+}
+
+TEST(AvionicsClock, AnAvionicsThatNobodyHeardForHoursIsNotSwitchedOnAgain) {
+  AvionicsClock clock;
+  (void)clock.hear(1'000'000, Microseconds{0});
+  EXPECT_FALSE(clock.hear(4'600'000, Microseconds{3'600'000'000})) << "this PC was busy elsewhere";
+  EXPECT_FALSE(clock.hear(8'200'000, Microseconds{3'600'100'000})) << "and then suspended, and its clock with it";
+}
+
 }  // namespace
 }  // namespace fantail::gateway

@@ -14,6 +14,8 @@ constexpr milliseconds health_age{500};
 constexpr milliseconds limit_age{5'000};
 // A little less than the period of 10 ms: nothing comes at even times.
 constexpr milliseconds canards_pause{9};
+// Of a heartbeat: a busy PC may have left the one before it in its queue for as long.
+constexpr milliseconds lateness{10'000};
 // Frames, 12 ms of them: of what came while a busy PC held this process up, every change of the phase is to be seen.
 constexpr int portion = 32;
 constexpr int most_portions = 30;
@@ -32,8 +34,13 @@ std::int64_t total(std::optional<link::WrappingCounter<256>>& counter, std::uint
 }  // namespace
 
 bool AvionicsClock::hear(std::uint32_t uptime_ms, hal::Microseconds now) {
-  // A clock goes back only by a new start.
-  const bool new_start = uptime_ && uptime_->is_back(uptime_ms);
+  // A clock goes back only by a new start. Of one that has been on for more than half a round, going back looks like
+  // going far on: then it is a new start if it has been on for no longer than since the last heartbeat.
+  const hal::Microseconds most = now - last_heard_ + lateness;
+  const auto ahead_of_time = [&](std::int64_t time_ms) { return std::chrono::milliseconds{time_ms} > most; };
+  const bool new_start = uptime_ && (uptime_->is_back(uptime_ms) ||
+                                     (ahead_of_time(uptime_->step_to(uptime_ms)) && !ahead_of_time(uptime_ms)));
+  last_heard_ = now;
   if (!uptime_ || new_start) {
     uptime_.emplace(uptime_ms);
     ahead_ = uptime() - now;

@@ -26,7 +26,8 @@ class AvionicsClock {
   [[nodiscard]] hal::Microseconds uptime() const { return std::chrono::milliseconds{uptime_->total()}; }
 
   std::optional<link::UptimeCounter> uptime_;  ///< of the last heartbeat
-  hal::Microseconds ahead_{};                  ///< what the avionics' clock is before ours
+  hal::Microseconds last_heard_{};
+  hal::Microseconds ahead_{};  ///< what the avionics' clock is before ours
   hal::Microseconds told_{};
 };
 
