@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "avionics/can_frame.hpp"
 #include "can/rig.hpp"
 
 namespace fantail::test {
@@ -38,6 +39,27 @@ TEST_F(CanSystem, ArmingTakesTheSwitchAndTheWordAndTheSwitchEndsIt) {
             "Type ARM to arm, anything else to leave the rocket safe: fantail: not confirmed; the rocket is safe\n");
   EXPECT_TRUE(other_ear.at_rest());
   EXPECT_EQ(other_ear.newest<StatusReport>().phase, Phase::safe);
+}
+
+// It says that a self-test runs and names no canard, as another rocket does that rests for its own.
+TEST_F(CanSystem, AStrangersArmRepliesPutNoCanardOnTheTerminalThatIsNone) {
+  Node node{"vcan0"};
+  node.await_rest();
+  Program arm{{"bench", "arm", "--can", "vcan0", "--yes"}};
+  hal::on_linux::CanBus stranger{"vcan0"};
+  const auto running = encode(protocol::ArmReply{.self_test = protocol::SelfTestState::running});
+  for (int canard = 1; canard <= 4; ++canard) {
+    ASSERT_TRUE(arm.says("  canard " + std::to_string(canard) + "\n")) << arm.said();
+    (void)stranger.send(avionics::can_frame(running));
+  }
+  ASSERT_TRUE(arm.says(call_for_the_switch)) << arm.said();
+  node.program.type("switch close");
+  EXPECT_EQ(arm.outcome().exit_code, 0) << arm.outcome().err;
+  EXPECT_EQ(
+      arm.outcome().out,
+      "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.\n  canard 1\n  "
+      "canard 2\n  canard 3\n  canard 4\n  passed\nClose the arm switch at the rocket.\n  closed\nARMED. Opening "
+      "the arm switch makes the rocket safe again.\n");
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include "link/heartbeats.hpp"
 
 #include <cstdint>
+#include <optional>
 
 #include <gtest/gtest.h>
 
 #include "../core/random_stream.hpp"
+#include "link/frame_order.hpp"
 #include "seed.hpp"
 
 namespace fantail::link {
@@ -138,6 +140,41 @@ TEST(Heartbeats, OfTwoRocketsAreToldOnABusThatLosesAQuarterAndOfOneNever) {
     }
     EXPECT_FALSE(alone.two_rockets()) << "trial " << trial;
     EXPECT_TRUE(both.two_rockets()) << "trial " << trial << ", " << between_ms << " ms between them";
+  }
+}
+
+bool two_senders(core::RandomStream& random, double loss, std::optional<int> second_from, double second_share) {
+  FrameOrder order;
+  int other = second_from.value_or(0);
+  for (int frame = 0; frame < 3'000; ++frame) {
+    if (!random.chance(loss)) {
+      order.take(static_cast<std::uint8_t>(frame % 16));
+    }
+    if (second_from && random.chance(second_share)) {
+      order.take(static_cast<std::uint8_t>(other++ % 16));
+    }
+    if (random.chance(loss / 20.0)) {  // and now and then very many at once
+      frame += random.whole(1, 500);
+    }
+  }
+  return order.two_senders();
+}
+
+TEST(FrameOrder, OfOneSenderIsNeverTakenForThatOfTwoWhateverIsLost) {
+  core::RandomStream random{test::seed()};
+  for (int trial = 0; trial < 500; ++trial) {
+    for (const double loss : {0.0, 0.01, 0.1, 0.3}) {
+      EXPECT_FALSE(two_senders(random, loss, {}, 0.0)) << trial << ": " << loss;
+    }
+  }
+}
+
+TEST(FrameOrder, OfTwoSendersIsToldAlsoWhenTheSecondIsAFifthAsFast) {
+  core::RandomStream random{test::seed()};
+  for (int second_from = 0; second_from < 16; ++second_from) {
+    for (const double share : {0.2, 0.5}) {
+      EXPECT_TRUE(two_senders(random, 0.0, second_from, share)) << second_from << ": " << share;
+    }
   }
 }
 

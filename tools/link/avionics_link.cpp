@@ -74,6 +74,7 @@ void AvionicsLink::keep(const Message& message, hal::Microseconds now) {
 }
 
 void AvionicsLink::take(const protocol::CommandReport& report, std::uint8_t counter) {
+  command_order_.take(counter);
   unwrap(last_command_, counter);
   command_ = report;
 }
@@ -115,6 +116,14 @@ void AvionicsLink::unwrap(std::optional<FrameNumber>& last, std::uint8_t counter
   // A frame is another one than the last, so the same number is a whole round on.
   const std::int64_t step = last->read_next(counter);
   figures_.lost += static_cast<std::uint64_t>(step - 1);
+}
+
+std::optional<std::string> AvionicsLink::two_rockets() const {
+  if (heartbeats_.two_rockets() || !command_order_.two_senders()) {
+    return heartbeats_.two_rockets();
+  }
+  return "two rockets, or a device that imitates one, report on this bus: the reports have two series of numbers; "
+         "disconnect all but one";
 }
 
 std::optional<Tick> AvionicsLink::take_tick() {

@@ -16,6 +16,7 @@
 #include "core/inputs.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
+#include "link/frame_order.hpp"
 #include "link/heartbeats.hpp"
 #include "link/link_error.hpp"
 #include "link/place.hpp"
@@ -126,14 +127,14 @@ class AvionicsLink {
   [[nodiscard]] const LinkFigures& figures() const { return figures_; }
   /// Frames that reached this PC and were lost there, because nobody read them in time.
   [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
-  /// Throws TwoRockets as soon as the heartbeats heard cannot be those of one avionics.
+  /// Throws TwoRockets as soon as the reports heard cannot be those of one avionics.
   void expect_one_rocket() const {
-    if (two_rockets()) {
-      throw TwoRockets{*two_rockets()};
+    if (const auto why = two_rockets()) {
+      throw TwoRockets{*why};
     }
   }
   /// The sentence that it throws; empty: one rocket alone.
-  [[nodiscard]] const std::optional<std::string>& two_rockets() const { return heartbeats_.two_rockets(); }
+  [[nodiscard]] std::optional<std::string> two_rockets() const;
   /// The newest report of the board, with every fault that any of its reports had.
   [[nodiscard]] const std::optional<protocol::BoardReport>& board() const { return board_; }
   /// The rocket's own clock less our count of its ticks, by the newest heartbeat. While every tick is reported it
@@ -164,6 +165,7 @@ class AvionicsLink {
   std::optional<Timeout> silence_;
   bool silent_ = false;
   Heartbeats heartbeats_;
+  FrameOrder command_order_;
   std::optional<protocol::BoardReport> board_;
   std::optional<FrameNumber> last_command_;
   std::optional<FrameNumber> last_encoder_;

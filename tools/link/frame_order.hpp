@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace fantail::link {
+
+/// Whether the 4-bit counters of one kind of report can be those of one sender, whatever is lost: between two that
+/// follow on (7, 8) comes a third number (7, 3, 8), again and again. It tells a second rocket that counts the frames
+/// from about elsewhere sooner than its heartbeats do.
+class FrameOrder {
+ public:
+  void take(std::uint8_t counter) {
+    const auto follows_on = [](std::uint8_t one, std::uint8_t next) { return next == ((one + 1U) & 0x0FU); };
+    const auto& [before, last] = newest_;
+    const bool between = before && last && follows_on(*before, counter) && *last != *before && *last != counter;
+    evidence_ = between ? evidence_ + gain : evidence_ > 0 ? evidence_ - 1 : 0;
+    two_senders_ = two_senders_ || evidence_ >= proof;
+    newest_ = {last, counter};
+  }
+
+  /// It stays.
+  [[nodiscard]] bool two_senders() const { return two_senders_; }
+
+ private:
+  static constexpr int gain = 16;  ///< one such frame counts for as many that follow
+  static constexpr int proof = 3 * gain - 15;
+
+  std::array<std::optional<std::uint8_t>, 2> newest_{};  ///< the last one is the second
+  int evidence_ = 0;
+  bool two_senders_ = false;
+};
+
+}  // namespace fantail::link
