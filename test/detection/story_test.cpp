@@ -178,5 +178,27 @@ TEST(RaisedRail, StandsStillAtItsLastAngleUntilTheLaunch) {
   EXPECT_GT(longest_s, 9.5);
 }
 
+TEST(StirredLaunch, StandsStillBetweenTheDisturbanceAndIgnition) {
+  const std::uint32_t seed = test::seed(50);
+  const auto motion = std::make_unique<Motion>();
+  const auto readings = std::make_unique<Readings>();
+  double loudest = 0.0;
+  for (std::uint64_t event = 0; event < 200; ++event) {
+    Streams streams = streams_of(seed, Kind::stirred_launch, event);
+    make_event(Kind::stirred_launch, streams, *motion, true);
+    begin_readings(Kind::stirred_launch, event, *motion, streams.axial, *readings);
+    ASSERT_LE(motion->ignition, 3'500U);
+    ASSERT_GE(motion->ignition, 2'000U);
+    ASSERT_NEAR(motion->axial_m_s2[motion->ignition - 1], 0.0F, 1e-5F) << event;
+    // It stands as the rail leans, and on its last way the thrust alone is felt along the axis.
+    ASSERT_NEAR(readings->felt_m_s2[motion->ignition - 1], 9.80665F * readings->up_x[motion->ignition - 1], 1e-3)
+        << event;
+    for (std::size_t i = 0; i < motion->ignition; ++i) {
+      loudest = std::max(loudest, std::abs(static_cast<double>(motion->axial_m_s2[i])));
+    }
+  }
+  EXPECT_GT(loudest, 2.0 * g);
+}
+
 }  // namespace
 }  // namespace fantail::detection

@@ -30,6 +30,7 @@ void make_event(Kind kind, Streams& streams, Motion& motion, bool all) {
     case Kind::launch_one_bad: return make_launch(streams, motion, -1.0, all);
     case Kind::launch_at_2_g: return make_launch(streams, motion, 2.0, all);
     case Kind::raised_rail: return make_raised_rail(streams, motion, all);
+    case Kind::stirred_launch: return make_stirred_launch(streams, motion, all);
     case Kind::missed_flight: return make_missed_flight(streams, motion, all);
     case Kind::uncontrolled_flight: return make_uncontrolled_flight(streams, motion, all);
   }

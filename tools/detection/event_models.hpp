@@ -40,6 +40,7 @@ void add_shaking(sim::Random& random, Motion& motion, std::size_t first, std::si
 /// `rms_g`: of the vibration; negative: drawn, 0 to 2.
 void make_launch(Streams& streams, Motion& motion, double rms_g, bool all);
 void make_raised_rail(Streams& streams, Motion& motion, bool all);
+void make_stirred_launch(Streams& streams, Motion& motion, bool all);
 
 void make_missed_flight(Streams& streams, Motion& motion, bool all);
 void make_uncontrolled_flight(Streams& streams, Motion& motion, bool all);

@@ -75,6 +75,10 @@ constexpr std::array<KindInfo, kinds> kind_table{{
    "a flight that is detected and of which control may not begin, in turn: gyro silent from before the launch to after the burn; 3 to 4 g for 0.4 to 0.6 s, too slow for the guide's gate; one accelerometer low by 2.1 to 4 g from 0.15 to 0.3 s after ignition. Then as missed_flight",
    "as above",
    "as above"},
+  {"stirred_launch",
+   "in turn gust, misfire, neighbour and vibration as above, and 0 to 1 s after its end a launch",
+   "as above",
+   "one disturbance before each launch"},
 }};
 // clang-format on
 

@@ -9,8 +9,7 @@
 
 namespace fantail::detection {
 
-/// What happens to an armed rocket. Of the first and of the last a rocket that believes in a launch is wrong. The order
-/// is that of their seeds, so a new kind comes last.
+/// What happens to an armed rocket. The order is that of their seeds, so a new kind comes last.
 enum class Kind : std::uint8_t {
   handling,
   drop,
@@ -29,14 +28,19 @@ enum class Kind : std::uint8_t {
   raised_rail,
   missed_flight,
   uncontrolled_flight,
+  stirred_launch,
 };
-inline constexpr std::size_t kinds = 17;
+inline constexpr std::size_t kinds = 18;
 
 [[nodiscard]] constexpr std::size_t index(Kind kind) { return static_cast<std::size_t>(kind); }
-[[nodiscard]] constexpr bool is_launch(Kind kind) { return kind >= Kind::launch && kind <= Kind::raised_rail; }
+[[nodiscard]] constexpr bool is_launch(Kind kind) {
+  return (kind >= Kind::launch && kind <= Kind::raised_rail) || kind == Kind::stirred_launch;
+}
 /// A whole flight, from the pad to the hands that carry the rocket home. It counts for those rules that did not control
 /// it, and then only what comes after it.
-[[nodiscard]] constexpr bool is_flight(Kind kind) { return kind > Kind::raised_rail; }
+[[nodiscard]] constexpr bool is_flight(Kind kind) {
+  return kind == Kind::missed_flight || kind == Kind::uncontrolled_flight;
+}
 
 /// What a model draws, and how much that is worth.
 struct KindInfo {

@@ -13,6 +13,7 @@ namespace fantail::detection {
 namespace {
 
 constexpr double least_thrust = 3.0 * sim::gravity_m_s2;
+constexpr double after_ignition_s = 2.25;
 constexpr double largest_tilt_rad = 15.0 * sim::radians_per_degree;
 
 /// From step `first` on; ignition is that of the motion.
@@ -83,8 +84,29 @@ void make_launch(Streams& streams, Motion& motion, double rms_g, bool all) {
   add_launch(streams, motion, motion.start_pitch_rad, 0, rms_g, all);
 }
 
+void make_stirred_launch(Streams& streams, Motion& motion, bool all) {
+  sim::Random& random = streams.model;
+  const double which = uniform(random, 0.0, 4.0);
+  if (which < 1.0) {
+    make_gust(random, motion);
+  } else if (which < 2.0) {
+    make_misfire(streams, motion, all);
+  } else if (which < 3.0) {
+    make_neighbour(streams, motion, all);
+  } else {
+    make_vibration(streams, motion, all);
+  }
+  double pitch = motion.start_pitch_rad;
+  for (std::size_t i = 0; i < motion.length; ++i) {
+    pitch += step_s * static_cast<double>(motion.pitch_rate_rad_s[i]);
+  }
+  motion.ignition = motion.length + steps(uniform(random, 0.0, 1.0));
+  motion.stand(motion.ignition - motion.length + steps(after_ignition_s));
+  std::fill_n(motion.distance_m.begin(), motion.ignition, 0.0F);
+  add_launch(streams, motion, pitch, motion.ignition, -1.0, all);
+}
+
 void make_raised_rail(Streams& streams, Motion& motion, bool all) {
-  constexpr double after_ignition_s = 2.25;
   sim::Random& random = streams.model;
   const double pitch = uniform(random, 0.0, largest_tilt_rad);
   const double raised = uniform(random, 5.0, 90.0) * sim::radians_per_degree;

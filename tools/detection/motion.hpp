@@ -70,16 +70,22 @@ struct Motion {
   }
 
   void begin(std::size_t steps, double pitch_rad) {
-    length = steps;
     start_pitch_rad = pitch_rad;
     turns = rolls = false;
     ignition = still_from = flight_end = 0;
     trouble = {};
     part_begin = {};
-    for (std::size_t i = 0; i < steps; ++i) {
+    length = 0;
+    stand(steps);
+  }
+
+  /// At rest for so many steps more.
+  void stand(std::size_t steps) {
+    for (std::size_t i = length; i < length + steps; ++i) {
       axial_m_s2[i] = across_m_s2[i] = pitch_rate_rad_s[i] = roll_rate_rad_s[i] = 0.0F;
       carried[i] = 1.0F;
     }
+    length += steps;
   }
 };
 

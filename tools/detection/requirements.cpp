@@ -12,7 +12,7 @@
 namespace fantail::detection {
 namespace {
 
-constexpr std::array<Kind, 2> launches_of_well{Kind::launch, Kind::launch_at_2_g};
+constexpr std::array<Kind, 3> launches_of_well{Kind::launch, Kind::launch_at_2_g, Kind::stirred_launch};
 
 void add(Sum& sum, const Count& count) {
   sum.events += count.events;

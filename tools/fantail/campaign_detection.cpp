@@ -152,7 +152,8 @@ void detect(const DetectionOptions& options) {
     if (!detection::judges_launches(report.campaign)) {
       throw UsageError{
           "--at-most is asked of launches with both accelerometers well, by a plan that is judged, and none is to be "
-          "played; allowed: --kind launch or launch_at_2_g, --launches of 1 or more, and another plan than "
+          "played; allowed: --kind launch, launch_at_2_g or stirred_launch, --launches of 1 or more, and another plan "
+          "than "
           "published_launch2"};
     }
   }
