@@ -101,7 +101,8 @@ TEST_F(Shards, WhoseRunsAreDamagedOrNotTheirsAreRefused) {
   const std::string bytes = file_content(runs);
   const std::string last = file_content(part(3) / "runs.csv.gz");
   std::ofstream{runs, std::ios::binary} << bytes.substr(0, bytes.size() / 2);
-  EXPECT_EQ(refusal({part(1), part(2), part(3)}), runs.string() + ": is damaged or not complete");
+  EXPECT_EQ(refusal({part(1), part(2), part(3)}),
+            runs.string() + ": is damaged, not complete, or longer than its runs are");
   std::ofstream{runs, std::ios::binary} << last;
   EXPECT_EQ(refusal({part(1), part(2), part(3)}),
             runs.string() + ": run " + std::to_string(runs_of_a_chunk) + " is missing or has another seed");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scratch_file.hpp"
+#include "text/error.hpp"
 
 namespace fantail::input {
 namespace {
@@ -16,7 +17,7 @@ TEST(FileText, IsAllThatStandsInTheFile) {
 
 TEST(FileText, IsNoneOfWhatIsNoFile) {
   EXPECT_EQ(file_text("/nowhere/a.toml"), std::nullopt);
-  EXPECT_EQ(file_text("/"), std::nullopt);
+  EXPECT_THROW((void)file_text("/"), text::Error) << "a folder";
 }
 
 }  // namespace

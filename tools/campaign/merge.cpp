@@ -114,10 +114,11 @@ std::map<std::uint64_t, Part> all_parts(std::span<const fs::path> folders) {
 /// The compressed rows, without the header's member, which must be `header` in all of them.
 std::string rows_of(const Part& part, std::string& header) {
   const fs::path file = part.folder / RunsFolder::runs_name;
-  const std::string bytes = file_content(file);
-  const auto text = text::gunzip(bytes);
+  const Stretch runs = runs_of_shard(number_of(part, "runs"), part.shard);
+  const std::string bytes = file_content(file, most_bytes(runs));
+  const auto text = text::gunzip(bytes, most_bytes(runs));
   if (!text) {
-    refuse(ErrorKind::bad_data, file.string() + ": is damaged or not complete");
+    refuse(ErrorKind::bad_data, file.string() + ": is damaged, not complete, or longer than its runs are");
   }
   const std::string own_header = text::gzip(text->substr(0, text->find('\n') + 1));
   if (!bytes.starts_with(own_header) || (!header.empty() && own_header != header)) {
@@ -127,7 +128,6 @@ std::string rows_of(const Part& part, std::string& header) {
   }
   header = own_header;
   const std::uint64_t seed = number_of(part, "seed");
-  const Stretch runs = runs_of_shard(number_of(part, "runs"), part.shard);
   std::string_view rows = std::string_view{*text}.substr(text->find('\n') + 1);
   for (std::uint64_t run = runs.first; run < runs.first + runs.count; ++run) {
     if (!rows.starts_with(fmt::format("{},{},", run, seed_of_run(seed, run)))) {

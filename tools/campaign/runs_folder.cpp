@@ -5,8 +5,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include <fcntl.h>
@@ -46,9 +44,14 @@ void require_no_other(const fs::path& folder, const Identity& identity) {
   }
 }
 
-std::string file_content(const fs::path& file) {
-  std::ifstream stream{file, std::ios::binary};
-  return {std::istreambuf_iterator<char>{stream}, {}};
+std::string file_content(const fs::path& file, std::size_t most) {
+  return text::read_if_there(file, text::InputKind::data, most).value_or(std::string{});
+}
+
+std::size_t most_bytes(const Stretch& runs) {
+  constexpr std::size_t of_header = std::size_t{1} << 20U;
+  constexpr std::size_t of_a_run = 4096;  // ten times what one has
+  return of_header + of_a_run * static_cast<std::size_t>(runs.count);
 }
 
 std::string difference(const Identity& one, std::string_view where, const Identity& other,
@@ -182,7 +185,8 @@ std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, 
 std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch, std::uint64_t master_seed,
                                                           bool may_be_fewer) const {
   const fs::path file = folder_ / runs_name;
-  const auto text = text::gunzip(file_content(file));
+  const std::size_t most = most_bytes(stretch);
+  const auto text = text::gunzip(file_content(file, most), most);
   const std::string header = header_row(spreads_);
   if (!text || !text->starts_with(header)) {
     return std::nullopt;
@@ -193,7 +197,8 @@ std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch
 std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, const Stretch& stretch,
                                                         std::uint64_t master_seed) const {
   const fs::path file = chunk_file(chunk);
-  const auto rows = text::gunzip(file_content(file));
+  const std::size_t most = most_bytes(stretch);
+  const auto rows = text::gunzip(file_content(file, most), most);
   return rows ? whole(*rows, file.string(), stretch, master_seed, false) : std::nullopt;
 }
 

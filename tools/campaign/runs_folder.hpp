@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "campaign/flown_run.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::campaign {
 
@@ -43,8 +45,11 @@ void require_no_other(const std::filesystem::path& folder, const Identity& ident
 [[nodiscard]] std::string identity_json(const Identity& identity);
 /// Of a folder. Throws text::Error: no_such_input without one, bad_data for one that cannot be read.
 [[nodiscard]] Identity read_identity(const std::filesystem::path& folder);
-/// Empty for a file that cannot be read.
-[[nodiscard]] std::string file_content(const std::filesystem::path& file);
+/// Empty where there is no file. Throws as text::read_input() does for one with more than `most` bytes.
+[[nodiscard]] std::string file_content(const std::filesystem::path& file,
+                                       std::size_t most = text::most_bytes(text::InputKind::data));
+/// The rows of so many runs do not have more, packed or not.
+[[nodiscard]] std::size_t most_bytes(const Stretch& runs);
 
 /// Of several that begin in one folder at once the only one, while it lives: else each would find the folder empty.
 /// Makes the folder. Throws text::OutputError.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "detection/fingerprint.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::detection {
@@ -63,7 +65,7 @@ PartsFile::PartsFile(const std::filesystem::path& folder, const Campaign& campai
 }
 
 bool PartsFile::read(std::size_t rules) {
-  std::ifstream in{file_};
+  std::istringstream in{text::read_if_there(file_).value_or(std::string{})};
   std::string line;
   if (!std::getline(in, line)) {
     return false;

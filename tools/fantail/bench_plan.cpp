@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +21,7 @@
 #include "protocol/plan_block.hpp"
 #include "replies/sentence.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -36,11 +35,7 @@ struct PlanOptions {
 // judges it. A plan file is compiled here.
 std::vector<std::byte> block_of(const std::string& name) {
   if (std::filesystem::path{name}.extension() == ".ftpl") {
-    std::ifstream file{name, std::ios::binary};
-    if (!file) {
-      throw text::Error{text::ErrorKind::no_such_input, name + ": no such file"};
-    }
-    const std::string text{std::istreambuf_iterator<char>{file}, {}};
+    const std::string text = text::read_input(name, text::InputKind::document);
     if (text.size() < 16 || text.size() > protocol::largest_plan_block) {
       throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {} bytes; a plan block has 16 to {}", name,
                                                                text.size(), protocol::largest_plan_block)};

@@ -4,6 +4,8 @@
 #include <csignal>
 #include <initializer_list>
 
+#include "text/input_file.hpp"
+
 namespace fantail::tool {
 namespace {
 
@@ -19,6 +21,7 @@ void catch_interrupts() {
       std::signal(signal, SIG_IGN);
     }
   }
+  text::check_while_reading(give_up_if_interrupted);
 }
 
 bool take_interrupt() {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,6 +19,7 @@
 #include "input/rasp_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
+#include "text/input_file.hpp"
 #include "text/output_folder.hpp"
 #include "text/shell_word.hpp"
 
@@ -44,9 +43,8 @@ struct NamedMotor {
     if (is_shipped) {
       return std::nullopt;
     }
-    std::ostringstream content;
-    content << std::ifstream{file, std::ios::binary}.rdbuf();
-    return text::NamedFile{.name = file.filename().string(), .content = content.str()};
+    return text::NamedFile{.name = file.filename().string(),
+                           .content = text::read_input(file, text::InputKind::document)};
   }
 };
 

@@ -2,17 +2,14 @@
 #include "flight/table.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <system_error>
 
 #include <fmt/core.h>
 
 #include "input/messages.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/number.hpp"
 
 namespace fantail::flight {
@@ -68,37 +65,12 @@ Table Table::parse(std::string text, std::string name, Rows rows) {
   return table;
 }
 
-Table Table::load(const std::string& path) { return parse(read(path), path); }
-
-std::string Table::read(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error{ErrorKind::bad_data, path + ": is a folder, not a CSV file"};
-  }
-  std::ifstream stream{path, std::ios::binary};
-  if (!stream) {
-    if (errno == ENOENT || errno == ENOTDIR) {
-      throw Error{ErrorKind::no_such_input, path + ": no such file"};
-    }
-    throw std::system_error{errno, std::generic_category(), path};
-  }
-  std::string text;
-  // One byte too many is enough to know; a device would never end. A pipe has no size to ask for beforehand.
-  for (std::size_t size = 0; stream && size <= most_bytes; size = text.size()) {
-    const std::size_t more = std::min(std::max<std::size_t>(size, std::size_t{1} << 20), most_bytes + 1 - size);
-    text.resize(size + more);
-    stream.read(text.data() + size, static_cast<std::streamsize>(more));
-    text.resize(size + static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) {
-    throw std::system_error{errno, std::generic_category(), path};
-  }
-  return text;
-}
+Table Table::load(const std::string& path) { return parse(text::read_input(path), path); }
 
 void Table::read_all() {
-  if (text_.size() > most_bytes) {
-    throw Error{ErrorKind::bad_data, fmt::format("{}: larger than {} MiB", name_, most_bytes >> 20)};
+  // Half an hour at 1 kHz.
+  if (constexpr std::size_t most = text::most_bytes(text::InputKind::data); text_.size() > most) {
+    throw Error{ErrorKind::bad_data, fmt::format("{}: has more than {} MiB as text", name_, most >> 20U)};
   }
   if (text_.find('\0') != std::string::npos) {
     throw Error{ErrorKind::bad_data, name_ + ": contains zero bytes, so it is not CSV text in UTF-8"};

@@ -16,19 +16,14 @@ namespace fantail::flight {
 /// with its line, in quotes too: one stray quote must not swallow the rest of a log.
 class Table {
  public:
-  /// Half an hour at 1 kHz; a larger file is hardly the log of one flight.
-  static constexpr std::size_t most_bytes = std::size_t{1} << 29;
-
   /// What messages call a row: its line in the file, or, of a table that was another file's, its number from 1 on.
   enum class Rows : std::uint8_t { by_line, by_number };
 
   /// `text` is the content, `name` what messages call it. Throws text::Error (bad_data): no header, a name that
-  /// stands twice, a row with another number of cells than the header (naming the line), more than `most_bytes`.
+  /// stands twice, a row with another number of cells than the header (naming the line), more bytes than of any file.
   [[nodiscard]] static Table parse(std::string text, std::string name, Rows rows = Rows::by_line);
-  /// Throws also text::Error (no_such_input), and std::system_error for a file that cannot be read.
+  /// Throws also as text::read_input() does.
   [[nodiscard]] static Table load(const std::string& path);
-  /// The content of such a file, for who has to change it before it is parsed. Throws as load().
-  [[nodiscard]] static std::string read(const std::string& path);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }

@@ -105,18 +105,14 @@ struct LogFile {
 /// Does the file hold one flight only, in one record or, after resets, in several?
 [[nodiscard]] bool is_one_flight(const LogFile& file);
 
-/// No log is longer: 16 MiB is all that the flash holds.
-inline constexpr std::size_t most_log_bytes = std::size_t{1} << 29;
-
-/// Nor has any so many flights; bytes that are made to look like it must not take all memory.
+/// No log has so many flights; bytes that are made to look like it must not take all memory.
 inline constexpr std::size_t most_flights = 1000;
 
 /// Whatever bytes it is given: takes memory in proportion to them, and saves what can be saved.
 [[nodiscard]] LogFile parse_log(std::span<const std::byte> bytes, std::string name);
 
 /// A folder stands for the flight.ftl in it. Throws text::Error: no_such_input; bad_data for a file that holds no
-/// intact record at all (saying what it looks like instead) or more than most_log_bytes; std::system_error for one that
-/// cannot be read.
+/// intact record at all (saying what it looks like instead); and as text::read_input() does.
 [[nodiscard]] LogFile read_log_file(const std::filesystem::path& path);
 
 /// What bytes without a single record are, as the end of a sentence: "a CSV file". People take the wrong file more

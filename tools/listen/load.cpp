@@ -12,6 +12,7 @@
 #include "logs/load_table.hpp"
 #include "text/csv_cell.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/number.hpp"
 
 namespace fantail::listen {
@@ -119,13 +120,13 @@ Loaded load(const std::filesystem::path& file) {
   const std::string name = file.string();
   const std::string ending = file.extension().string();
   if (ending == ".ulg") {
-    const std::string bytes = flight::Table::read(name);
+    const std::string bytes = text::read_input(file);
     UlogColumns read = read_ulog(bytes, name);
     return {flight::Table::parse(csv_of(read.columns), name, flight::Table::Rows::by_number), std::move(read.notes),
             Clocks::several};
   }
   if (ending == ".ftl" || ending == ".mcap" || ending == ".lcmlog" || ending == ".xlsx") {
-    (void)flight::Table::read(name);  // one that is missing is that first
+    (void)text::InputFile{file};  // one that is missing is that first
     throw text::Error{
         text::ErrorKind::bad_data,
         fmt::format(
@@ -137,7 +138,7 @@ Loaded load(const std::filesystem::path& file) {
     return {.table = logs::load_table(file, {})};
   }
   std::vector<std::string> notes;
-  std::string text = tidy(flight::Table::read(name), notes);
+  std::string text = tidy(text::read_input(file), notes);
   return {.table = flight::Table::parse(std::move(text), name), .notes = std::move(notes)};
 }
 

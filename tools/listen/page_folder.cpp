@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "listen/page_folder.hpp"
 
-#include <fstream>
-#include <sstream>
-
 #include <fmt/core.h>
 
 #include "json/value.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::listen {
 namespace {
@@ -15,11 +13,9 @@ namespace fs = std::filesystem;
 
 // The log that the page in a folder is of, by its own words; empty: it does not say.
 std::string whose(const fs::path& folder) {
-  std::ifstream stream{folder / "listen.json", std::ios::binary};
-  std::ostringstream text;
-  text << stream.rdbuf();
+  const std::string text = text::read_if_there(folder / "listen.json").value_or(std::string{});
   try {
-    return json::parse(text.str())["log"].text();
+    return json::parse(text)["log"].text();
   } catch (const json::Error&) {
     return {};
   }

@@ -15,6 +15,7 @@
 #include "table_file/read.hpp"
 #include "text/csv_cell.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -88,15 +89,15 @@ flight::Table load_table(const std::filesystem::path& file, const flight::Readin
   const std::string name = file.string();
   const std::string ending = file.extension().string();
   if (ending == ".mat") {
-    return table_of(table_file::read_mat(flight::Table::read(name), name,
+    return table_of(table_file::read_mat(text::read_input(file), name,
                                          [&](std::string_view column) { return known_unit(column, reading); }),
                     name);
   }
   if (ending == ".parquet") {
-    return table_of(table_file::read_parquet(flight::Table::read(name), name), name);
+    return table_of(table_file::read_parquet(text::read_input(file), name), name);
   }
   if (std::ranges::find(written_only, ending) != written_only.end()) {
-    (void)flight::Table::read(name);  // one that is missing is that first
+    (void)text::InputFile{file};  // one that is missing is that first
     throw text::Error{
         text::ErrorKind::bad_data,
         fmt::format("{}: files that end in {} are not read as logs; allowed: .csv, .mat, .parquet and .ftl "

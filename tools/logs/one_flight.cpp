@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +14,7 @@
 #include "report/figures.hpp"
 #include "report/summary_json.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/number.hpp"
 #include "text/sha256.hpp"
 
@@ -57,12 +56,8 @@ Change find_change(const std::vector<flight::Row>& rows, bool begins, const std:
 /// The folder's flight.ftl is the log that summary.json was written with.
 void expect_log_of_summary(const std::filesystem::path& folder) {
   const std::optional<std::string> said = report::summary_log_sha256(folder / "summary.json");
-  std::ifstream stream{folder / "flight.ftl", std::ios::binary};
-  if (!said || !stream) {
-    return;
-  }
-  const std::string bytes{std::istreambuf_iterator<char>{stream}, {}};
-  if (text::sha256(std::as_bytes(std::span{bytes})) != *said) {
+  const std::optional<std::string> bytes = said ? text::read_if_there(folder / "flight.ftl") : std::nullopt;
+  if (bytes && text::sha256(std::as_bytes(std::span{*bytes})) != *said) {
     refuse(folder, "flight.ftl has not the SHA-256 that summary.json gives as log_sha256");
   }
 }

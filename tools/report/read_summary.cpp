@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +10,7 @@
 #include "report/summary_json.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/printable.hpp"
 
 namespace fantail::report {
@@ -21,12 +20,12 @@ using Json = json::Value;
 
 // Null without the file: a folder may hold nothing but the CSV.
 Json read(const std::filesystem::path& file) {
-  std::ifstream stream{file};
-  if (!stream) {
+  const std::optional<std::string> content = text::read_if_there(file);
+  if (!content) {
     return {};
   }
   try {
-    Json summary = json::parse(std::string{std::istreambuf_iterator<char>{stream}, {}});
+    Json summary = json::parse(*content);
     if (!summary.is_object()) {
       throw json::Error{"no object"};
     }

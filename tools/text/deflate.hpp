@@ -15,7 +15,7 @@ namespace fantail::text {
 
 /// The text of all members. Empty for what is no gzip file, is damaged, ends too early, or has more than `most` bytes
 /// unpacked: a bomb has.
-[[nodiscard]] std::optional<std::string> gunzip(std::string_view bytes, std::size_t most = SIZE_MAX);
+[[nodiscard]] std::optional<std::string> gunzip(std::string_view bytes, std::size_t most = std::size_t{512} << 20U);
 
 /// The same in zlib's own format (RFC 1950), of which there is one in a row.
 [[nodiscard]] std::string zlib_packed(const std::string& text);

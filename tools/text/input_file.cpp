@@ -34,10 +34,9 @@ struct stat status_of(int file, const std::filesystem::path& path) {
 
 /// Reads all of a file into what `room` gives: a place for so many bytes, with those that have come at its beginning.
 template <typename Room>
-std::size_t read_all(const std::filesystem::path& path, InputKind kind, const Room& room) {
+std::size_t read_all(const std::filesystem::path& path, InputKind kind, std::size_t most, const Room& room) {
   InputFile file{path, kind};
   const std::size_t expected = file.size();  // 0: unknown
-  const std::size_t most = most_bytes(kind);
   std::size_t used = 0;
   std::size_t end = expected > 0 ? std::min(expected, most) + 1 : std::size_t{1} << 16U;
   // One byte too many is enough to know, and the size of a file says it without one.
@@ -122,9 +121,9 @@ std::size_t InputFile::read(std::span<char> to) {
 
 std::size_t InputFile::size() const { return is_pipe_ ? 0 : static_cast<std::size_t>(status_of(file_, path_).st_size); }
 
-std::string read_input(const std::filesystem::path& path, InputKind kind) {
+std::string read_input(const std::filesystem::path& path, InputKind kind, std::size_t most) {
   std::string text;
-  const std::size_t size = read_all(path, kind, [&text](std::size_t bytes) {
+  const std::size_t size = read_all(path, kind, most, [&text](std::size_t bytes) {
     text.resize(bytes);
     return text.data();
   });
@@ -132,15 +131,15 @@ std::string read_input(const std::filesystem::path& path, InputKind kind) {
   return text;
 }
 
-std::optional<std::string> read_if_there(const std::filesystem::path& path, InputKind kind) {
+std::optional<std::string> read_if_there(const std::filesystem::path& path, InputKind kind, std::size_t most) {
   std::error_code ignored;
-  return std::filesystem::exists(path, ignored) ? std::optional{read_input(path, kind)} : std::nullopt;
+  return std::filesystem::exists(path, ignored) ? std::optional{read_input(path, kind, most)} : std::nullopt;
 }
 
 InputBytes read_input_bytes(const std::filesystem::path& path) {
   InputBytes content;
   std::size_t capacity = 0;
-  content.size = read_all(path, InputKind::data, [&](std::size_t bytes) {
+  content.size = read_all(path, InputKind::data, most_bytes(InputKind::data), [&](std::size_t bytes) {
     if (bytes > capacity) {
       auto larger = std::make_unique_for_overwrite<std::byte[]>(bytes);  // NOLINT(modernize-avoid-c-arrays)
       std::copy_n(content.bytes.get(), capacity, larger.get());

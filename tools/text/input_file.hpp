@@ -49,13 +49,20 @@ class InputFile {
   bool is_pipe_ = false;
 };
 
-/// All that stands in a file. Throws as InputFile does, and Error (bad_data) for one with more than most_bytes(kind)
-/// and for one that grows or shrinks meanwhile.
-[[nodiscard]] std::string read_input(const std::filesystem::path& path, InputKind kind = InputKind::data);
+/// All that stands in a file. Throws as InputFile does, and Error (bad_data) for one with more than so many bytes and for
+/// one that grows or shrinks meanwhile.
+[[nodiscard]] std::string read_input(const std::filesystem::path& path, InputKind kind, std::size_t most);
+[[nodiscard]] inline std::string read_input(const std::filesystem::path& path, InputKind kind = InputKind::data) {
+  return read_input(path, kind, most_bytes(kind));
+}
 
 /// The same, empty where there is no such file.
-[[nodiscard]] std::optional<std::string> read_if_there(const std::filesystem::path& path,
-                                                       InputKind kind = InputKind::data);
+[[nodiscard]] std::optional<std::string> read_if_there(const std::filesystem::path& path, InputKind kind,
+                                                       std::size_t most);
+[[nodiscard]] inline std::optional<std::string> read_if_there(const std::filesystem::path& path,
+                                                              InputKind kind = InputKind::data) {
+  return read_if_there(path, kind, most_bytes(kind));
+}
 
 /// The same in memory that was not filled with zeros first, which takes a third of the time of a large log.
 struct InputBytes {

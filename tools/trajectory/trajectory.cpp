@@ -9,6 +9,7 @@
 
 #include "sim/units.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/number.hpp"
 #include "trajectory/air.hpp"
 #include "trajectory/columns.hpp"
@@ -166,7 +167,7 @@ Trajectory parse_trajectory(std::string text, const std::string& name, const sim
 }
 
 Trajectory load_trajectory(const std::string& path, const sim::Scenario& scenario) {
-  return parse_trajectory(flight::Table::read(path), path, scenario);
+  return parse_trajectory(text::read_input(path), path, scenario);
 }
 
 }  // namespace fantail::trajectory

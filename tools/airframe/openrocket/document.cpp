@@ -2,7 +2,6 @@
 #include "airframe/openrocket/document.hpp"
 
 #include <array>
-#include <fstream>
 #include <memory>
 #include <string_view>
 
@@ -11,6 +10,7 @@
 #include <zlib.h>
 
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {
@@ -92,12 +92,8 @@ std::string of_plain_or_gzip(const std::filesystem::path& file) {
 }  // namespace
 
 std::string document_text(const std::filesystem::path& file) {
-  std::ifstream stream{file, std::ios::binary};
   std::array<char, 2> magic{};
-  if (!stream || !std::filesystem::is_regular_file(file)) {
-    throw text::Error{text::ErrorKind::no_such_input, file.string() + ": no such file"};
-  }
-  stream.read(magic.data(), magic.size());
+  (void)text::InputFile{file, text::InputKind::document}.read(magic);
   return std::string_view{magic.data(), magic.size()} == "PK" ? of_archive(file) : of_plain_or_gzip(file);
 }
 

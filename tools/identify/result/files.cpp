@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <string_view>
 
@@ -13,6 +12,7 @@
 #include "identify/result/outputs.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
+#include "text/input_file.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::identify::result {
@@ -179,10 +179,9 @@ std::vector<std::string> model_csv_names(const Study& study) {
 
 std::vector<std::string> stale_models(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   const auto is_ours = [&folder](const std::string& name) {
-    std::string first_line;
-    std::ifstream file{folder / name};
-    std::getline(file, first_line);
-    return first_line == csv_header;
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(folder / name, ignored) &&
+           text::read_input(folder / name).starts_with(std::string{csv_header} + '\n');
   };
   std::vector<std::string> stale{"model.csv"};
   for (std::size_t i = 1; i < 3 || is_ours(stale.back()); ++i) {

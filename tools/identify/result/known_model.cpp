@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include <fmt/core.h>
@@ -10,6 +9,7 @@
 #include "identify/result/validation_findings.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -22,15 +22,15 @@ using text::ErrorKind;
 }
 
 json::Value read(const std::filesystem::path& file) {
-  std::ifstream stream{file};
-  if (!stream) {
+  const std::optional<std::string> content = text::read_if_there(file);
+  if (!content) {
     throw Error{ErrorKind::no_such_input,
                 fmt::format("{}: no such file; allowed: an identification.json, or the folder that `fantail identify` "
                             "wrote it into",
                             file.string())};
   }
   try {
-    return json::parse(std::string{std::istreambuf_iterator<char>{stream}, {}});
+    return json::parse(*content);
   } catch (const json::Error& error) {
     refuse(file, fmt::format("no JSON: {}", error.what()));
   }
