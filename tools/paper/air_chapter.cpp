@@ -31,6 +31,7 @@ Chapter air_chapter(const Tell& tell) {
                   fmt::format("{:.5f} m/s at {:.1f} m/s; standard deviation over mean {:.2f} %", largest->gamma_m_s,
                               largest->mean_m_s, 100.0 * largest->relative_deviation)));
   std::vector<double> steady_s;
+  steady_s.reserve(flow.points.size());
   for (const tunnel::FlowPoint& point : flow.points) {
     steady_s.push_back(point.segment.begin_s);
   }

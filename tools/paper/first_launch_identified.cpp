@@ -59,6 +59,7 @@ void add_intervals(std::vector<Claim>& claims, const FirstLaunchIdentified& ours
 identify::model::NodeTimes times_in_thrust_and_coast(double thrust_s, std::size_t in_thrust, double end_s,
                                                      std::size_t in_coast) {
   identify::model::NodeTimes times{0.0};
+  times.reserve(1 + in_thrust + in_coast);
   for (std::size_t i = 1; i <= in_thrust; ++i) {
     times.push_back(thrust_s * static_cast<double>(i) / static_cast<double>(in_thrust));
   }

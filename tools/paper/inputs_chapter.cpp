@@ -125,6 +125,7 @@ Chapter inputs_chapter() {
 
   const sim::Scenario flow = input::load_scenario("tunnel_flow", {});
   std::vector<double> fan_rpm;
+  fan_rpm.reserve(flow.fan_programme.size());
   for (const sim::FanSetPoint& point : flow.fan_programme) {
     fan_rpm.push_back(point.fan_rpm);
   }

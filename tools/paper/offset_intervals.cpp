@@ -29,6 +29,7 @@ identify::model::Record over_a_wave(const identify::model::Record& window, const
                                    .node_time_s = identify::model::even_nodes(window, 32),
                                    .node_rad = {},
                                    .initial = identify::model::measured_starts(window)};
+  truth.node_rad.reserve(truth.node_time_s.size());
   for (const double t : truth.node_time_s) {
     truth.node_rad.push_back(
         text::radians(mean_deg + swing_deg * std::sin(2.0 * std::numbers::pi * t / truth.node_time_s.back())));
@@ -69,6 +70,7 @@ std::vector<Claim> offset_intervals(const identify::model::Record& window, const
   const auto wide = trials(over_a_wave(window, run, fitted_swing_deg), run, 6);
   const auto narrow = trials(over_a_wave(window, run, tunnel_swing_deg()), run, 1);
   std::vector<double> errors_deg;
+  errors_deg.reserve(wide.size());
   std::vector<double> alphas_m2;
   std::vector<double> betas_m;
   for (const identify::result::NodeTrial& trial : wide) {

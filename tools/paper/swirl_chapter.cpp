@@ -43,6 +43,7 @@ void add_rows(std::vector<Claim>& claims, const tunnel::Swirl& swirl) {
                                    .theirs = 2.0,
                                    .ours = found_deg,
                                    .unit = "deg",
+                                   .decimals = 1,
                                    .tolerance = 0.05,
                                    .kind = Kind::read_back,
                                    .why_otherwise = "The simulated tunnel has 2 degrees of swirl.",
