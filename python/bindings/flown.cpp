@@ -20,10 +20,6 @@ std::vector<Value> each_line(const flight::Flight& flight, const Of& of) {
   return values;
 }
 
-bool has_truth(const flight::Flight& flight) {
-  return std::ranges::any_of(flight.rows, [](const flight::Row& row) { return row.truth.has_value(); });
-}
-
 }  // namespace
 
 std::vector<std::string> Flown::column_names() const {
@@ -34,11 +30,8 @@ std::vector<std::string> Flown::column_names() const {
     }
     return names;
   }
-  const bool truth = has_truth(flight);
-  for (const flight::Column& column : flight::columns()) {
-    if (!column.is_true || truth) {
-      names.emplace_back(column.name);
-    }
+  for (const flight::Column& column : flight::columns_of(flight)) {
+    names.emplace_back(column.name);
   }
   names.emplace(names.begin() + 1, flight::phase_column);
   if (!std::ranges::all_of(flight.rows, &flight::Row::replayed)) {

@@ -82,6 +82,15 @@ double Column::written(const Row& row) const { return unit == Unit::degrees ? te
 
 std::span<const Column> columns() { return all; }
 
+std::span<const Column> columns_of(const Flight& flight) {
+  const auto any = [&flight](auto is_so) { return std::ranges::any_of(flight.rows, is_so); };
+  if (!any([](const Row& row) { return row.truth.has_value(); })) {
+    return std::span{all}.first(static_cast<std::size_t>(std::ranges::find(all, true, &Column::is_true) - all.begin()));
+  }
+  const bool is_geometric = any([](const Row& row) { return row.truth && row.truth->geometric_roll_rad; });
+  return is_geometric ? std::span{all} : std::span{all}.first(all.size() - 1);
+}
+
 const Column* find_column(std::string_view name) {
   const auto found = std::ranges::find(all, name, &Column::name);
   return found == all.end() ? nullptr : &*found;

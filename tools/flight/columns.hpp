@@ -30,6 +30,9 @@ struct Column {
 /// Word for word and in the order of the file. The column phase, which holds words, is the second of them: it stands
 /// behind time_s, which comes first here.
 [[nodiscard]] std::span<const Column> columns();
+/// Those that flight.csv of this flight has: without the true_ ones where nobody knows a truth, and without the roll
+/// that a camera sees where that is not known.
+[[nodiscard]] std::span<const Column> columns_of(const Flight& flight);
 inline constexpr std::string_view phase_column = "phase";
 /// The last column, of flags, where there are rows that were not replayed, and only there.
 inline constexpr std::string_view replayed_column = "replayed";

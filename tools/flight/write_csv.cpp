@@ -31,16 +31,7 @@ void write_cell(std::string& out, const Column& column, const Row& row) {
 }  // namespace
 
 std::string csv(const Flight& flight) {
-  std::span<const Column> written = columns();
-  if (std::ranges::none_of(flight.rows, [](const Row& row) { return row.truth.has_value(); })) {
-    written =
-        written.first(static_cast<std::size_t>(std::ranges::find(written, true, &Column::is_true) - written.begin()));
-  }
-  const bool is_geometric = std::ranges::any_of(
-      flight.rows, [](const Row& row) { return row.truth && row.truth->geometric_roll_rad.has_value(); });
-  if (written.size() == columns().size() && !is_geometric) {
-    written = written.first(written.size() - 1);
-  }
+  const std::span<const Column> written = columns_of(flight);
   const bool marks = !std::ranges::all_of(flight.rows, &Row::replayed);
   const Column& time = written.front();
   std::string out;
