@@ -41,6 +41,13 @@ TEST(Integrity, WhyARecordingBreaksOffDependsOnWhatRecordedIt) {
   EXPECT_TRUE(
       says(integrity_text(flight), "breaks off: the simulation ended or reset the processor, or the file was cut off"));
   EXPECT_FALSE(says(integrity_text(flight), "power"));
+  // The recorder goes on for half a minute after control, and a simulation for a second after apogee.
+  flight.events.push_back(
+      {.kind = protocol::LogEventKind::phase, .value = static_cast<std::uint8_t>(core::Phase::finished)});
+  EXPECT_TRUE(says(integrity_text(flight), "; the recording ends after control, as the simulation does (normal)"));
+  EXPECT_FALSE(says(integrity_text(flight), "breaks off"));
+  flight.sensors = "ICM-42688-P, KX134-1211";
+  EXPECT_TRUE(says(integrity_text(flight), "breaks off: power was lost"));
 }
 
 TEST(Integrity, ATurnedBitIsDamageAndCountedInRecordsGapsAndBytes) {

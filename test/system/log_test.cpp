@@ -80,7 +80,8 @@ TEST_F(FlownLog, SaysThatTheScenarioWasChangedOnTheCommandLine) {
   EXPECT_EQ(flown.exit_code, 0) << flown.err;
   const Outcome info = run({"log", "info", "flown"});
   EXPECT_NE(info.out.find("sensors   simulated, 2 values changed\n"), std::string::npos) << info.out;
-  EXPECT_NE(info.out.find("the simulation ended"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("the recording ends after control, as the simulation does (normal)"), std::string::npos)
+      << info.out;
   const Outcome report = run({"report", "flown/flight.ftl", "--out", "reported"});
   EXPECT_NE(
       content(folder / "reported/report.html").find("changed for this flight, on the command line or by the draw of"),

@@ -37,12 +37,20 @@ bool has_end(const Flight& flight) {
 
 bool is_simulated(const Flight& flight) { return flight.sensors.starts_with("simulated"); }
 
-std::string break_off_text(const Flight& flight) {
+std::string end_text(const Flight& flight) {
   if (flight.goes_on) {
-    return fmt::format("the processor was reset, and flight {} is the rest of it", flight.number + 1);
+    return fmt::format("the recording breaks off: the processor was reset, and flight {} is the rest of it",
+                       flight.number + 1);
   }
-  return is_simulated(flight) ? "the simulation ended or reset the processor, or the file was cut off"
-                              : "power was lost, the processor was reset, or the log was read before it ended";
+  if (!is_simulated(flight)) {
+    return "the recording breaks off: power was lost, the processor was reset, or the log was read before it ended";
+  }
+  const bool was_over = std::ranges::any_of(flight.events, [](const protocol::LogEvent& event) {
+    return event.kind == protocol::LogEventKind::phase &&
+           event.value == static_cast<std::uint8_t>(core::Phase::finished);
+  });
+  return was_over ? "the recording ends after control, as the simulation does (normal)"
+                  : "the recording breaks off: the simulation ended or reset the processor, or the file was cut off";
 }
 
 bool intact(const Flight& flight) { return lost_records(flight) == 0 && flight.has_header; }
@@ -69,7 +77,7 @@ std::string integrity_text(const Flight& flight) {
     text += fmt::format("; {} never written, because the flash was too slow", counted(dropped, "record"));
   }
   if (!has_end(flight)) {
-    text += "; the recording breaks off: " + break_off_text(flight);
+    text += "; " + end_text(flight);
   }
   if (flight.unknown_records > 0) {
     text += fmt::format("; {} of a kind that this version does not know", counted(flight.unknown_records, "record"));

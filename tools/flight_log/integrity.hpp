@@ -19,9 +19,10 @@ namespace fantail::flight_log {
 
 [[nodiscard]] bool has_end(const Flight& flight);
 
-/// Why a log without that end has none, where the next one says it, or most likely has none. Nobody cuts the power of a
-/// simulated rocket: its world ends a second after apogee, its recorder half a minute after control.
-[[nodiscard]] std::string break_off_text(const Flight& flight);
+/// "the recording breaks off: ...": why a log without that end has none, where the next one says it, or most likely has
+/// none. Nobody cuts the power of a simulated rocket: its world ends a second after apogee, its recorder half a minute
+/// after control.
+[[nodiscard]] std::string end_text(const Flight& flight);
 
 /// Every record from the first to the last that was written is there. A log that was merely cut off is intact as far as
 /// it goes.

@@ -80,7 +80,9 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
   if (!intact(flight)) {
     note(fmt::format("The log is {}.", integrity_text(flight)));
   } else if (!has_end(flight)) {
-    note(fmt::format("The recording breaks off: {}.", break_off_text(flight)));
+    std::string end = end_text(flight);
+    end.front() = 'T';
+    note(std::move(end) + ".");
   }
   if (is_simulated(flight) && flight.sensors != "simulated") {
     note(fmt::format(
