@@ -71,6 +71,7 @@ class Environment {
     return prescribed_ ? prescribed_->events() : flight_ ? flight_->events() : ascent_->events();
   }
   /// When the parachute began to open; empty: not yet, or there is none.
+  [[nodiscard]] bool has_parachute_to_open() const { return flight_ && flight_->has_parachute_to_open(); }
   [[nodiscard]] std::optional<double> parachute_s() const { return flight_ ? flight_->parachute_s() : std::nullopt; }
   /// In flight only: the motor has burnt out, and the rocket sinks or is on the ground. What a motor that pauses does
   /// is still to come.

@@ -214,8 +214,7 @@ void RigidFlight::fly(double time_s, double roll_rate_rad_s, const Vector3& wind
       return;
     }
   }
-  if (parameters_.recovery && parameters_.recovery->drag_area_m2 > 0.0 && first_sank_s_ && !parachute_s_ &&
-      time_s >= *first_sank_s_ + parameters_.recovery->delay_s) {
+  if (has_parachute_to_open() && first_sank_s_ && time_s >= *first_sank_s_ + parameters_.recovery->delay_s) {
     parachute_s_ = time_s;
   }
   look(time_s, roll_rate_rad_s, density_kg_m3, wind_m_s);

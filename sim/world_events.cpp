@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "sim/nearest_tick.hpp"
 #include "sim/world.hpp"
 
 // What happens to the rocket, as the world sees it, and when a run is over.
@@ -48,6 +51,9 @@ void World::follow_flight() {
   }
   if (!end_ && environment_.is_past_apogee()) {
     end_ = now_ + time_after_end_;
+  }
+  if (end_ && environment_.has_parachute_to_open()) {
+    end_ = std::max(*end_, now_ + 2 * tick_time);  // the next tick shall see it
   }
   if (environment_.is_over()) {
     end_ = now_;

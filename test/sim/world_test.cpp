@@ -189,6 +189,20 @@ TEST(World, EventsDoNotDependOnHowLongOneLooks) {
   }
 }
 
+TEST(World, AParachuteOpensHoweverShortOneLooks) {
+  for (const double looked_s : {0.0, 1.0, 30.0}) {
+    const FlownWorld flown =
+        fly("tasha3_launch2", {"flight.motion=six_dof", "recovery.drag_area_m2=0.8", "recovery.delay_s=4",
+                               "timing.time_after_end_s=" + std::to_string(looked_s)});
+    ASSERT_TRUE(flown.events.parachute) << looked_s;
+    EXPECT_NEAR(core::seconds(*flown.events.parachute - *flown.events.apogee), 4.0, 0.0021) << looked_s;
+  }
+  // It falls to the ground in less than a minute.
+  const FlownWorld late = fly("tasha3_launch2", {"flight.motion=six_dof", "recovery.delay_s=60"});
+  EXPECT_FALSE(late.events.parachute);
+  EXPECT_EQ(late.ticks.back().truth.height_m, 0.0);
+}
+
 TEST(World, AStartCommandThatIsRefusedEndsTheRun) {
   const FlownWorld flown = fly("tunnel_steps", {"timing.pad_time_s=1", "timing.arm_time_s=0.95"});
   EXPECT_FALSE(flown.events.liftoff);

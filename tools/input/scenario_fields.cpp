@@ -81,7 +81,7 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
 
   {"timing", "pad_time_s", number("s", {1, 600}), may, AT(it.pad_time_s), "From power-up to ignition (tunnel: to the start command), whether armed by then or not."},
   {"timing", "arm_time_s", number("s", {0.1, 600}), may, AT(it.arm_time_s), "From power-up to the arm switch and the self-test, which takes about seven seconds; earlier than `pad_time_s`."},
-  {"timing", "time_after_end_s", number("s", {0, 3600}), may, AT(it.time_after_end_s), "The run goes on this long after apogee and burn-out (tunnel: after control)."},
+  {"timing", "time_after_end_s", number("s", {0, 3600}), may, AT(it.time_after_end_s), "The run goes on this long after apogee and burn-out (tunnel: after control), and until a parachute opens."},
   {"timing", "log_period_s", number("s", {0.001, 1}), may, AT(it.log_period_s), "Between the rows of `flight.csv`; whole milliseconds, more than one for runs of many minutes."},
 });
 // clang-format on
