@@ -57,6 +57,8 @@ set(FANTAIL_COMPILED_ALONE
   test/bench/axes_mounting_test.cpp
   test/benchmark/recorded_flight.cpp
   test/campaign/question_test.cpp
+  test/airframe/design_check_test.cpp test/airframe/openrocket/overrides_test.cpp
+  test/airframe/openrocket/stored_flight_test.cpp
   test/core/canard_fault_flight_test.cpp test/core/clock_fault_test.cpp
   test/core/gyro_pair_test.cpp test/core/launch_detector_property_test.cpp test/core/motion_estimator_rest_test.cpp
   test/hal/stm32f4/flash_test.cpp test/hal/stm32f4/register_world.cpp
@@ -68,7 +70,7 @@ set(FANTAIL_COMPILED_ALONE
   test/sil/verdict_oracle_test.cpp
   test/sim/random_test.cpp test/sim/servo_spread_test.cpp
   test/stability/loop_at_speed_test.cpp
-  test/system/fly_trajectory_test.cpp test/system/input_kind_test.cpp
+  test/system/design_test.cpp test/system/fly_trajectory_test.cpp test/system/input_kind_test.cpp
   test/telemetry/lossy_link_test.cpp
   test/trajectory/trajectory_test.cpp
   test/tune/tuning_test.cpp

@@ -42,6 +42,18 @@ struct Geometry {
     double radius_of_gyration_m = 0.0;  ///< about the long axis: a thin tube's radius, 0.707 times that of a full rod
   };
 
+  /// What the design file that a shape was read from says of the whole rocket, and what of it was left out.
+  struct Design {
+    std::string file;
+    std::string flight{};             ///< the simulated flight whose numbers follow; empty: none is stored
+    std::optional<double> mass_kg{};  ///< at lift-off, as all of them
+    std::optional<double> centre_of_gravity_m{};
+    std::optional<double> centre_of_pressure_m{};  ///< at angle_of_attack_rad
+    double angle_of_attack_rad = 0.0;
+    std::optional<double> margin_calibres{};  ///< some time between lift-off and burn-out
+    std::vector<std::string> left_out{};      ///< what a mass, a place or a force depends on
+  };
+
   NoseShape nose_shape = NoseShape::ogive;
   double nose_length_m = 0.0;
   double diameter_m = 0.0;  ///< of nose and body: a calibre
@@ -52,6 +64,7 @@ struct Geometry {
   std::optional<double> canard_hinge_m{};  ///< the shaft, behind the leading edge at the root
   std::vector<Mass> masses{};
   std::optional<Mass> propellant{};  ///< where it lies; its mass is the motor's
+  std::optional<Design> design{};    ///< empty: the shape was not read from a design file
 };
 
 }  // namespace fantail::sim

@@ -76,6 +76,32 @@ TEST_F(NewRocketFiles, HaveTheShapeThatTheyWereMadeFromAndItsNumbers) {
   EXPECT_NEAR(made.airframe->at_liftoff.centre_of_gravity_m / before.at_liftoff->centre_of_gravity_m, 1.0, 1e-5);
 }
 
+TEST_F(NewRocketFiles, KeepWhatADesignFileHasStoredAndWhatWasLeftOut) {
+  sim::Vehicle source = shipped();
+  source.geometry->design = {.file = "a \"b\".ork",
+                             .flight = "Calm",
+                             .mass_kg = 5.0,
+                             .centre_of_gravity_m = 0.7,
+                             .centre_of_pressure_m = 1.1,
+                             .angle_of_attack_rad = 0.02,
+                             .margin_calibres = 2.5,
+                             .left_out = {"fins \"Wing\": their forces"}};
+  const sim::Vehicle vehicle = made_from(source).vehicle;
+  const auto& made = vehicle.geometry->design;
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->file, "a \"b\".ork");
+  EXPECT_EQ(made->flight, "Calm");
+  EXPECT_DOUBLE_EQ(*made->mass_kg, 5.0);
+  EXPECT_DOUBLE_EQ(*made->centre_of_gravity_m, 0.7);
+  EXPECT_DOUBLE_EQ(*made->centre_of_pressure_m, 1.1);
+  EXPECT_NEAR(made->angle_of_attack_rad, 0.02, 1e-6);
+  EXPECT_DOUBLE_EQ(*made->margin_calibres, 2.5);
+  EXPECT_EQ(made->left_out, source.geometry->design->left_out);
+  EXPECT_TRUE(std::ranges::any_of(vehicle.assumed, [](const std::string& sentence) {
+    return sentence == "Left out of a \"b\".ork, or uncertain: fins \"Wing\": their forces.";
+  }));
+}
+
 TEST_F(NewRocketFiles, FlyInSixDegreesOfFreedomAndReachApogee) {
   const flight::Flight flight = fly::fly_scenario(made_from(shipped()));
   EXPECT_GT(flight.events.apogee_s.value(), 5.0);

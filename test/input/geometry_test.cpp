@@ -117,6 +117,10 @@ TEST(Geometry, OfATransitionNeedsAllOfIt) {
   EXPECT_NE(at("1.35").find("fins.position_m = 1.33 puts them on the transition"), std::string::npos);
 }
 
+TEST(Geometry, OfADesignNeedsTheNameOfItsFile) {
+  EXPECT_NE(refusal({"design.mass_kg=3"}).find("design.file is missing"), std::string::npos);
+}
+
 TEST(Geometry, OfMassesNeedsOneNumberForEachName) {
   EXPECT_NE(refusal({"masses.masses_kg=[1, 2]"}).find("masses.masses_kg has 2 numbers; allowed: as many as names, 6"),
             std::string::npos);

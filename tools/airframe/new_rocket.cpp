@@ -64,8 +64,8 @@ motion = "{motion}"
 speed_m_s = {wind}
 )";
 
-std::string sentences(const std::vector<std::string>& all) {
-  std::string out = "assumed = [\n";
+std::string sentences(const char* key, const std::vector<std::string>& all) {
+  std::string out = fmt::format("{} = [\n", key);
   for (const std::string& sentence : all) {
     out += "  " + text::toml_text(sentence) + ",\n";
   }
@@ -115,11 +115,29 @@ std::string masses(const Geometry& shape) {
   return out;
 }
 
+std::string design_section(const Geometry::Design& design) {
+  std::string out =
+      "\n[design] # fantail airframe compares this with the vehicle; delete it when the rocket has been weighed\n";
+  out += fmt::format("file = {}\n", text::toml_text(design.file));
+  out += design.flight.empty() ? "" : fmt::format("flight = {}\n", text::toml_text(design.flight));
+  const auto add = [&](const char* key, const std::optional<double>& value) {
+    out += value ? fmt::format("{} = {}\n", key, rounded(*value)) : "";
+  };
+  add("mass_kg", design.mass_kg);
+  add("centre_of_gravity_m", design.centre_of_gravity_m);
+  add("centre_of_pressure_m", design.centre_of_pressure_m);
+  if (design.centre_of_pressure_m) {
+    add("angle_of_attack_deg", text::degrees(design.angle_of_attack_rad));
+  }
+  add("margin_calibres", design.margin_calibres);
+  return out + (design.left_out.empty() ? "" : sentences("left_out", design.left_out));
+}
+
 std::string shape_sections(const sim::Vehicle& vehicle) {
   const Geometry& shape = *vehicle.geometry;
   std::string out = "\n[shape]\n";
   if (!vehicle.geometry_assumed.empty()) {
-    out += sentences(vehicle.geometry_assumed);
+    out += sentences("assumed", vehicle.geometry_assumed);
   }
   out += fmt::format("diameter_m = {}\nlength_m = {}\nnose = \"{}\"\nnose_length_m = {}\n", exact(shape.diameter_m),
                      exact(shape.length_m), nose_names.at(static_cast<std::size_t>(shape.nose_shape)),
@@ -138,7 +156,7 @@ std::string shape_sections(const sim::Vehicle& vehicle) {
     out +=
         shape.fins->cant_rad != 0.0 ? fmt::format("cant_deg = {}\n", exact(text::degrees(shape.fins->cant_rad))) : "";
   }
-  return out + masses(shape);
+  return out + masses(shape) + (shape.design ? design_section(*shape.design) : "");
 }
 
 std::string airframe_section(const Geometry& shape, const model::BuildUp& b) {
@@ -194,11 +212,21 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   if (parts) {
     assumed.emplace_back("Roll inertia: the sum of the parts.");
   }
+  if (const auto& design = v.geometry->design) {
+    assumed.push_back(design->flight.empty()
+                          ? fmt::format("Mass and centre of gravity: of {}, which stores no flight with this motor to "
+                                        "compare them with.",
+                                        design->file)
+                          : fmt::format("Mass and centre of gravity: of {}.", design->file));
+    for (const std::string& left_out : design->left_out) {
+      assumed.push_back(fmt::format("Left out of {}, or uncertain: {}.", design->file, left_out));
+    }
+  }
   std::string out = "# SPDX-License-Identifier: MIT\n";
   out += fmt::format("# Made by fantail new from {}.\n\n", rocket.source);
   out += fmt::format("[body]\nname = {}\n{}mass_kg = {}\nroll_inertia_kg_m2 = {}\ndrag_area_m2 = {}\n",
-                     text::toml_text(rocket.name), sentences(assumed), exact(v.mass_kg), rounded(roll.inertia_kg_m2),
-                     rounded(v.drag_area_m2));
+                     text::toml_text(rocket.name), sentences("assumed", assumed), exact(v.mass_kg),
+                     rounded(roll.inertia_kg_m2), rounded(v.drag_area_m2));
   out += fmt::format(
       "\n[aerodynamics]\nreference_area_m2 = {} # the cross-section\ndamping_m2 = {} # alpha\n"
       "torque_m = {} # beta, without the canards' wash on the fins\n",

@@ -36,9 +36,22 @@ std::string name(Stability stability) {
     case Stability::stable: return "stable";
     case Stability::marginal: return "marginal";
     case Stability::unstable: return "unstable";
+    case Stability::doubtful: return "doubtful";
     case Stability::unknown: break;
   }
   return "not_judged";
+}
+
+const char* heading(const Summary& summary) {
+  const bool is_compared = summary.agrees_with_design.value_or(true);
+  switch (summary.stability) {
+    case Stability::stable: return is_compared ? "Stable" : "Stable, not compared";
+    case Stability::marginal: return is_compared ? "Marginal" : "Marginal, not compared";
+    case Stability::unstable: return "Unstable";
+    case Stability::doubtful: return "Doubtful";
+    case Stability::unknown: break;
+  }
+  return "Not judged";
 }
 
 constexpr const char* method =
@@ -104,6 +117,8 @@ std::string json(const sim::Vehicle& vehicle, const Summary& summary) {
                       {"diameter_m", rounded(vehicle.geometry->diameter_m)},
                       {"stability", name(summary.stability)},
                       {"sentence", summary.sentence},
+                      {"agrees_with_design", summary.agrees_with_design ? Json{*summary.agrees_with_design} : Json{}},
+                      {"doubts", summary.doubts},
                       {"numbers", lines},
                       {"parts", parts},
                       {"remarks", summary.remarks},
@@ -144,13 +159,11 @@ std::string html(const sim::Vehicle& vehicle, const Summary& summary) {
   if (!vehicle.geometry_assumed.empty()) {
     body += page::section("Assumed", page::list(vehicle.geometry_assumed));
   }
-  const page::Tone tone = summary.stability == Stability::stable     ? page::Tone::good
-                          : summary.stability == Stability::unstable ? page::Tone::bad
-                                                                     : page::Tone::unsure;
-  const char* verdict = summary.stability == Stability::stable     ? "Stable"
-                        : summary.stability == Stability::unstable ? "Unstable"
-                        : summary.stability == Stability::marginal ? "Marginal"
-                                                                   : "Not judged";
+  const bool is_compared = summary.agrees_with_design.value_or(true);
+  const page::Tone tone = summary.stability == Stability::stable && is_compared ? page::Tone::good
+                          : summary.stability == Stability::unstable            ? page::Tone::bad
+                                                                                : page::Tone::unsure;
+  const char* verdict = heading(summary);
   return page::html({.kind = "Fantail airframe",
                      .title = vehicle.name,
                      .subtitle = size(vehicle),

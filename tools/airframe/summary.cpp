@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "airframe/design_check.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -225,6 +226,7 @@ Summary summarize(const sim::Vehicle& vehicle) {
   add_body(summary, vehicle);
   add_masses(summary, vehicle);
   judge(summary, vehicle);
+  compare_with_design(summary, vehicle);
   add_roll(summary, vehicle);
   compare(summary);
   compare_sizes(summary, vehicle);

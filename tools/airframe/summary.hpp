@@ -11,7 +11,8 @@
 
 namespace fantail::airframe {
 
-enum class Stability : std::uint8_t { stable, marginal, unstable, unknown };
+/// Doubtful: it would be stable or marginal, but by numbers that the design's file contradicts or that lack parts.
+enum class Stability : std::uint8_t { stable, marginal, unstable, unknown, doubtful };
 
 /// One number of a vehicle: as computed from its shape and parts, and as its file has it.
 struct Line {
@@ -27,7 +28,10 @@ struct Summary {
   model::BuildUp build_up;
   std::vector<Line> lines;
   Stability stability = Stability::unknown;
-  std::string sentence;                       ///< of the static margin
+  std::string sentence;               ///< of the static margin, and of the comparison
+  std::vector<std::string> doubts{};  ///< where vehicle and design file differ, or lack of parts, a clause each
+  /// Whether mass and both centres are those that the design's file has stored; empty: not read from a design.
+  std::optional<bool> agrees_with_design{};
   std::vector<std::string> remarks;           ///< doubts and contradictions, a sentence each
   std::optional<double> centre_of_gravity_m;  ///< at lift-off: the file's, else that of the parts
 };

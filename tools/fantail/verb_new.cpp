@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "airframe/new_rocket.hpp"
 #include "airframe/openrocket/read.hpp"
 #include "airframe/report.hpp"
+#include "fantail/new_from_design.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -91,6 +91,9 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
   rocket.vehicle.motor = input::load_rasp(motor.file, motor.designation).curve;
   if (options.motor) {
     rocket.vehicle.mass_kg += rocket.vehicle.motor.propellant_kg() - own_propellant_kg;
+    if (auto& design = rocket.vehicle.geometry->design) {
+      design = sim::Geometry::Design{.file = design->file, .left_out = design->left_out};
+    }
     rocket.assumed.push_back(
         fmt::format("Mass, balance and drag area: those of {}, with this motor's propellant in the place of its own; a "
                     "motor case that "
@@ -102,59 +105,23 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
   return rocket;
 }
 
-/// A comment ends with its line.
-std::string on_one_line(std::string text) {
-  std::ranges::replace_if(text, [](unsigned char c) { return c < 0x20; }, ' ');
-  return text;
-}
-
 airframe::NewRocket from_design(const NewOptions& options) {
-  constexpr double drag_coefficient = 0.6;
-  namespace openrocket = airframe::openrocket;
-  const openrocket::Design design = openrocket::read_design(options.from);
-  std::string motors = "none";
-  if (design.motor) {
-    motors = fmt::format("{}", fmt::join(design.motor->designations, ", "));
-  }
+  const airframe::openrocket::Design design = airframe::openrocket::read_design(options.from);
   if (!options.motor) {
+    std::string motors;
+    for (const auto& motor : design.motor ? design.motor->motors : std::vector<airframe::openrocket::NamedMotor>{}) {
+      motors += (motors.empty() ? "" : ", ") + motor.designation;
+    }
     throw UsageError{fmt::format(
         "a design has no thrust curve (motors named in {}: {}): give --motor FILE.eng, as thrustcurve.org has them",
-        options.from, motors)};
+        options.from, motors.empty() ? "none" : motors)};
   }
   const NamedMotor motor =
       motor_called(*options.motor, input::find_input(input::Shipped::motor, file_part(*options.motor)));
-  const input::RaspMotor read = input::load_rasp(motor.file, motor.designation);
-  airframe::NewRocket rocket{.name = {},
-                             .vehicle = {},
-                             .motor_file = motor.name,
-                             .source = on_one_line(std::filesystem::path{options.from}.filename().string() +
-                                                   (design.name.empty() ? "" : ", \"" + design.name + '"')),
-                             .assumed = design.assumed,
-                             .motor = motor.copy()};
-  sim::Vehicle& vehicle = rocket.vehicle;
-  vehicle.motor = read.curve;
-  vehicle.geometry = design.geometry;
-  sim::Geometry& shape = *vehicle.geometry;
-  if (design.motor) {
-    const sim::Geometry::Mass place{
-        .name = "motor case",
-        .mass_kg = read.total_kg - read.curve.propellant_kg(),
-        .position_m = std::min(design.motor->end_m, shape.length_m) - 0.5 * design.motor->length_m,
-        .length_m = design.motor->length_m,
-        .radius_of_gyration_m = 0.35 * design.motor->diameter_m};
-    shape.masses.push_back(place);
-    shape.propellant = place;
-    rocket.assumed.emplace_back("Propellant: as long as the motor's case.");
-  } else {
-    rocket.assumed.emplace_back("Motor: its place is not in the design, so nothing is said of balance and inertia.");
-  }
-  vehicle.mass_kg = read.curve.propellant_kg();
-  for (const sim::Geometry::Mass& mass : shape.masses) {
-    vehicle.mass_kg += mass.mass_kg;
-  }
-  vehicle.roll_plant.inertia_kg_m2 = 0.5 * vehicle.mass_kg * 0.25 * shape.diameter_m * shape.diameter_m;
-  vehicle.drag_area_m2 = drag_coefficient * 0.25 * std::numbers::pi * shape.diameter_m * shape.diameter_m;
-  rocket.assumed.push_back(fmt::format("Drag: a coefficient of {} on the cross-section.", drag_coefficient));
+  airframe::NewRocket rocket = rocket_of_design(design, std::filesystem::path{options.from}.filename().string(),
+                                                input::load_rasp(motor.file, motor.designation));
+  rocket.motor_file = motor.name;
+  rocket.motor = motor.copy();
   for (const std::string& left_out : design.not_used) {
     show("Not used: {}\n", left_out);
   }

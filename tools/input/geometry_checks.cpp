@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -173,10 +174,10 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
   }
   const sim::Geometry& shape = *vehicle.geometry;
   if (!Section{document, "shape"}.is_there()) {
-    for (const char* name : {"fins", "canard_fins", "masses"}) {
+    for (const auto& [name, key] : {std::pair{"fins", "position_m"}, std::pair{"canard_fins", "position_m"},
+                                    std::pair{"masses", "names"}, std::pair{"design", "file"}}) {
       if (const Section section{document, name}; section.is_there()) {
-        section.refuse(name == std::string{"masses"} ? "names" : "position_m",
-                       "needs the section [shape], which says the rocket's length and diameter");
+        section.refuse(key, "needs the section [shape], which says the rocket's length and diameter");
       }
     }
   }
@@ -200,6 +201,9 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
                     plain_number(shape.fins->position_m + shape.fins->root_chord_m)));
   }
   check_masses(document, shape);
+  if (Section design{document, "design"}; design.is_there() && !design.has("file")) {
+    design.refuse("file", "is missing; the section is about a design file");
+  }
 }
 
 }  // namespace fantail::input

@@ -52,7 +52,10 @@ class RaspReader {
     }
     RaspMotor motor;
     motor.warning = end_at_zero(points);
+    motor.name = block.name();
     motor.total_kg = number(block.header.words[5], "total mass");
+    motor.diameter_m = 0.001 * number(block.header.words[1], "diameter");
+    motor.length_m = 0.001 * number(block.header.words[2], "length");
     motor.curve = checked_curve(std::move(points), propellant_kg, block.header.number);
     return motor;
   }

@@ -10,8 +10,11 @@
 namespace fantail::input {
 
 struct RaspMotor {
+  std::string name;
   sim::ThrustCurve curve;
   double total_kg = 0.0;               ///< of the loaded motor, at least its propellant
+  double diameter_m = 0.0;             ///< of its case; 0 in files that do not say it
+  double length_m = 0.0;               ///< likewise
   std::optional<std::string> warning;  ///< what was assumed to make sense of the file
 };
 

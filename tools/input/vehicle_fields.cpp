@@ -93,6 +93,15 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"masses", "propellant_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).propellant).length_m), "How long it is."},
   {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Likewise about the long axis; at most the radius of the body there."},
 
+  {"design", "file", text(), may, AT(made(made(it.geometry).design).file), "The design file that `fantail new` has read, which must be named here; `fantail airframe` compares this section with the vehicle. Delete it when the rocket has been weighed and balanced."},
+  {"design", "flight", text(), may, AT(made(made(it.geometry).design).flight), "The simulated flight in that file whose numbers follow; absent: it stores none with this motor."},
+  {"design", "mass_kg", number("kg", {0.001, 1000}), may, AT(made(made(it.geometry).design).mass_kg), "Its mass at lift-off. More than 2 % away from `body.mass_kg` is doubted."},
+  {"design", "centre_of_gravity_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_gravity_m), "Its centre of gravity at lift-off. More than 0.2 calibres away is doubted, as with the next three."},
+  {"design", "centre_of_pressure_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_pressure_m), "Its centre of pressure in slow flight."},
+  {"design", "angle_of_attack_deg", number(deg, {0, 10}), may, AT(made(made(it.geometry).design).angle_of_attack_rad), "The angle of attack of that centre of pressure; the body's lift at this angle is counted."},
+  {"design", "margin_calibres", number("", {-100, 100}), may, AT(made(made(it.geometry).design).margin_calibres), "Its static margin under thrust, where it stores no centres."},
+  {"design", "left_out", list(100, text()), may, AT(grown(made(made(it.geometry).design).left_out, i)), "The parts of the design that were not read, or not as they are."},
+
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
   {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "What the thrust of the curve is multiplied with, for as long and from as much propellant: no two motors are alike."},
 

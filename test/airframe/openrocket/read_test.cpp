@@ -175,8 +175,11 @@ TEST_F(Read, TheMotorSitsWhereItsMountHoldsIt) {
            fins("Tail", 3, "0")))));
   ASSERT_TRUE(read.motor);
   EXPECT_NEAR(read.motor->end_m, 1.51, 1e-12);
-  EXPECT_DOUBLE_EQ(read.motor->length_m, 0.25);
-  EXPECT_EQ(read.motor->designations, (std::vector<std::string>{"I150", "J99"}));
+  ASSERT_EQ(read.motor->motors.size(), 2U);
+  EXPECT_EQ(read.motor->motors[0].designation, "I150");
+  EXPECT_DOUBLE_EQ(read.motor->motors[0].length_m, 0.25);
+  EXPECT_EQ(read.motor->motors[1].designation, "J99");
+  EXPECT_DOUBLE_EQ(read.motor->motors[1].length_m, 0.2);
 }
 
 TEST_F(Read, WhatIsNoDesignIsRefused) {

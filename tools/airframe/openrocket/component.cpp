@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "airframe/openrocket/component.hpp"
 
+#include <string_view>
+
 #include <fmt/core.h>
 
 #include "text/error.hpp"
@@ -38,6 +40,18 @@ std::optional<double> Component::number_or_auto(const char* key, double least, d
 
 double Component::number_or(const char* key, double least, double most, double other) const {
   return has(key) ? number(key, least, most) : other;
+}
+
+std::optional<bool> Component::flag(const char* key) const {
+  if (!has(key)) {
+    return std::nullopt;
+  }
+  const std::string given = text(key);
+  const std::string_view word = ::fantail::text::trimmed(given);
+  if (word != "true" && word != "false") {
+    refuse(fmt::format("{} = \"{}\"; allowed: true or false", key, given));
+  }
+  return word == "true";
 }
 
 double Component::density() const {

@@ -27,7 +27,8 @@ class Component {
   [[nodiscard]] double number_or(const char* key, double least, double most, double other) const;
   /// Of the material, kg/m3, kg/m2 or kg/m by its kind; 0 where it has none.
   [[nodiscard]] double density() const;
-  [[nodiscard]] bool is_true(const char* key) const { return text(key) == "true"; }
+  /// Empty where it is missing. Throws as number() does for another word than true and false.
+  [[nodiscard]] std::optional<bool> flag(const char* key) const;
 
   [[noreturn]] void refuse(const std::string& complaint) const;
 

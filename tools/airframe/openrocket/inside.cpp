@@ -16,9 +16,6 @@ namespace {
 
 using sim::Geometry;
 
-constexpr double longest_m = 30.0;
-constexpr double widest_m = 1.0;  // radius
-constexpr double heaviest_kg = 1000.0;
 constexpr double of_a_full_rod = 0.70710678;  // radius of gyration over radius
 
 double front_of(const Component& c, const Place& parent, double length_m) {
@@ -68,33 +65,21 @@ double packed_kg(const Component& c) {
 
 }  // namespace
 
-void apply_overrides(const Component& c, double begin_m, Geometry::Mass& own, std::vector<Geometry::Mass>& children) {
-  const bool with_children = c.is_true("overridesubcomponentsmass") || c.is_true("overridesubcomponents");
-  if (c.has("overridemass")) {
-    const double wanted_kg = c.number("overridemass", 0.0, heaviest_kg);
-    double sum_kg = own.mass_kg;
-    for (const Geometry::Mass& child : children) {
-      sum_kg += child.mass_kg;
-    }
-    if (with_children && sum_kg > 0.0) {
-      own.mass_kg *= wanted_kg / sum_kg;
-      std::ranges::for_each(children, [&](Geometry::Mass& child) { child.mass_kg *= wanted_kg / sum_kg; });
-    } else {
-      own.mass_kg = wanted_kg;
-    }
-  }
-  if (c.has("overridecg")) {
-    own.position_m = begin_m + c.number("overridecg", -longest_m, longest_m);
-  }
-}
-
 void Reader::add_with_children(const Component& c, const Place& place, Geometry::Mass own, Masses& into) {
   own.name = c.name();
   Masses children;
+  const std::size_t left_out_before = design_.left_out.size();
   for (const pugi::xml_node child : c.xml().child("subcomponents").children()) {
     add_child(Component{file_, child}, place, children);
   }
-  apply_overrides(c, place.begin_m, own, children);
+  const Overrides overrides = overrides_of(c, place.begin_m);
+  apply_overrides(c, overrides, own, children);
+  if (overrides.mass_is_of_all && overrides.centre_is_of_all) {
+    const auto first = design_.left_out.begin() + static_cast<std::ptrdiff_t>(left_out_before);
+    design_.left_out.erase(
+        std::remove_if(first, design_.left_out.end(), [](const LeftOut& one) { return !one.is_force; }),
+        design_.left_out.end());
+  }
   if (own.mass_kg > 0.0) {
     into.push_back(own);
   }
@@ -137,10 +122,16 @@ void Reader::add_child(const Component& c, const Place& parent, Masses& into) {
                                   .wall_m = outer_m - inner_m,
                                   .density_kg_m3 = c.density()});
     own.mass_kg *= c.number_or("instancecount", 1, 100, 1);
+    if (const std::string cluster = c.text("clusterconfiguration"); !cluster.empty() && cluster != "single") {
+      design_.left_out.push_back(
+          {.what = fmt::format("{} \"{}\": a cluster ({}), read as one tube with one motor", kind, c.name(), cluster),
+           .is_force = true});
+    }
     note_motor(c, place);
     add_with_children(c, place, own, into);
   } else {
     design_.not_used.push_back(fmt::format("{} \"{}\": nothing of it was read.", kind, c.name()));
+    design_.left_out.push_back({.what = fmt::format("{} \"{}\": not read", kind, c.name()), .is_force = true});
   }
 }
 
@@ -151,6 +142,14 @@ void Reader::add_fins(const Component& c, const Place& parent, Masses& into) {
   found.mass.position_m += front_m;
   fins_.emplace_back(found.name, found.set);
   const Place place{.begin_m = front_m, .length_m = found.set.root_chord_m};
+  if (c.number_or("filletradius", 0.0, widest_m, 0.0) > 0.0) {
+    design_.not_used.push_back(fmt::format("Fins \"{}\": their fillets.", found.name));
+    design_.left_out.push_back({.what = fmt::format("fins \"{}\": the mass of their fillets", found.name)});
+  }
+  if (c.number_or("tabheight", 0.0, widest_m, 0.0) > 0.0 && c.number_or("tablength", 0.0, longest_m, 0.0) > 0.0) {
+    design_.not_used.push_back(fmt::format("Fins \"{}\": their tabs.", found.name));
+    design_.left_out.push_back({.what = fmt::format("fins \"{}\": the mass of their tabs", found.name)});
+  }
   add_with_children(c, place, found.mass, into);
 }
 
@@ -161,18 +160,20 @@ void Reader::note_motor(const Component& c, const Place& place) {
   }
   if (design_.motor) {
     design_.not_used.push_back(fmt::format("Motor mount \"{}\": a second one.", c.name()));
+    design_.left_out.push_back({.what = fmt::format("motor mount \"{}\": a second one", c.name()), .is_force = true});
     return;
   }
   const Component mounted{file_, mount};
   MotorPlace motor{.end_m = place.begin_m + place.length_m + mounted.number_or("overhang", -5.0, 5.0, 0.0),
-                   .designations = {}};
+                   .motors = {}};
   for (const pugi::xml_node node : mount.children("motor")) {
     const Component one{file_, node};
-    motor.designations.push_back(one.text("designation"));
-    motor.length_m = std::max(motor.length_m, one.number_or("length", 0.0, 10.0, 0.0));
-    motor.diameter_m = std::max(motor.diameter_m, one.number_or("diameter", 0.0, 1.0, 0.0));
+    motor.motors.push_back({.configuration = node.attribute("configid").as_string(),
+                            .designation = one.text("designation"),
+                            .length_m = one.number_or("length", 0.0, 10.0, 0.0),
+                            .diameter_m = one.number_or("diameter", 0.0, 1.0, 0.0)});
   }
-  if (!motor.designations.empty()) {
+  if (!motor.motors.empty()) {
     design_.motor = motor;
   }
 }

@@ -12,6 +12,7 @@
 #include "airframe/openrocket/document.hpp"
 #include "airframe/openrocket/reader.hpp"
 #include "airframe/openrocket/solids.hpp"
+#include "airframe/openrocket/stored_flight.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -21,8 +22,6 @@ namespace {
 using sim::Geometry;
 using NoseShape = Geometry::NoseShape;
 
-constexpr double longest_m = 30.0;
-constexpr double widest_m = 1.0;  // radius
 constexpr std::array nose_shapes{
     std::pair<std::string_view, NoseShape>{"conical", NoseShape::cone},
     std::pair<std::string_view, NoseShape>{"ogive", NoseShape::ogive},
@@ -52,6 +51,7 @@ void check_version(const std::filesystem::path& file, pugi::xml_node root, Desig
   if (*minor > newest_minor) {
     design.not_used.push_back(
         fmt::format("The document version {} is newer than 1.{:.0f}: what is new in it.", version, newest_minor));
+    design.left_out.push_back({.what = fmt::format("what is new in document version {}", version), .is_force = true});
   }
 }
 
@@ -144,9 +144,16 @@ void Reader::add_transition(const Component& c, pugi::xml_node behind) {
   if (c.text("shape") != "conical") {
     design_.assumed.push_back(fmt::format("Transition \"{}\": a cone in the place of its shape.", c.name()));
   }
+  for (const char* shoulder : {"foreshoulderlength", "aftshoulderlength"}) {
+    if (c.number_or(shoulder, 0.0, longest_m, 0.0) > 0.0) {
+      design_.left_out.push_back({.what = fmt::format("transition \"{}\": the mass of its shoulders", c.name())});
+      break;
+    }
+  }
   std::optional<Geometry::Transition>& known = design_.geometry.transition;
   if (known) {
     design_.not_used.push_back(fmt::format("Transition \"{}\": its force, as it is the second one.", c.name()));
+    design_.left_out.push_back({.what = fmt::format("transition \"{}\": its force", c.name()), .is_force = true});
   } else if (front_m != aft_m) {
     known = {.position_m = end_m_, .length_m = length_m, .aft_diameter_m = 2.0 * aft_m};
   }
@@ -176,66 +183,9 @@ double Reader::radius_behind(const Component& c, pugi::xml_node behind) const {
   c.refuse("its radius is \"auto\", and nothing behind it says one");
 }
 
-/// A person may have drawn a set as single fins, each turned to its own side.
-void Reader::join_single_fins() {
-  const auto alike = [](const Geometry::FinSet& a, const Geometry::FinSet& b) {
-    return a.position_m == b.position_m && a.root_chord_m == b.root_chord_m && a.tip_chord_m == b.tip_chord_m &&
-           a.span_m == b.span_m && a.sweep_m == b.sweep_m;
-  };
-  std::vector<std::pair<std::string, Geometry::FinSet>> joined;
-  for (const auto& [name, set] : fins_) {
-    const auto same = std::ranges::find_if(joined, [&](const auto& one) { return alike(one.second, set); });
-    if (set.count == 1 && same != joined.end() && same->second.count < 8) {
-      ++same->second.count;
-    } else {
-      joined.emplace_back(name, set);
-    }
-  }
-  for (const auto& [name, set] : joined) {
-    if (set.count == 1) {
-      design_.not_used.push_back(fmt::format("Fin \"{}\": its force, as it is alone; only its mass.", name));
-    }
-  }
-  std::erase_if(joined, [](const auto& one) { return one.second.count == 1; });
-  fins_ = std::move(joined);
-}
-
-void Reader::choose_fins() {
-  join_single_fins();
-  std::ranges::sort(fins_, {}, [](const auto& one) { return one.second.position_m; });
-  Geometry& g = design_.geometry;
-  if (!fins_.empty() && fins_.back().second.position_m > 0.5 * g.length_m) {
-    g.fins = fins_.back().second;
-    fins_.pop_back();
-  }
-  const auto canards = std::ranges::find_if(fins_, [&](const auto& one) {
-    return one.second.count == 4 && one.second.position_m < 0.5 * g.length_m &&
-           one.second.position_m >= g.nose_length_m;
-  });
-  if (canards != fins_.end()) {
-    g.canards = canards->second;
-    design_.assumed.push_back(fmt::format("Fins \"{}\": taken as the canards.", canards->first));
-    fins_.erase(canards);
-  }
-  for (const auto& [name, set] : fins_) {
-    design_.not_used.push_back(fmt::format("Fins \"{}\": their forces; only their mass.", name));
-  }
-}
-
-/// A stage that was weighed as a whole.
-void Reader::scale_to_stage(const Component& stage) {
-  if (!stage.has("overridemass")) {
-    return;
-  }
-  Masses& masses = design_.geometry.masses;
-  Geometry::Mass nothing;
-  apply_overrides(stage, 0.0, nothing, masses);
-  if (nothing.mass_kg > 0.0) {
-    stage.refuse("overridemass without its components, which has no place; override them, too");
-  }
-}
-
-void Reader::read(pugi::xml_node stage) {
+void Reader::read(pugi::xml_node rocket) {
+  const pugi::xml_node stage = rocket.child("subcomponents").child("stage");
+  const pugi::xml_node second = stage.next_sibling("stage");
   for (const pugi::xml_node node : stage.child("subcomponents").children()) {
     const Component c{file_, node};
     const std::string kind = c.kind();
@@ -250,6 +200,7 @@ void Reader::read(pugi::xml_node stage) {
       add_transition(c, node.next_sibling());
     } else {
       design_.not_used.push_back(fmt::format("{} \"{}\": nothing of it was read.", kind, c.name()));
+      design_.left_out.push_back({.what = fmt::format("{} \"{}\": not read", kind, c.name()), .is_force = true});
     }
   }
   if (!(end_m_ > design_.geometry.nose_length_m)) {
@@ -257,12 +208,14 @@ void Reader::read(pugi::xml_node stage) {
   }
   Geometry& g = design_.geometry;
   g.length_m = end_m_;
-  scale_to_stage(Component{file_, stage});
-  for (Geometry::Mass& mass : g.masses) {
-    // A vehicle's parts lie within the rocket. What stands for a cone or a swept fin may be a little longer than it is.
-    mass.position_m = std::clamp(mass.position_m, 0.0, g.length_m);
-    mass.length_m = std::min(mass.length_m, 2.0 * std::min(mass.position_m, g.length_m - mass.position_m));
+  weigh_whole(Component{file_, stage});
+  const Component whole{file_, rocket};
+  if (!second) {
+    weigh_whole(whole);
+  } else if (whole.has("overridemass") || whole.has("overridecg")) {
+    whole.refuse("overrides the mass or centre of gravity of all stages, and only the first is read");
   }
+  check_places();
   choose_fins();
 }
 
@@ -289,11 +242,14 @@ Design read_design(const std::filesystem::path& file) {
     refuse(file, "has no rocket with a stage");
   }
   design.name = rocket.child("name").text().as_string();
-  Reader{file, design}.read(stage);
+  Reader{file, design}.read(rocket);
   for (pugi::xml_node next = stage.next_sibling("stage"); next; next = next.next_sibling("stage")) {
     design.not_used.push_back(
         fmt::format("Stage \"{}\": only the first stage is read.", next.child("name").text().as_string()));
+    design.left_out.push_back(
+        {.what = fmt::format("stage \"{}\": not read", next.child("name").text().as_string()), .is_force = true});
   }
+  design.flights = stored_flights(root.child("simulations"));
   return design;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,12 @@
 
 namespace fantail::airframe::openrocket {
 
+// No rocket of this kind comes near.
+inline constexpr double longest_m = 30.0;
+inline constexpr double widest_m = 1.0;  ///< radius
+inline constexpr double heaviest_kg = 1000.0;
+inline constexpr double a_millimetre_m = 0.001;
+
 /// Where a component is: what its children count from.
 struct Place {
   double begin_m = 0.0;
@@ -19,12 +26,24 @@ struct Place {
   double inner_m = 0.0;
 };
 
+/// What a person has written over a component's mass and centre of gravity, alone or with all that is inside it.
+struct Overrides {
+  std::optional<double> mass_kg;
+  std::optional<double> centre_m;  ///< from the tip of the nose
+  bool mass_is_of_all = false;
+  bool centre_is_of_all = false;
+};
+
+/// The component begins at `begin_m`.
+[[nodiscard]] Overrides overrides_of(const Component& c, double begin_m);
+
 /// Walks through the components of one stage from nose to tail and adds them to a design.
 class Reader {
  public:
   Reader(std::filesystem::path file, Design& design) : file_{std::move(file)}, design_{design} {}
 
-  void read(pugi::xml_node stage);
+  /// The first stage of a rocket.
+  void read(pugi::xml_node rocket);
 
  private:
   using Masses = std::vector<sim::Geometry::Mass>;
@@ -34,9 +53,12 @@ class Reader {
   void add_tube(const Component& c);
   void add_transition(const Component& c, pugi::xml_node behind);
   [[nodiscard]] double radius_behind(const Component& c, pugi::xml_node behind) const;
-  void scale_to_stage(const Component& stage);
+  void check_places();
   void join_single_fins();
   void choose_fins();
+
+  void weigh_whole(const Component& c);
+  void apply_overrides(const Component& c, const Overrides& o, sim::Geometry::Mass& own, Masses& children);
 
   // What is inside or on it.
   /// The component's own part and those of its children, after its overrides.
@@ -51,9 +73,5 @@ class Reader {
   double radius_m_ = 0.0;  ///< there
   std::vector<std::pair<std::string, sim::Geometry::FinSet>> fins_{};
 };
-
-/// A component's overrides of its mass, alone or with its children, and of its centre.
-void apply_overrides(const Component& c, double begin_m, sim::Geometry::Mass& own,
-                     std::vector<sim::Geometry::Mass>& children);
 
 }  // namespace fantail::airframe::openrocket

@@ -65,4 +65,9 @@ Geometry::Mass together(const Geometry::Mass& a, const Geometry::Mass& b) {
           .radius_of_gyration_m = std::sqrt(roll_m2)};
 }
 
+void shorten_to_rocket(Geometry::Mass& part, double rocket_length_m) {
+  const double room_m = std::max(0.0, std::min(part.position_m, rocket_length_m - part.position_m));
+  part.length_m = std::min(part.length_m, 2.0 * room_m);
+}
+
 }  // namespace fantail::airframe::openrocket

@@ -23,4 +23,7 @@ struct Solid {
 /// One part in the place of several.
 [[nodiscard]] sim::Geometry::Mass together(const sim::Geometry::Mass& a, const sim::Geometry::Mass& b);
 
+/// What stands for a cone or a swept fin may be a little longer than it is: as long as it may be within the rocket.
+void shorten_to_rocket(sim::Geometry::Mass& part, double rocket_length_m);
+
 }  // namespace fantail::airframe::openrocket
