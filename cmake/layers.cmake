@@ -74,6 +74,7 @@ set(FANTAIL_SINGLE_FILES
   "tools/live/http_server.cpp|poll\\.h"
   "tools/text/input_file.cpp|fcntl\\.h poll\\.h unistd\\.h sys/"
   "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
+  "tools/text/folder_lock.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/fantail/card_output.cpp|spawn\\.h"
   "tools/fantail/command_line.cpp|CLI/"
   "tools/text/deflate.cpp|zlib\\.h"

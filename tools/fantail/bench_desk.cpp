@@ -7,7 +7,6 @@
 #include <cstring>
 #include <random>
 
-#include <fmt/chrono.h>
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -17,6 +16,7 @@
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
 #include "protocol/plan_block.hpp"
+#include "text/local_time.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
@@ -24,8 +24,7 @@ namespace fantail::tool {
 Desk desk(const std::string& vehicle_name, const std::string& plan_name) {
   Desk desk;
   desk.heading.version = FANTAIL_VERSION;
-  desk.heading.date = fmt::format(
-      "{:%Y-%m-%d %H:%M}", fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  desk.heading.date = text::local_minute(std::chrono::system_clock::now());
   if (vehicle_name.empty()) {
     desk.heading.notes.emplace_back("No vehicle was named: the default tolerances are used.");
   } else {

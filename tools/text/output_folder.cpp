@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
+#include <random>
 #include <system_error>
 #include <vector>
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "text/folder_lock.hpp"
 
 namespace fantail::text {
 namespace {
@@ -22,26 +28,40 @@ namespace fs = std::filesystem;
   throw OutputError{path.string() + ": " + std::strerror(error)};
 }
 
-// A file-size limit would otherwise kill the program before write() can return EFBIG.
+// A file-size limit would otherwise kill the program before write() can return EFBIG. The signal is that of the thread
+// which writes, so it is that thread which blocks it.
 class IgnoreFileSizeSignal {
  public:
-  IgnoreFileSizeSignal() : before_{std::signal(SIGXFSZ, SIG_IGN)} {}
+  IgnoreFileSizeSignal() {
+    sigemptyset(&signal_);
+    sigaddset(&signal_, SIGXFSZ);
+    pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+  }
   ~IgnoreFileSizeSignal() {
-    if (before_ != SIG_ERR) {
-      std::signal(SIGXFSZ, before_);
+    if (sigismember(&before_, SIGXFSZ) == 0) {
+      constexpr timespec now{};
+      sigtimedwait(&signal_, nullptr, &now);
     }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
   IgnoreFileSizeSignal(const IgnoreFileSizeSignal&) = delete;
   IgnoreFileSizeSignal& operator=(const IgnoreFileSizeSignal&) = delete;
 
  private:
-  void (*before_)(int);
+  sigset_t signal_{};
+  sigset_t before_{};
 };
+
+// 64 random bits: process ids repeat, between containers too, and threads share one.
+std::string token() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
 
 // What has been done so far, and how to take it back.
 class Transaction {
  public:
-  explicit Transaction(fs::path folder) : folder_{std::move(folder)} {}
+  explicit Transaction(fs::path folder) : folder_{std::move(folder)}, token_{token()} {}
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
@@ -51,23 +71,16 @@ class Transaction {
     }
   }
 
-  void create_folder() {
-    fs::path part;
-    for (const fs::path& step : folder_) {
-      part /= step;
-      if (mkdir(part.c_str(), 0777) == 0) {
-        made_folders_.push_back(part);
-      } else if (const int error = errno; error != EEXIST && error != EISDIR) {
-        std::error_code ignored;
-        if (!fs::is_directory(part, ignored)) {  // "/" and mount points may answer with EROFS or EACCES
-          fail(part, error);
-        }
+  /// There it is, and nobody else writes into it until this has ended.
+  void take_folder() {
+    constexpr std::chrono::minutes patience{1};
+    constexpr int tries = 100;  // who fails beside this takes the folders away that it has made
+    for (int i = 1; i <= tries; ++i) {
+      if (create_folder(i == tries) && lock_.take(folder_, patience)) {
+        return;
       }
     }
-    std::error_code ignored;
-    if (!fs::is_directory(folder_, ignored)) {
-      fail(folder_, ENOTDIR);
-    }
+    fail(folder_, ENOENT);
   }
 
   void stage(const NamedFile& file) {
@@ -80,7 +93,6 @@ class Transaction {
         !S_ISDIR(info.st_mode)) {
       throw OutputError{s.target.string() + ": is a device, a pipe or a socket, and no place for a file"};
     }
-    unlink(s.temporary.c_str());  // left over from a process of the same number that was killed
     const int fd = open(s.temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd < 0) {
       fail(s.target, errno);
@@ -136,7 +148,34 @@ class Transaction {
   };
 
   [[nodiscard]] fs::path hidden(const std::string& name, const char* kind) const {
-    return folder_ / ("." + name + "." + std::to_string(getpid()) + "." + kind);
+    return folder_ / ("." + name + "." + token_ + "." + kind);
+  }
+
+  /// False when it has gone meanwhile, unless this is the last try.
+  [[nodiscard]] bool create_folder(bool is_last_try) {
+    fs::path part;
+    for (const fs::path& step : folder_) {
+      part /= step;
+      if (mkdir(part.c_str(), 0777) == 0) {
+        made_folders_.push_back(part);
+      } else if (const int error = errno; error != EEXIST && error != EISDIR) {
+        std::error_code ignored;
+        if (!fs::is_directory(part, ignored)) {  // "/" and mount points may answer with EROFS or EACCES
+          if (error == ENOENT && !is_last_try) {
+            return false;
+          }
+          fail(part, error);
+        }
+      }
+    }
+    struct stat info{};
+    if (stat(folder_.c_str(), &info) != 0 && errno == ENOENT && !is_last_try) {
+      return false;
+    }
+    if (!S_ISDIR(info.st_mode)) {
+      fail(folder_, ENOTDIR);
+    }
+    return true;
   }
 
   static int write_all(int fd, const std::string& content) {
@@ -168,12 +207,15 @@ class Transaction {
         std::rename(s.backup.c_str(), s.target.c_str());
       }
     }
+    lock_.release();  // its file would keep the folder
     for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder) {
       rmdir(folder->c_str());
     }
   }
 
   fs::path folder_;
+  std::string token_;
+  FolderLock lock_;
   std::vector<fs::path> made_folders_;
   std::vector<Staged> staged_;
   bool committed_ = false;
@@ -197,7 +239,7 @@ void OutputFolder::write(std::span<const NamedFile> files, std::span<const std::
     std::ranges::for_each(removed, [&](const std::string& name) { spare(input, folder / name); });
   }
   Transaction transaction{folder};
-  transaction.create_folder();
+  transaction.take_folder();
   for (const NamedFile& file : files) {
     transaction.stage(file);
   }

@@ -19,7 +19,8 @@ struct NamedFile {
   std::string content;
 };
 
-/// A folder whose files appear together or not at all.
+/// A folder whose files appear together or not at all. Of several threads or processes that write into one folder at
+/// once, one after the other does so, and the files of the last are there in the end.
 class OutputFolder {
  public:
   /// `inputs`: what the results were made from; write() refuses to replace or remove such a file, or to write into such
