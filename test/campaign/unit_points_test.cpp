@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -34,6 +36,17 @@ TEST(Seeds, EveryRunHasOneOfItsOwn) {
   }
   EXPECT_EQ(seeds.size(), 10000U);
   EXPECT_EQ(seed_of_run(7, 3), seed_of_run(7, 3));
+}
+
+// jq, JavaScript and spreadsheets have no other numbers than doubles.
+TEST(Seeds, OfRunsComeBackFromADouble) {
+  for (const std::uint64_t master : {std::uint64_t{1}, std::uint64_t{7}, std::numeric_limits<std::uint64_t>::max()}) {
+    for (std::uint64_t run = 0; run < 1000; ++run) {
+      const std::uint64_t seed = seed_of_run(master, run);
+      EXPECT_EQ(static_cast<std::uint64_t>(static_cast<double>(seed)), seed);
+      EXPECT_LT(seed, std::uint64_t{1} << 53U);
+    }
+  }
 }
 
 // SciPy 1.17, scipy.stats.qmc.Sobol(21, scramble=False), points 5 and 4097.

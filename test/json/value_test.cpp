@@ -223,5 +223,17 @@ TEST(TextOrNull, OfNothingIsNull) {
   EXPECT_EQ(text_or_null("a"), "a");
 }
 
+TEST(JsonValue, KeepsACountThatADoubleCannotHoldAsTextToo) {
+  Value small{{"seed", std::uint64_t{9007199254740991U}}};
+  keep_exact(small, "seed");
+  EXPECT_FALSE(small.contains("seed_text"));
+  Value large{{"seed", std::uint64_t{9007199254740993U}}};
+  keep_exact(large, "seed");
+  EXPECT_EQ(large.dump(), "{\"seed\":9007199254740993,\"seed_text\":\"9007199254740993\"}");
+  Value none{{"seed", nullptr}};
+  keep_exact(none, "seed");
+  EXPECT_EQ(none.size(), 1U);
+}
+
 }  // namespace
 }  // namespace fantail::json

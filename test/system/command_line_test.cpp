@@ -103,6 +103,7 @@ TEST(Seed, TheLargestIsTaken) {
       fantail({"fly", "--seed", "18446744073709551615", "--json"}, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("\"seed\": 18446744073709551615"), std::string::npos);
+  EXPECT_NE(outcome.out.find("\"seed_text\": \"18446744073709551615\""), std::string::npos);
 }
 
 TEST(CommandLine, ANumberThatIsNoneIsOutsideEveryRange) {

@@ -114,7 +114,7 @@ Draw Drawer::draw(std::uint64_t run) const {
       unit.push_back(points_.at(run, dimension++));
     }
     std::vector<double> numbers = numbers_of(spread, unit);
-    sim::Random random{seed_of_run(master_seed_, run), again_stream + s};
+    sim::Random random{key_of_run(master_seed_, run), again_stream + s};
     int draws = 1;
     for (auto left = first_outside(spread, numbers); left; left = first_outside(spread, numbers)) {
       if (spread.outside == Outside::refuse) {

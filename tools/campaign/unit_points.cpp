@@ -129,7 +129,7 @@ double sobol_coordinate(std::uint64_t run, std::size_t dimension) {
 }
 
 double UnitPoints::at(std::uint64_t run, std::size_t dimension) const {
-  const std::uint64_t own = sim::Random{seed_of_run(master_seed_, run), first_stream + dimension}.bits();
+  const std::uint64_t own = sim::Random{key_of_run(master_seed_, run), first_stream + dimension}.bits();
   switch (sampling_) {
     case Sampling::independent: break;
     case Sampling::latin_hypercube: {

@@ -112,18 +112,19 @@ std::string report_json(const Report& report) {
   for (const Requirement& requirement : requirements(report)) {
     asked.push_back({{"verdict", name(requirement.verdict)}, {"sentence", requirement.sentence}});
   }
-  const json::Value value{{"version", report.version},
-                          {"seed", report.campaign.seed},
-                          {"events_of_each_kind", report.campaign.events},
-                          {"launches_of_each_kind", report.campaign.launches},
-                          {"both_well", report.campaign.both_well},
-                          {"at_most", report.at_most},
-                          {"false_at_most", report.false_at_most},
-                          {"verdict", name(verdict(requirements(report)))},
-                          {"requirements", asked},
-                          {"failures", failures(report)},
-                          {"known_limits", known_limits(report)},
-                          {"rules", rules}};
+  json::Value value{{"version", report.version},
+                    {"seed", report.campaign.seed},
+                    {"events_of_each_kind", report.campaign.events},
+                    {"launches_of_each_kind", report.campaign.launches},
+                    {"both_well", report.campaign.both_well},
+                    {"at_most", report.at_most},
+                    {"false_at_most", report.false_at_most},
+                    {"verdict", name(verdict(requirements(report)))},
+                    {"requirements", asked},
+                    {"failures", failures(report)},
+                    {"known_limits", known_limits(report)},
+                    {"rules", rules}};
+  json::keep_exact(value, "seed");
   return value.pretty();
 }
 

@@ -50,6 +50,7 @@ json::Value json_of(const CellResult& result, const Campaign& campaign) {
                       {"stands_after_s", json::rounded(result.worst->stands_after_s)},
                       {"what", result.figure},
                       {"command", run_command(campaign, result.cell, result.worst->number)}};
+    json::keep_exact(value["worst"], "seed");
   }
   if (!result.report.empty()) {
     value["worst"]["report"] = result.report + "/report.html";
@@ -183,6 +184,7 @@ std::string run_json(const Campaign& campaign, const Alone& alone, const std::st
   if (judged.colour == Colour::known_limit) {
     value["limit"] = {{"why", judged.limit->why}, {"what_to_do", what_to_do(judged)}};
   }
+  json::keep_exact(value, "seed");
   return value.pretty();
 }
 

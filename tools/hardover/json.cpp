@@ -46,7 +46,7 @@ std::string study_json(const Study& study) {
     effects.push_back(json(one));
   }
   const Effect worst = study.worst();
-  const json::Value all = {
+  json::Value all = {
       {"scenario", study.scenario},
       {"vehicle", study.vehicle},
       {"plan", study.plan},
@@ -76,6 +76,7 @@ std::string study_json(const Study& study) {
       {"effects", effects},
       {"command", study.made.command},
       {"version", study.made.version}};
+  json::keep_exact(all, "seed");
   return all.pretty();
 }
 

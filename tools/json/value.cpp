@@ -216,6 +216,13 @@ Value parse(std::string_view text) {
   }
 }
 
+void keep_exact(Value& object, std::string_view key) {
+  constexpr std::uint64_t most = (std::uint64_t{1} << 53U) - 1U;
+  if (const Value* value = object.find(key); value != nullptr && value->is_count() && value->count() > most) {
+    object[std::string{key} + "_text"] = Value{value->dump()};
+  }
+}
+
 Value text_or_null(std::string_view text) { return text.empty() ? Value{} : Value{text}; }
 
 double rounded(double value, int decimals) {

@@ -134,6 +134,9 @@ struct Member {
 
 [[nodiscard]] Value text_or_null(std::string_view text);
 
+/// A count beyond 2^53, which jq and JavaScript round, gets a second member with its digits: "seed_text" of "seed".
+void keep_exact(Value& object, std::string_view key);
+
 /// To so many decimals, and never -0.0: two files that differ in nothing else would compare unequal.
 [[nodiscard]] double rounded(double value, int decimals = 6);
 [[nodiscard]] std::optional<double> rounded(const std::optional<double>& value, int decimals = 6);

@@ -188,7 +188,8 @@ RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel
   require(scenario, tunnel, options);
   const sim::Scenario flown = with_servo(scenario, options);
   const std::uint64_t seed = campaign::seed_of_run(scenario.seed, number);
-  const TunnelStep airframe = spread_of_airframes(scenario, tunnel, options).draw(seed);
+  const TunnelStep airframe =
+      spread_of_airframes(scenario, tunnel, options).draw(campaign::key_of_run(scenario.seed, number));
   flight::Flight flight = fly_airframe(flown, airframe, seed, fly::Log::kept);
   flight.notes.insert(flight.notes.begin(), airframe_sentence(scenario, number, airframe));
   return {.run = run_of(flight, flown, airframe), .flight = std::move(flight)};
@@ -215,7 +216,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
       options.runs, options.threads,
       [&](std::size_t i) {
         const std::uint64_t seed = campaign::seed_of_run(scenario.seed, i);
-        p.runs[i] = fly_run(p.flown, airframes.draw(seed), seed);
+        p.runs[i] = fly_run(p.flown, airframes.draw(campaign::key_of_run(scenario.seed, i)), seed);
       },
       look);
   p.reach = canard_reach(scenario, usual_offset_rad(p.runs));

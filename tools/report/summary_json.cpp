@@ -209,6 +209,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
   if (!flight.outages.empty()) {
     summary["outages"] = outages(flight);
   }
+  json::keep_exact(summary, "seed");
   return summary.pretty();
 }
 
