@@ -12,6 +12,7 @@
 
 #include "campaign/repeat.hpp"
 #include "campaign/runs_folder.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scratch_file.hpp"
 #include "report/figures.hpp"
@@ -161,6 +162,57 @@ TEST_F(ACampaign, SaysThatItFlewAgainWhatWasDamaged) {
   EXPECT_EQ(again.remark, whole_runs.string() + ": was damaged; its runs have been flown again");
   EXPECT_EQ(again.runs, before.runs);
   EXPECT_EQ(content(whole_runs), bytes);
+}
+
+TEST_F(ACampaign, NamesARowThatWasEditedAndFliesItsRunsAgain) {
+  asked.runs = 2;
+  const auto fly_whole = [&] { return fly_campaign(asked, folder / "whole", "test", 2, look_away); };
+  const auto before = fly_whole();
+  const fs::path rows = folder / "whole" / "runs.csv.gz";
+  const std::string bytes = content(rows);
+  const std::string text = text::gunzip(bytes).value();
+  ASSERT_NE(before.runs[0].outcome, "no_control");
+  const std::string row = csv_row(before.runs[1]);
+  std::string better = row;  // an outcome that there is
+  better.replace(better.find(before.runs[1].outcome), before.runs[1].outcome.size(), "no_control");
+  std::string other_note = row;
+  other_note.insert(other_note.rfind(','), "x");
+  std::string other_check = row;
+  other_check[other_check.size() - 2] = other_check[other_check.size() - 2] == '0' ? '1' : '0';
+  for (const std::string& edited : {better, other_note, other_check}) {
+    std::string changed = text;
+    changed.replace(changed.find(row), row.size(), edited);
+    std::ofstream{rows, std::ios::binary} << text::gzip(changed);
+    const auto again = fly_whole();
+    EXPECT_EQ(again.remark,
+              rows.string() + ": the row of run 1 is not as it was written; its runs have been flown again");
+    EXPECT_EQ(again.runs, before.runs);
+    EXPECT_EQ(content(rows), bytes);
+  }
+  fs::create_directories(folder / "chunk" / "chunks");
+  std::ofstream{folder / "chunk" / "chunks" / "00000000.csv.gz", std::ios::binary}
+      << text::gzip(csv_row(before.runs[0]) + better);
+  EXPECT_EQ(fly("chunk"), before.runs);
+}
+
+// Its seeds had all 64 bits, and its rows ended with the note.
+TEST_F(ACampaign, ReadsTheRowsOfAnEarlierVersionAndSaysThatTheyCarryNoCheck) {
+  asked.runs = 2;
+  const auto fly_whole = [&] { return fly_campaign(asked, folder / "whole", "test", 2, look_away); };
+  auto runs = fly_whole().runs;
+  const fs::path rows = folder / "whole" / "runs.csv.gz";
+  const std::string text = text::gunzip(content(rows)).value();
+  std::string old = text.substr(0, text.find(",row_check\n")) + "\n";
+  for (FlownRun& run : runs) {
+    run.seed = key_of_run(asked.seed, run.run);
+    const std::string row = csv_row(run);
+    old += row.substr(0, row.rfind(',')) + "\n";
+  }
+  std::ofstream{rows, std::ios::binary} << text::gzip(old);
+  const auto read = fly_whole();
+  EXPECT_EQ(read.runs, runs);
+  EXPECT_NE(read.remark.find(": was written by an earlier version, whose rows carry no check"), std::string::npos)
+      << read.remark;
 }
 
 TEST_F(ACampaign, FliesAgainRowsWithAnOutcomeThatIsNone) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/seed_of_run.hpp"
 #include "input/scratch_file.hpp"
 #include "text/deflate.hpp"
 #include "text/error.hpp"
@@ -108,6 +109,35 @@ TEST_F(Shards, WhoseRunsAreDamagedOrNotTheirsAreRefused) {
             runs.string() + ": run " + std::to_string(runs_of_a_chunk) + " is missing or has another seed");
   std::ofstream{runs, std::ios::binary} << bytes << text::gzip("x\n");
   EXPECT_EQ(refusal({part(1), part(2), part(3)}), runs.string() + ": has more runs than its shard");
+}
+
+TEST_F(Shards, OfWhichARowWasEditedAreRefusedByItsRun) {
+  const fs::path runs = part(2) / "runs.csv.gz";
+  const std::string text = text::gunzip(file_content(runs)).value();
+  const std::string header = text.substr(0, text.find('\n') + 1);
+  std::string rows = text.substr(header.size());
+  rows.replace(rows.find("refused"), 7, "held");
+  std::ofstream{runs, std::ios::binary} << text::gzip(header) << text::gzip(rows);
+  EXPECT_EQ(refusal({part(1), part(2), part(3)}),
+            runs.string() + ": the row of run " + std::to_string(runs_of_a_chunk) +
+                " is not as it was written; fly this shard again, which replaces it");
+}
+
+TEST_F(Shards, OfAnEarlierVersionWhoseRowsCarryNoCheckArePutTogetherToo) {
+  for (std::uint64_t number = 1; number <= 3; ++number) {
+    const fs::path runs = part(number) / "runs.csv.gz";
+    const std::string text = text::gunzip(file_content(runs)).value();
+    std::string old;
+    for (std::size_t begin = text.find('\n') + 1; begin < text.size(); begin = text.find('\n', begin) + 1) {
+      const std::string row = text.substr(begin, text.find('\n', begin) - begin);
+      const std::size_t first = row.find(',');
+      old += row.substr(0, first + 1) + std::to_string(key_of_run(5, std::stoull(row))) +
+             row.substr(row.find(',', first + 1), row.rfind(',') - row.find(',', first + 1)) + "\n";
+    }
+    const std::string header = text.substr(0, text.find(",row_check")) + "\n";
+    std::ofstream{runs, std::ios::binary} << text::gzip(header) << text::gzip(old);
+  }
+  EXPECT_EQ(refusal({part(1), part(2), part(3)}), "they were merged");
 }
 
 TEST(RunsOfShard, AreAllRunsOnceAndInOrder) {

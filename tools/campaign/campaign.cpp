@@ -122,14 +122,16 @@ FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path
                       .quantities = quantity_names(spreads),
                       .runs = {}};
   const RunsFolder store{folder, identity_of(campaign, files, spreads, version), spreads};
-  if (auto runs = store.finished(own_runs, campaign.seed, campaign.stop.has_value());
-      runs && (!campaign.stop || stops_at(*campaign.stop, *runs) == runs->size())) {
+  RunsFolder::Finished before = store.finished(own_runs, campaign.seed, campaign.stop.has_value());
+  if (before.runs && (!campaign.stop || stops_at(*campaign.stop, *before.runs) == before.runs->size())) {
     store.remove_chunks();  // of which the process that finished it may have left some
-    flown.runs = *std::move(runs);
+    flown.runs = *std::move(before.runs);
+    flown.remark = std::move(before.remark);
     return flown;
   }
   if (const auto file = folder / RunsFolder::runs_name; std::filesystem::exists(file)) {
-    flown.remark = file.string() + ": was damaged; its runs have been flown again";
+    flown.remark = (before.runs ? file.string() + ": has not the runs that its stop rule asks for" : before.remark) +
+                   "; its runs have been flown again";
   }
   flown.runs.resize(own_runs.count);
   InOrder order{end_chunk - first_chunk, campaign.stop};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/core.h>
 
@@ -13,6 +14,7 @@
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
+#include "text/sha256.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -62,6 +64,9 @@ double number(const flight::Table& table, std::size_t row, std::size_t column) {
   return *value;
 }
 
+/// Eight digits that a person who edits a row does not make by chance.
+std::string check_of(std::string_view row) { return text::sha256(std::as_bytes(std::span{row})).substr(0, 8); }
+
 /// Of a run: a flight report's, or "refused" or "not_finite".
 bool is_outcome(std::string_view word) {
   return word == "refused" || word == "not_finite" ||
@@ -105,7 +110,7 @@ std::vector<std::string> quantity_names(const std::vector<Spread>& spreads) {
   return names;
 }
 
-std::string header_row(const std::vector<Spread>& spreads) {
+std::string header_row(const std::vector<Spread>& spreads, Rows kind) {
   std::string text = "run,seed";
   for (const std::string& name : quantity_names(spreads)) {
     text += ',' + name;
@@ -114,7 +119,7 @@ std::string header_row(const std::vector<Spread>& spreads) {
   for (const std::string_view column : figure_columns) {
     text += fmt::format(",{}", column);
   }
-  return text + ",note\n";
+  return text + (kind == Rows::checked ? ",note,row_check\n" : ",note\n");
 }
 
 std::string csv_row(const FlownRun& run) {
@@ -126,11 +131,25 @@ std::string csv_row(const FlownRun& run) {
   for (const auto& figure : run.figures) {
     text += figure ? fmt::format(",{}", *figure) : ",";
   }
-  return text + ',' + text::csv_cell(run.note) + '\n';
+  text += ',' + text::csv_cell(run.note);
+  return text + ',' + check_of(text) + '\n';
 }
 
-std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads, const std::string& name) {
-  const flight::Table table = flight::Table::parse(header_row(spreads) + rows, name);
+std::optional<std::uint64_t> edited_row(std::string_view rows) {
+  for (std::uint64_t place = 0; !rows.empty(); ++place) {
+    const std::string_view row = rows.substr(0, rows.find('\n'));
+    const std::size_t last = row.rfind(',');
+    if (last == std::string_view::npos || check_of(row.substr(0, last)) != row.substr(last + 1)) {
+      return place;
+    }
+    rows.remove_prefix(std::min(rows.size(), row.size() + 1));
+  }
+  return {};
+}
+
+std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads, const std::string& name,
+                                Rows kind) {
+  const flight::Table table = flight::Table::parse(header_row(spreads, kind) + rows, name);
   const std::size_t again = table.column("drawn_again");
   std::vector<FlownRun> all;
   all.reserve(table.rows());

@@ -49,15 +49,21 @@ struct FlownRun {
 /// body.mass_kg_factor.
 [[nodiscard]] std::vector<std::string> quantity_names(const std::vector<Spread>& spreads);
 
+/// Whether rows end with a check of what stands before it, as csv_row() writes them. Earlier versions wrote none.
+enum class Rows : std::uint8_t { checked, unchecked };
+
 /// The columns of runs.csv for these spreads, with a newline.
-[[nodiscard]] std::string header_row(const std::vector<Spread>& spreads);
+[[nodiscard]] std::string header_row(const std::vector<Spread>& spreads, Rows kind = Rows::checked);
 
 /// A row, with a newline. Every digit is kept, so that the same run is the same text.
 [[nodiscard]] std::string csv_row(const FlownRun& run);
 
+/// The place of the first row that is not as csv_row() has written it, counted from 0; empty when all are.
+[[nodiscard]] std::optional<std::uint64_t> edited_row(std::string_view rows);
+
 /// The other way, of rows without a header. Throws text::Error (bad_data) with name and line for a row that csv_row()
-/// does not make with so many numbers.
+/// does not make with so many numbers. Checks are not looked at.
 [[nodiscard]] std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads,
-                                              const std::string& name);
+                                              const std::string& name, Rows kind = Rows::checked);
 
 }  // namespace fantail::campaign

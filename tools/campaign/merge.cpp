@@ -128,12 +128,20 @@ std::string rows_of(const Part& part, std::string& header) {
   }
   header = own_header;
   const std::uint64_t seed = number_of(part, "seed");
-  std::string_view rows = std::string_view{*text}.substr(text->find('\n') + 1);
+  const std::string_view columns = std::string_view{*text}.substr(0, text->find('\n'));
+  const bool are_checked = columns.ends_with(",row_check");
+  std::string_view rows = std::string_view{*text}.substr(columns.size() + 1);
   for (std::uint64_t run = runs.first; run < runs.first + runs.count; ++run) {
-    if (!rows.starts_with(fmt::format("{},{},", run, seed_of_run(seed, run)))) {
+    if (!rows.starts_with(fmt::format("{},{},", run, seed_in_rows(are_checked, seed, run)))) {
       refuse(ErrorKind::bad_data, fmt::format("{}: run {} is missing or has another seed", file.string(), run));
     }
-    rows.remove_prefix(rows.find('\n') + 1);
+    const std::size_t length = rows.find('\n');
+    if (are_checked && edited_row(rows.substr(0, length))) {
+      refuse(ErrorKind::bad_data,
+             fmt::format("{}: the row of run {} is not as it was written; fly this shard again, which replaces it",
+                         file.string(), run));
+    }
+    rows.remove_prefix(length + 1);
   }
   if (!rows.empty()) {
     refuse(ErrorKind::bad_data, file.string() + ": has more runs than its shard");

@@ -158,7 +158,7 @@ fs::path RunsFolder::chunk_file(std::uint64_t chunk) const {
 
 std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, const std::string& name,
                                                        const Stretch& stretch, std::uint64_t master_seed,
-                                                       bool may_be_fewer) const {
+                                                       bool may_be_fewer, Rows kind) const {
   constexpr std::size_t piece = 1U << 26U;  // of rows that are read at once
   try {
     std::vector<FlownRun> runs;
@@ -167,14 +167,14 @@ std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, 
       if (end <= begin) {
         return std::nullopt;  // no row is so long
       }
-      std::ranges::move(read_rows(rows.substr(begin, end - begin), spreads_, name), std::back_inserter(runs));
+      std::ranges::move(read_rows(rows.substr(begin, end - begin), spreads_, name, kind), std::back_inserter(runs));
       begin = end;
     }
     bool is_whole = runs.size() == stretch.count || (may_be_fewer && !runs.empty() && runs.size() < stretch.count &&
                                                      runs.size() % runs_of_a_chunk == 0);
     for (std::uint64_t i = 0; is_whole && i < runs.size(); ++i) {
       const std::uint64_t run = stretch.first + i;
-      is_whole = runs[i].run == run && runs[i].seed == seed_of_run(master_seed, run);
+      is_whole = runs[i].run == run && runs[i].seed == seed_in_rows(kind == Rows::checked, master_seed, run);
     }
     return is_whole ? std::optional{std::move(runs)} : std::nullopt;
   } catch (const text::Error&) {
@@ -182,16 +182,33 @@ std::optional<std::vector<FlownRun>> RunsFolder::whole(const std::string& rows, 
   }
 }
 
-std::optional<std::vector<FlownRun>> RunsFolder::finished(const Stretch& stretch, std::uint64_t master_seed,
-                                                          bool may_be_fewer) const {
+RunsFolder::Finished RunsFolder::finished(const Stretch& stretch, std::uint64_t master_seed, bool may_be_fewer) const {
   const fs::path file = folder_ / runs_name;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    return {};
+  }
+  Finished found{.remark = file.string() + ": was damaged"};
   const std::size_t most = most_bytes(stretch);
   const auto text = text::gunzip(file_content(file, most), most);
-  const std::string header = header_row(spreads_);
-  if (!text || !text->starts_with(header)) {
-    return std::nullopt;
+  for (const Rows kind : {Rows::checked, Rows::unchecked}) {
+    const std::string header = header_row(spreads_, kind);
+    if (!text || !text->starts_with(header)) {
+      continue;
+    }
+    const std::string rows = text->substr(header.size());
+    if (const auto place = kind == Rows::checked ? edited_row(rows) : std::nullopt) {
+      found.remark =
+          fmt::format("{}: the row of run {} is not as it was written", file.string(), stretch.first + *place);
+    } else if ((found.runs = whole(rows, file.string(), stretch, master_seed, may_be_fewer, kind))) {
+      found.remark = kind == Rows::checked ? ""
+                                           : file.string() +
+                                                 ": was written by an earlier version, whose rows carry no check; an "
+                                                 "edited row would not be noticed";
+    }
+    break;
   }
-  return whole(text->substr(header.size()), file.string(), stretch, master_seed, may_be_fewer);
+  return found;
 }
 
 std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, const Stretch& stretch,
@@ -199,7 +216,8 @@ std::optional<std::vector<FlownRun>> RunsFolder::stored(std::uint64_t chunk, con
   const fs::path file = chunk_file(chunk);
   const std::size_t most = most_bytes(stretch);
   const auto rows = text::gunzip(file_content(file, most), most);
-  return rows ? whole(*rows, file.string(), stretch, master_seed, false) : std::nullopt;
+  return rows && !edited_row(*rows) ? whole(*rows, file.string(), stretch, master_seed, false, Rows::checked)
+                                    : std::nullopt;
 }
 
 void RunsFolder::store(std::uint64_t chunk, const std::vector<FlownRun>& runs) const {

@@ -79,11 +79,14 @@ class RunsFolder {
   RunsFolder(const RunsFolder&) = delete;
   RunsFolder& operator=(const RunsFolder&) = delete;
 
-  /// The runs of a campaign that was finished here; empty when there are none, or not these. `may_be_fewer`: whole
-  /// chunks from the first on are enough.
-  [[nodiscard]] std::optional<std::vector<FlownRun>> finished(const Stretch& stretch, std::uint64_t master_seed,
-                                                              bool may_be_fewer) const;
-  /// A chunk that has been stored; empty when it has not, or is damaged, or does not hold these runs and seeds.
+  struct Finished {
+    std::optional<std::vector<FlownRun>> runs{};  ///< empty when there are none, or not these
+    std::string remark{};                         ///< why not, or what could not be checked; a sentence without its end
+  };
+  /// The runs of a campaign that was finished here. `may_be_fewer`: whole chunks from the first on are enough.
+  [[nodiscard]] Finished finished(const Stretch& stretch, std::uint64_t master_seed, bool may_be_fewer) const;
+  /// A chunk that has been stored; empty when it has not, or is damaged or edited, or does not hold these runs and
+  /// seeds.
   [[nodiscard]] std::optional<std::vector<FlownRun>> stored(std::uint64_t chunk, const Stretch& stretch,
                                                             std::uint64_t master_seed) const;
   /// Throws text::OutputError; the chunks before it stay.
@@ -97,7 +100,7 @@ class RunsFolder {
  private:
   [[nodiscard]] std::optional<std::vector<FlownRun>> whole(const std::string& rows, const std::string& name,
                                                            const Stretch& stretch, std::uint64_t master_seed,
-                                                           bool may_be_fewer) const;
+                                                           bool may_be_fewer, Rows kind) const;
   [[nodiscard]] std::filesystem::path chunk_file(std::uint64_t chunk) const;
 
   std::filesystem::path folder_;
