@@ -42,5 +42,24 @@ TEST(Law, WithoutAKnownSpeedThereIsNoObserver) {
                text::Error);
 }
 
+// From 12 m/s to 144 m/s the square of the ratio is 144, and a plan allows 100; from 14.4 m/s on it is 100.
+TEST(Law, ASteepScheduleThatNoPlanAllowsIsLeftOutWithTheSpeedThatWouldAllowIt) {
+  const stability::SpeedRange wide{12.0, 144.0};
+  EXPECT_TRUE(is_within_plan(1.5, wide));  // 41.6
+  EXPECT_FALSE(is_within_plan(2.0, wide));
+  const std::string said = schedules_left_out(wide);
+  EXPECT_NE(said.find("to the power of 2. They need a factor of up to 144 at 12.0 m/s, and a plan allows at most 100"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("begins at 14.4 m/s or faster"), std::string::npos) << said;
+  EXPECT_EQ(schedules_left_out({14.4, 144.0}), "");
+  EXPECT_EQ(schedules_left_out({14.4, 14.5}), "");
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  for (const double exponent : schedule_exponents) {
+    const Law law{.gains = {0.5, 0.05}, .schedule_exponent = exponent};
+    EXPECT_NO_THROW((void)with_law(scenario, OffsetRejection::none, law, {14.4, 144.0})) << exponent;
+  }
+}
+
 }  // namespace
 }  // namespace fantail::tune

@@ -43,6 +43,16 @@ TEST(Search, AWiderSpreadLeavesASlowerLaw) {
   EXPECT_TRUE(wide.laws.empty() || wide.laws.front().integral_gain_per_s < narrow.laws.front().integral_gain_per_s);
 }
 
+TEST(Search, FindsNoScheduleThatAPlanDoesNotAllow) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const SpeedsFlown wide = speeds_flown({8.0, 30.0, 50.0, 80.0, 110.0});
+  const Found found = search(scenario, wide, {.schedule = true, .spread = 1.0}, look_away);
+  for (const Law& law : found.laws) {
+    EXPECT_NO_THROW((void)with_law(scenario, Request{}.rejection, law, wide.range)) << law.schedule_exponent;
+  }
+  ASSERT_FALSE(found.laws.empty());
+}
+
 TEST(Search, SaysHowMuchPhaseMarginThereIs) {
   const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   const Found found = search(scenario, speeds, {.phase_margin_rad = text::radians(120.0)}, look_away);

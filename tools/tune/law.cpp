@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tune/law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+
+#include <fmt/core.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "text/error.hpp"
@@ -39,7 +42,44 @@ core::RollModelPlan roll_model(const sim::Scenario& scenario) {
           .density_kg_m3 = static_cast<float>(scenario.atmosphere.density_kg_m3(0.0))};
 }
 
+double factor_at_lowest_speed(double exponent, const stability::SpeedRange& range) {
+  return std::pow(range.highest_m_s / range.lowest_m_s, exponent);
+}
+
+double largest_factor() {
+  const auto fields = core::flight_plan_fields();
+  const auto found = std::ranges::find_if(
+      fields, [](const core::PlanField& field) { return field.section == "gain_schedule" && field.key == "factors"; });
+  return static_cast<double>(found->maximum);
+}
+
 }  // namespace
+
+bool is_within_plan(double exponent, const stability::SpeedRange& range) {
+  return factor_at_lowest_speed(exponent, range) <= largest_factor();
+}
+
+std::string schedules_left_out(const stability::SpeedRange& range) {
+  if (!has_room_for_schedule(range)) {
+    return "";
+  }
+  std::string powers;
+  for (const double exponent : schedule_exponents) {
+    if (!is_within_plan(exponent, range)) {
+      powers += fmt::format("{}{}", powers.empty() ? "" : " and ", exponent);
+    }
+  }
+  const double most = schedule_exponents.back();
+  return powers.empty()
+             ? ""
+             : fmt::format(
+                   "Not tried: gains that fall with the speed to the power of {}. They need a factor of up to {:.0f} "
+                   "at "
+                   "{:.1f} m/s, and a plan allows at most {:.0f}. Control that begins at {:.1f} m/s or faster allows "
+                   "them (guide.minimum_speed_m_s).",
+                   powers, factor_at_lowest_speed(most, range), range.lowest_m_s, largest_factor(),
+                   std::ceil(10.0 * range.highest_m_s / std::pow(largest_factor(), 1.0 / most)) / 10.0);
+}
 
 core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection rejection, const Law& law,
                           const stability::SpeedRange& range) {
@@ -57,7 +97,7 @@ core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection r
   if (const auto fault = core::validate(plan)) {
     const core::PlanField& field = core::flight_plan_fields()[fault->field];
     throw text::Error{text::ErrorKind::bad_configuration,
-                      scenario.name + ": such a law is no plan: " + std::string{field.section} + "." +
+                      scenario.name + ": the tuned law cannot be a plan: " + std::string{field.section} + "." +
                           std::string{field.key} + " is refused: " + std::string{core::sentence(fault->rule)}};
   }
   return plan;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "sim/scenario.hpp"
 #include "stability/gain_choice.hpp"
 #include "stability/speed_range.hpp"
@@ -19,6 +22,15 @@ struct Law {
 [[nodiscard]] inline bool has_room_for_schedule(const stability::SpeedRange& range) {
   return range.lowest_m_s > 0.0 && range.highest_m_s > 1.2 * range.lowest_m_s;
 }
+
+/// The powers of the speed with which a search lets the gains fall.
+inline constexpr std::array schedule_exponents{0.5, 1.0, 1.5, 2.0};
+
+/// Whether a plan may have the factor that this schedule needs at the lowest speed.
+[[nodiscard]] bool is_within_plan(double exponent, const stability::SpeedRange& range);
+
+/// A sentence on the schedules that no plan may have, and what would allow them; empty when all are within one.
+[[nodiscard]] std::string schedules_left_out(const stability::SpeedRange& range);
 
 /// The scenario's plan with this law. An observer gets the vehicle's own roll model. Throws text::Error
 /// (bad_configuration) where such a law is no plan: without a known speed there is neither schedule nor observer.

@@ -28,8 +28,6 @@ constexpr double least_observer_bandwidth_rad_s = 0.1;
 double most_integral_gain_per_s() { return stability::plan_range("offset", "integral_gain_per_s").maximum; }
 double most_observer_bandwidth_rad_s() { return stability::plan_range("offset", "observer_bandwidth_rad_s").maximum; }
 
-constexpr std::array exponents{0.5, 1.0, 1.5, 2.0};
-
 /// One number beside kp and kd, and how fast the law rejects an offset with it.
 struct Rejection {
   std::vector<double> values{};
@@ -209,8 +207,8 @@ Found search(const sim::Scenario& scenario, const SpeedsFlown& speeds, const Req
     }
   };
   over_gains();
-  for (const double exponent : exponents) {
-    if (request.schedule && has_room_for_schedule(speeds.range)) {
+  for (const double exponent : schedule_exponents) {
+    if (request.schedule && has_room_for_schedule(speeds.range) && is_within_plan(exponent, speeds.range)) {
       trial.set_exponent(exponent);
       over_gains();
     }

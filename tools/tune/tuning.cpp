@@ -165,6 +165,9 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
   }
   if (found.laws.empty()) {
     say_why_not_found(t, found);
+    if (const std::string left_out = t.request.schedule ? schedules_left_out(t.speeds.range) : ""; !left_out.empty()) {
+      t.why_none += " " + left_out;
+    }
   } else if (!best) {
     t.why_none = fmt::format(
         "No gains were found that do it: the laws that were found miss the phase margin of {} degrees between "
