@@ -142,8 +142,8 @@ TEST_F(FlownLog, OneThatWasCutOffIsIntactAsFarAsItGoes) {
 TEST_F(FlownLog, IsCalledTheSameByInfoEventsAndReport) {
   folder.write("a.ftl", flown_log());
   const Outcome info = run({"log", "info", "a.ftl"});
-  EXPECT_NE(info.out.find("Flight 1: at 0x0 in the flash"), std::string::npos) << info.out;
-  EXPECT_NE(info.out.find("recording began, at 0x0 in the flash"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("Flight 1: from sector 0 of the flight memory on"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("recording began, in sector 0 of the flight memory"), std::string::npos) << info.out;
   const Outcome report = run({"report", "a.ftl"});
   EXPECT_TRUE(report.out.starts_with("flight 1, power-up 1\n")) << report.out;
   EXPECT_EQ((info.out + report.out).find("flight 0"), std::string::npos) << info.out << report.out;

@@ -72,8 +72,8 @@ std::string event_list(const FlightInfo& info) {
 
 std::string log_info_text(const FlightInfo& info) {
   const flight_log::Flight& flight = info.flight;
-  std::string text = fmt::format("\nFlight {}: at {:#x} in the flash, power-up {}\n", info.flight.number, flight.flight,
-                                 flight.power_up);
+  std::string text = fmt::format("\nFlight {}: from sector {} of the flight memory on, power-up {}\n",
+                                 info.flight.number, flight.flight, flight.power_up);
   text += line("vehicle", or_unknown(flight.vehicle));
   text += line("firmware", fmt::format("{}, git {}, log format {}", or_unknown(flight.firmware_version),
                                        or_unknown(flight.git_hash), flight.format_version));

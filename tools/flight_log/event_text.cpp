@@ -70,7 +70,7 @@ std::string event_text(const protocol::LogEvent& event, core::Microseconds log_b
   using Kind = protocol::LogEventKind;
   switch (event.kind) {
     case Kind::recording_began:
-      return fmt::format("recording began, at {:#x} in the flash{}", event.number,
+      return fmt::format("recording began, in sector {} of the flight memory{}", event.number,
                          static_cast<protocol::LogBegin>(event.value) == protocol::LogBegin::acceleration
                              ? ": specific force beyond recording.threshold_g, ahead of any detection"
                              : "");
