@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <nanobind/nanobind.h>
@@ -25,6 +26,15 @@ nanobind::ndarray<nanobind::numpy, const T, nanobind::ndim<1>> column_of(std::ve
   auto* kept = new std::vector<Kept>{std::move(values)};
   const nanobind::capsule owner{kept, [](void* it) noexcept { delete static_cast<std::vector<Kept>*>(it); }};
   return {kept->data(), {kept->size()}, owner};
+}
+
+/// pickle, and so copy.deepcopy and multiprocessing, cannot have an object of the library. They raise a TypeError that
+/// says how to pass a `name` to another process instead.
+template <typename Class>
+void refuse_to_pickle(Class& bound, const char* name, const char* instead) {
+  bound.def("__reduce_ex__", [name, instead](nanobind::handle, int) -> nanobind::object {
+    throw nanobind::type_error((std::string{"a fantail."} + name + " cannot be pickled; " + instead).c_str());
+  });
 }
 
 /// Throws what a person who has pressed Ctrl-C means by it. The caller does not hold the interpreter.

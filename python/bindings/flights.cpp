@@ -89,20 +89,24 @@ void give_up_if_interrupted() {
 }
 
 void bind_flights(nb::module_& m) {
-  nb::class_<Flown>(m, "Flight")
-      .def_prop_ro("column_names", &Flown::column_names)
-      .def("column", &column, nb::arg("name"))
-      .def_prop_ro("events", &events)
-      .def_prop_ro("summary_json", [](const Flown& f) { return f.results.summary; })
-      .def_prop_ro("verdict", [](const Flown& f) { return f.results.verdict.text; })
-      .def_prop_ro("scenario", [](const Flown& f) { return f.flight.scenario; })
-      .def_prop_ro("vehicle", [](const Flown& f) { return f.flight.vehicle; })
-      .def_prop_ro("seed", [](const Flown& f) { return f.flight.seed; })
-      .def_prop_ro("plan", [](const Flown& f) { return f.flight.plan; })
-      .def_prop_ro("knows_plan", [](const Flown& f) { return f.flight.known.plan; })
-      .def_prop_ro("notes", [](const Flown& f) { return f.flight.notes; })
-      .def_prop_ro("log", [](const Flown& f) { return nb::bytes{f.flight.log.data(), f.flight.log.size()}; })
-      .def("write", &Flown::write, nb::arg("folder"), nb::call_guard<nb::gil_scoped_release>());
+  auto flight =
+      nb::class_<Flown>(m, "Flight")
+          .def_prop_ro("column_names", &Flown::column_names)
+          .def("column", &column, nb::arg("name"))
+          .def_prop_ro("events", &events)
+          .def_prop_ro("summary_json", [](const Flown& f) { return f.results.summary; })
+          .def_prop_ro("verdict", [](const Flown& f) { return f.results.verdict.text; })
+          .def_prop_ro("scenario", [](const Flown& f) { return f.flight.scenario; })
+          .def_prop_ro("vehicle", [](const Flown& f) { return f.flight.vehicle; })
+          .def_prop_ro("seed", [](const Flown& f) { return f.flight.seed; })
+          .def_prop_ro("plan", [](const Flown& f) { return f.flight.plan; })
+          .def_prop_ro("knows_plan", [](const Flown& f) { return f.flight.known.plan; })
+          .def_prop_ro("notes", [](const Flown& f) { return f.flight.notes; })
+          .def_prop_ro("log", [](const Flown& f) { return nb::bytes{f.flight.log.data(), f.flight.log.size()}; })
+          .def("write", &Flown::write, nb::arg("folder"), nb::call_guard<nb::gil_scoped_release>());
+  refuse_to_pickle(
+      flight, "Flight",
+      "pass dict(flight), its columns, or write(folder) and the folder, or the scenario's arguments and fly there");
   m.def("phase_names", [] {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < core::phases; ++i) {

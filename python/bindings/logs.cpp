@@ -107,33 +107,37 @@ std::pair<core::Autopilot, std::size_t> autopilot(const Flight& flight, const st
 }  // namespace
 
 void bind_logs(nb::module_& m) {
-  nb::class_<LogFile>(m, "Log")
-      .def_static(
-          "read", [](const std::string& path) { return flight_log::read_log_file(path); }, nb::arg("path"),
-          nb::call_guard<nb::gil_scoped_release>())
-      .def_ro("name", &LogFile::name)
-      .def_ro("bytes", &LogFile::bytes)
-      .def_ro("foreign_bytes", &LogFile::foreign_bytes)
-      .def_prop_ro("intact", [](const LogFile& file) { return flight_log::intact(file); })
-      .def("__len__", [](const LogFile& file) { return file.flights.size(); })
-      .def("flight", &flight_of, nb::arg("index"), nb::rv_policy::reference_internal);
-  nb::class_<Flight>(m, "LoggedFlight")
-      .def_ro("number", &Flight::number)
-      .def_ro("vehicle", &Flight::vehicle)
-      .def_ro("sensors", &Flight::sensors)
-      .def_ro("firmware_version", &Flight::firmware_version)
-      .def_ro("git_hash", &Flight::git_hash)
-      .def_ro("plan", &Flight::plan)
-      .def_prop_ro("ticks", [](const Flight& f) { return f.ticks.size(); })
-      .def_prop_ro("from_s", [](const Flight& f) { return seconds(f.first_time); })
-      .def_prop_ro("to_s", [](const Flight& f) { return seconds(f.last_time); })
-      .def_prop_ro("intact", [](const Flight& f) { return flight_log::intact(f); })
-      .def_prop_ro("integrity", [](const Flight& f) { return flight_log::integrity_text(f); })
-      .def_prop_ro("events", &recorded_events)
-      .def("inputs", &inputs)
-      .def("commands_rad", [](const Flight& f) { return column_of<float>(commands_rad(f)); })
-      .def("autopilot", &autopilot, nb::arg("log"))
-      .def("replay", &replay, nb::arg("log"), nb::arg("changes"), nb::call_guard<nb::gil_scoped_release>());
+  auto bound_log = nb::class_<LogFile>(m, "Log")
+                 .def_static(
+                     "read", [](const std::string& path) { return flight_log::read_log_file(path); }, nb::arg("path"),
+                     nb::call_guard<nb::gil_scoped_release>())
+                 .def_ro("name", &LogFile::name)
+                 .def_ro("bytes", &LogFile::bytes)
+                 .def_ro("foreign_bytes", &LogFile::foreign_bytes)
+                 .def_prop_ro("intact", [](const LogFile& file) { return flight_log::intact(file); })
+                 .def("__len__", [](const LogFile& file) { return file.flights.size(); })
+                 .def("flight", &flight_of, nb::arg("index"), nb::rv_policy::reference_internal);
+  refuse_to_pickle(bound_log, "Log", "pass its path, and call read_log() there");
+  auto bound_logged =
+      nb::class_<Flight>(m, "LoggedFlight")
+          .def_ro("number", &Flight::number)
+          .def_ro("vehicle", &Flight::vehicle)
+          .def_ro("sensors", &Flight::sensors)
+          .def_ro("firmware_version", &Flight::firmware_version)
+          .def_ro("git_hash", &Flight::git_hash)
+          .def_ro("plan", &Flight::plan)
+          .def_prop_ro("ticks", [](const Flight& f) { return f.ticks.size(); })
+          .def_prop_ro("from_s", [](const Flight& f) { return seconds(f.first_time); })
+          .def_prop_ro("to_s", [](const Flight& f) { return seconds(f.last_time); })
+          .def_prop_ro("intact", [](const Flight& f) { return flight_log::intact(f); })
+          .def_prop_ro("integrity", [](const Flight& f) { return flight_log::integrity_text(f); })
+          .def_prop_ro("events", &recorded_events)
+          .def("inputs", &inputs)
+          .def("commands_rad", [](const Flight& f) { return column_of<float>(commands_rad(f)); })
+          .def("autopilot", &autopilot, nb::arg("log"))
+          .def("replay", &replay, nb::arg("log"), nb::arg("changes"), nb::call_guard<nb::gil_scoped_release>());
+  refuse_to_pickle(bound_logged, "LoggedFlight",
+                   "pass the path of its log and its place in it, and call read_log(path)[place] there");
   m.def(
       "read_flight", [](const std::string& path) { return Flown{logs::read_flight(path)}; }, nb::arg("path"),
       nb::call_guard<nb::gil_scoped_release>());
