@@ -80,11 +80,13 @@ TEST(Decision, NamesRunsWhoseAscentFails) {
   p.held = share(120, 200);
   for (std::size_t i = 0; i < 80; ++i) {
     p.runs[i].outcome = report::Outcome::ascent_failed;
+    p.runs[i].ended_early = true;
     p.runs[i].verdict =
         "The rocket turned over while the motor burned: from 1.74 s on its nose pointed below the horizon.";
   }
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
+  EXPECT_EQ(d.text.find("control ends early"), std::string::npos) << d.text;
   EXPECT_NE(d.text.find("in 80 of 200 runs the ascent fails (run 0: The rocket turned over while the motor burned"),
             std::string::npos)
       << d.text;

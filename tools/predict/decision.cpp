@@ -81,7 +81,8 @@ constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::ascent_failed, "t
 std::string first_with(const Prediction& p, const NotHeld& what) {
   // Control may end early in a run that is not held for another reason, or for what came after it.
   const auto came_to_it = [&what](const Run& run) {
-    return what.outcome == report::Outcome::cut_short ? run.ended_early : run.outcome == what.outcome;
+    const bool fails = run.outcome == report::Outcome::ascent_failed;  // which ends control, and is told of itself
+    return what.outcome == report::Outcome::cut_short ? run.ended_early && !fails : run.outcome == what.outcome;
   };
   const auto count = static_cast<std::size_t>(std::ranges::count_if(p.runs, came_to_it));
   if (count == 0) {
