@@ -27,6 +27,7 @@ set(FANTAIL_COMPILED_APART
   "test/input|scenario_file_test.cpp vehicle_file_test.cpp"
   "test/paper|identification_test.cpp launch_roll_test.cpp"
   "test/predict|drawn_wind_test.cpp windy_prediction_test.cpp"
+  "test/sil|any_rocket.cpp any_rocket_test.cpp plain_judge.cpp"
   "test/sil|estimator_test.cpp recorded_flight_test.cpp slow_pc_test.cpp"
   "test/sil|go_oracle_test.cpp two_gyros_test.cpp"
   "test/sil|gyro_silence_test.cpp random_launch.cpp"

@@ -106,6 +106,25 @@ TEST(CampaignReport, RoundsNoBoundOverWhatIsAskedFor) {
   }
 }
 
+TEST(CampaignReport, BeginsWithTheRunsThatAreFasterThanTheModelHoldsForWhateverIsAsked) {
+  Report report{.flown = made(60)};
+  report.campaign.runs = 60;
+  for (FlownRun& run : report.flown.runs) {
+    run.figures[top_mach_column] = run.run < 20 ? 1.27 : 0.79;
+  }
+  report.analysis = analyse(report.flown, report.campaign, parse_question("largest_hold_error_deg<=1000"), 0.5);
+  report.run_folders.assign(5, "");
+  EXPECT_TRUE(
+      headline(report).starts_with("Outside the model: 20 of 60 runs are faster than Mach 0.8, up to Mach 1.27. "))
+      << headline(report);
+  EXPECT_NE(report_html(report).find("class=\"verdict unsure"), std::string::npos) << "met, and amber all the same";
+  EXPECT_NE(report_json(report).find("\"runs_outside_model\": 20"), std::string::npos);
+  for (FlownRun& run : report.flown.runs) {
+    run.figures[top_mach_column] = 0.79;
+  }
+  EXPECT_FALSE(headline(report).starts_with("Outside"));
+}
+
 TEST(CampaignReport, CountsRunsWithoutAFlightAsNotMetAndNamesThem) {
   Report report{.flown = made(60)};
   report.flown.runs[7].outcome = "refused";

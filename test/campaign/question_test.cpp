@@ -17,7 +17,7 @@ namespace {
 FlownRun run_with(std::string outcome, std::optional<double> hold_error_deg, std::optional<double> apogee_m = {}) {
   FlownRun run{.outcome = std::move(outcome)};
   run.figures.front() = hold_error_deg;
-  run.figures.back() = apogee_m;
+  run.figures[6] = apogee_m;
   return run;
 }
 
@@ -54,7 +54,8 @@ TEST(Question, SaysWhatIsAllowed) {
   EXPECT_NE(refusal("outcome=good").find("\"outcome=good\" is not a question; allowed: outcome=held, outcome=not_held"),
             std::string::npos)
       << refusal("outcome=good");
-  EXPECT_NE(refusal("apogee>=3").find("top_speed_m_s, apogee_m with >= or <= and a number"), std::string::npos);
+  EXPECT_NE(refusal("apogee>=3").find("apogee_m, rest_error_deg, top_mach with >= or <= and a number"),
+            std::string::npos);
   for (const char* text : {"", "apogee_m", "apogee_m=3", "apogee_m>3", "apogee_m>=", "apogee_m>=nan", "apogee_m>=3m"}) {
     EXPECT_NE(refusal(text).find("is not a question; allowed: "), std::string::npos) << text;
   }

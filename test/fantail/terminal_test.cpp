@@ -67,6 +67,16 @@ TEST_F(Painted, ADecisionIsSoWhereALineBeginsWithIt) {
             "a Go: b\n\033[31mNo go\033[0m: why.\n  FAIL\n\033[31mFAIL\033[0m\n");
 }
 
+TEST_F(Painted, WhatIsNeitherGreenNorRedIsYellow) {
+  EXPECT_EQ(painted_decision("Go with caution: why.\nOutside the model: Mach 1.27.\n"),
+            "\033[33mGo with caution\033[0m: why.\n\033[33mOutside the model\033[0m: Mach 1.27.\n");
+  EXPECT_EQ(
+      painted_verdict({.outcome = report::Outcome::off_command, .text = "Steady, 70.7 deg from the command: roll."}),
+      "\033[33mSteady, 70.7 deg from the command\033[0m: roll.");
+  EXPECT_EQ(painted_verdict({.outcome = report::Outcome::outside_model, .text = "Outside the model: up to Mach 1.27."}),
+            "\033[33mOutside the model\033[0m: up to Mach 1.27.");
+}
+
 TEST_F(Painted, APhaseIsSoAndOnlyThatWord) {
   EXPECT_EQ(
       painted_phase("motion  live\n  phase safe (power_on)\nphase armed\nphase controlling (x)\nphase finished\n"),

@@ -24,8 +24,9 @@ TEST(Card, SaysVerdictFiguresAndWhereTheyComeFrom) {
   SyntheticFlight synthetic;
   const std::string card = card_of(synthetic.flight);
   EXPECT_TRUE(card.starts_with("<svg ")) << card;
-  for (const char* part : {">synthetic<", "paper dart", ">Held<", "Roll stayed within 0.0 deg", "3.9 s under control",
-                           "turned by 0.00", "Simulated, seed 7.", "roll angle in degrees, as flown"}) {
+  for (const char* part :
+       {">synthetic<", "paper dart", ">Held<", "Steady, 10.0 deg from the command", "3.9 s under control",
+        "turned by 0.00", "Simulated, seed 7.", "roll angle in degrees, as flown"}) {
     EXPECT_TRUE(holds(card, part)) << part;
   }
   EXPECT_TRUE(holds(card, ">turned by 0.00 turns under control<")) << "the end of control is not in these rows";

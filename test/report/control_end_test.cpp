@@ -69,7 +69,9 @@ TEST(ControlEnd, ControlThatAFaultEndedBeforeApogeeIsCutShort) {
   EXPECT_EQ(v.outcome, Outcome::cut_short);
   EXPECT_EQ(v.text,
             "Control ended at 3.00 s, 1.40 s before apogee: the gyro failed. After that the rocket turned by up to 0.0 "
-            "deg until apogee. Until then: roll stayed within 0.0 deg of where this law settles; canards at their "
+            "deg until apogee. Until then: steady, 10.0 deg from the command: roll stayed within 0.0 deg of where this "
+            "law settles; "
+            "canards at their "
             "limit 0.0 % of control time, 4.0 deg to spare against the fin offset.");
 }
 
@@ -101,11 +103,62 @@ TEST(ControlEnd, AnApogeeThatTheAvionicsImaginedIsAnEarlyEndToo) {
   EXPECT_EQ(verdict_of(in_time.flight).outcome, Outcome::held);
 }
 
-TEST(ControlEnd, ControlThatEndsByThePlansOwnTimeIsNotCutShort) {
+TEST(ControlEnd, AnEndByThePlansOwnTimeIsJudgedAsAnyOther) {
   SyntheticFlight synthetic;
+  synthetic.flight.plan.run.control_time = core::from_seconds(2.4F);
   synthetic.flight.events.apogee_s = 4.4;
   synthetic.end_control(3.0, core::PhaseReason::control_time_over);
-  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::cut_short);
+  EXPECT_TRUE(
+      v.text.starts_with("Control ended at 3.00 s, 1.40 s before apogee: the plan's control time of 2.4 s was "
+                         "over. After that the rocket turned by up to 0.0 deg until apogee. Until then: steady"))
+      << v.text;
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->roll_angle_rad += row.time_s > 3.0 ? text::radians(525.0 * (row.time_s - 3.0)) : 0.0;
+  }
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::not_held);
+  EXPECT_NE(verdict_of(synthetic.flight).text.find("turned by up to 735.0 deg until apogee"), std::string::npos);
+
+  SyntheticFlight to_the_top;
+  to_the_top.flight.events.apogee_s = 4.4;
+  to_the_top.end_control(4.0, core::PhaseReason::control_time_over);
+  EXPECT_EQ(verdict_of(to_the_top.flight).outcome, Outcome::held);
+}
+
+TEST(ControlEnd, InTheTunnelThePlansOwnTimeIsTheEndOfTheRun) {
+  SyntheticFlight synthetic;
+  synthetic.flight.tunnel = true;
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->speed_m_s = 22.0;
+  }
+  synthetic.flight.events.apogee_s.reset();
+  synthetic.end_control(4.4, core::PhaseReason::control_time_over);
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held) << verdict_of(synthetic.flight).text;
+}
+
+TEST(ControlEnd, AnEndForAReasonThatATableDoesNotSayIsOneToo) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(3.0, core::PhaseReason::gyro_failed);
+  synthetic.flight.phase_changes.back().reason.reset();
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::cut_short);
+  EXPECT_TRUE(v.text.starts_with("Control ended at 3.00 s, 1.40 s before apogee; the log does not say why. After that"))
+      << v.text;
+}
+
+TEST(ControlEnd, OnATrajectoryThatEndsInTheClimbWhatTheRocketTurnsAfterwardsCountsToItsEnd) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s.reset();
+  synthetic.flight.trajectory_end_s = 4.5;
+  synthetic.end_control(3.0, core::PhaseReason::control_time_over);
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->roll_angle_rad += row.time_s > 3.0 ? text::radians(100.0 * (row.time_s - 3.0)) : 0.0;
+  }
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::not_held);
+  EXPECT_NE(v.text.find("turned by up to 150.0 deg until the trajectory ends."), std::string::npos) << v.text;
 }
 
 TEST(ControlEnd, ControlThatGoesOnLongAfterApogeeIsSaid) {

@@ -46,7 +46,7 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
   SyntheticFlight synthetic;
   synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(2.1); });
   const std::string text = without_scripts(page_of(synthetic.flight));
-  EXPECT_NE(text.find("Roll stayed within 2.1 deg of"), std::string::npos);
+  EXPECT_NE(text.find("roll stayed within 2.1 deg of"), std::string::npos);
   EXPECT_NE(text.find("<dt>Authority margin</dt><dd>4.0"), std::string::npos);
   EXPECT_NE(text.find("<dt>Control starts</dt><dd>0.600"), std::string::npos);
   EXPECT_NE(text.find("<td>Launch detected</td>"), std::string::npos);

@@ -78,7 +78,7 @@ TEST(UnknownRoll, OfARecordThatEndsUnderControlNobodyKnowsTheRest) {
   synthetic.flight.events.apogee_s.reset();
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::cut_short);
-  EXPECT_EQ(v.text.rfind("Until the record ends at 4.50 s, under control: roll stayed within 0.0 deg", 0), 0U);
+  EXPECT_EQ(v.text.rfind("Until the record ends at 4.50 s, under control: steady, 10.0 deg from the command: ", 0), 0U);
   for (flight::Row& row : synthetic.flight.rows) {
     row.truth->speed_m_s = 22.0;
   }

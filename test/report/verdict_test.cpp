@@ -22,8 +22,8 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
   EXPECT_EQ(v.text,
-            "Roll stayed within 2.1 deg of where this law settles; canards at their limit 6.0 % of control time, 4.0 "
-            "deg to spare against the fin offset.");
+            "Steady, 10.0 deg from the command: roll stayed within 2.1 deg of where this law settles; canards at their "
+            "limit 6.0 % of control time, 4.0 deg to spare against the fin offset.");
 }
 
 TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
@@ -34,7 +34,8 @@ TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
   EXPECT_EQ(v.outcome, Outcome::cut_short);
   EXPECT_FALSE(v.ended_early);  // it was not control that ended
   EXPECT_EQ(v.text,
-            "Until the trajectory ends at 4.50 s, before apogee: roll stayed within 0.0 deg of where this law settles; "
+            "Until the trajectory ends at 4.50 s, before apogee: steady, 10.0 deg from the command: roll stayed within "
+            "0.0 deg of where this law settles; "
             "canards at their limit 0.0 % of control time, 4.0 deg to spare against the fin offset.");
   SyntheticFlight lost = held;
   lost.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
@@ -74,7 +75,8 @@ TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_EQ(v.text,
-            "Roll not held: up to 24.0 deg from where this law settles; canards at their limit 0.0 % of control time, "
+            "Roll not held: up to 24.0 deg from where this law settles, in the mean 34.0 deg from the command; canards "
+            "at their limit 0.0 % of control time, "
             "4.0 deg to spare against the fin offset.");
 }
 
@@ -102,8 +104,9 @@ TEST(Verdict, CanardsAtTheirLimitForAnotherReasonAreNotBlamedOnTheOffset) {
     row.command_rad = text::radians(-9.0);
   });
   EXPECT_EQ(verdict_of(synthetic.flight).text,
-            "Roll stayed within 0.0 deg of where this law settles; canards at their limit 25.7 % of control time, 4.0 "
-            "deg to spare against the fin offset. Canards commanded to their limit (-9 deg) from 3.50 s to the end of "
+            "Steady, 10.0 deg from the command: roll stayed within 0.0 deg of where this law settles; canards at their "
+            "limit 25.7 % of control time, 4.0 deg to spare against the fin offset. Canards commanded to their limit "
+            "(-9 deg) from 3.50 s to the end of "
             "control.");
 }
 
@@ -158,7 +161,7 @@ TEST(Verdict, CanardsThatKeepSwingingAreNotCalledHeld) {
   EXPECT_EQ(v.outcome, Outcome::oscillates);
   EXPECT_TRUE(
       v.text.starts_with("The canards oscillate at 13 Hz between -1.3 and 8.3 deg, seen from 1.60 s on, with "
-                         "nothing that excites them. Roll stayed within 0.0 deg"))
+                         "nothing that excites them. Steady, 10.0 deg from the command: roll stayed within 0.0 deg"))
       << v.text;
 }
 
@@ -167,12 +170,13 @@ TEST(Verdict, ALoopThatIsUnstableAtASpeedThatWasFlownIsNotCalledHeld) {
   synthetic.flight.loop_margins = {{20.0, text::radians(55.0), 12.0}, {47.0, text::radians(-10.0), 0.7}};
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::oscillates);
-  EXPECT_TRUE(v.text.starts_with("The loop is unstable: at 47 m/s its phase margin is -10.0 deg. Roll stayed"))
+  EXPECT_TRUE(v.text.starts_with("The loop is unstable: at 47 m/s its phase margin is -10.0 deg. Steady, 10.0 deg"))
       << v.text;
 }
 
 TEST(Verdict, ControlThatNeverSettledIsNotJudged) {
   SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 1.1;
   synthetic.end_control(1.1, core::PhaseReason::control_time_over);
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_judged);

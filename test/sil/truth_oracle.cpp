@@ -31,14 +31,11 @@ double factor(const core::GainSchedulePlan& plan, double speed_m_s, bool is_lowe
 
 }  // namespace
 
-bool Oracle::lasted(const flight::Flight& flight, double margin_s) const {
-  const bool planned_end =
-      !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::control_time_over;
-  return planned_end || end_before_apogee_s < margin_s;
-}
+bool Oracle::lasted(double margin_s) const { return end_before_apogee_s < margin_s; }
 
-bool Oracle::held(const flight::Flight& flight) const {
-  return judged && largest_error_deg <= promised_deg + rounding_deg && lasted(flight, early_s + rounding_s);
+bool Oracle::steady() const {
+  return judged_s > least_judged_s - rounding_s && largest_error_deg <= promised_deg + rounding_deg &&
+         lasted(early_s + rounding_s);
 }
 
 Oracle look(const flight::Flight& flight) {
@@ -47,6 +44,7 @@ Oracle look(const flight::Flight& flight) {
   std::optional<double> zero_rad;
   std::optional<double> end_rad;
   double counts_from_s = 0.0;
+  std::optional<double> counted_to_s;
   double reference_rad = 0.0;
   double end_s = 0.0;
   for (const flight::Row& row : flight.rows) {
@@ -59,6 +57,7 @@ Oracle look(const flight::Flight& flight) {
     }
     if (control && (!o.controlled || row.reference_rad != reference_rad)) {
       counts_from_s = row.time_s + 1.0;
+      counted_to_s.reset();
       reference_rad = row.reference_rad;
     }
     if (control) {
@@ -76,7 +75,8 @@ Oracle look(const flight::Flight& flight) {
                 : row.truth->disturbance_rad / (kp * factor(flight.plan.gain_schedule, row.speed_m_s, bound));
         const double away_rad = row.truth->roll_angle_rad - *zero_rad - row.reference_rad - beside_rad;
         o.largest_error_deg = std::max(o.largest_error_deg, std::abs(away_rad) / degree);
-        o.judged = true;
+        o.judged_s += counted_to_s ? row.time_s - *counted_to_s : 0.0;
+        counted_to_s = row.time_s;
       }
     } else if (o.controlled && row.time_s <= flight.events.apogee_s.value_or(0.0)) {
       o.turned_after_deg = std::max(o.turned_after_deg, std::abs(row.truth->roll_angle_rad - *end_rad) / degree);

@@ -10,16 +10,16 @@ namespace fantail::sil {
 struct Oracle {
   bool controlled = false;
   double largest_error_deg = 0.0;  ///< from the settle point, a second after control start and after each step
-  bool judged = false;             ///< some row counted for it
+  double judged_s = 0.0;           ///< how long some row counted for it
   double turned_after_deg = 0.0;   ///< from the end of control to apogee
   double end_before_apogee_s = 0.0;
   double largest_offset_deg = 0.0;  ///< under control
   double unbalanced_deg = 0.0;      ///< of the offset, by where the canards stand as control ends
 
-  /// Whether control lasted to the end that the plan gives it, or to less than `margin_s` before apogee.
-  [[nodiscard]] bool lasted(const flight::Flight& flight, double margin_s) const;
-  /// Whether the roll was held from the settling to there.
-  [[nodiscard]] bool held(const flight::Flight& flight) const;
+  /// Whether control lasted to less than `margin_s` before apogee, whatever ended it.
+  [[nodiscard]] bool lasted(double margin_s) const;
+  /// Whether the roll stayed where the law settles, from the settling to there.
+  [[nodiscard]] bool steady() const;
 };
 
 /// The verdict promises to stay within ten degrees, and prints two decimals of them.
@@ -29,6 +29,8 @@ inline constexpr double rounding_deg = 0.01;
 /// Control that ends less than half a second before apogee counts as a full flight; the rows are milliseconds apart.
 inline constexpr double early_s = 0.5;
 inline constexpr double rounding_s = 0.01;
+/// Less is not judged.
+inline constexpr double least_judged_s = 1.0;
 
 Oracle look(const flight::Flight& flight);
 

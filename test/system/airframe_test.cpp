@@ -48,6 +48,18 @@ TEST(NewRocket, FliesFromTheFilesThatAreMade) {
   EXPECT_EQ(flown.err, "");
 }
 
+// 3000 N for a second make 4 kg some 600 m/s fast, and the shipped motor makes them 82.
+TEST(NewRocket, SaysWhereItsMotorTakesItOutOfTheModel) {
+  const Folder folder;
+  std::ofstream{folder.path() / "fast.eng"} << "fast 54 200 0 0.6 1.0 x\n0.02 3000\n1 3000\n1.05 0\n";
+  const Outcome fast =
+      fantail({"new", "fast", "--from", "tasha3_launch2", "--motor", "fast.eng"}, {.working_folder = folder.path()});
+  EXPECT_EQ(fast.exit_code, 0) << fast.err;
+  EXPECT_NE(fast.out.find("Outside the model: its first flight reaches Mach 1."), std::string::npos) << fast.out;
+  const Outcome slow = fantail({"new", "slow", "--from", "tasha3_launch2"}, {.working_folder = folder.path()});
+  EXPECT_EQ(slow.out.find("Outside the model"), std::string::npos) << slow.out;
+}
+
 // 3.99 kg with 226 g of propellant.
 TEST(NewRocket, WeighsAsMuchMoreAsItsNewMotorsPropellant) {
   const Folder folder;

@@ -219,5 +219,25 @@ TEST(PlanCheckOfALoop, OfNothingOrOfTwoScenariosIsWrongUsage) {
   EXPECT_EQ(fantail({"plan", "check", "tunnel_steps", "--scenario", "tasha3_launch1"}).exit_code, 78);
 }
 
+// Control from 0.638 s after lift-off on, apogee at 10.36 s: what is judged afterwards is what the plan leaves alone.
+TEST(PlanCheck, WarnsOfAPlanThatEndsControlBeforeApogee) {
+  const Folder folder;
+  folder.write("short.toml", "[run]\ncontrol_time_s = 1.01\n[controller]\ncanard_limit_deg = 9\n");
+  const Outcome outcome = fantail({"plan", "check", folder / "short.toml", "--scenario", "tasha3_launch2"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("warning: run.control_time_s = 1.01 ends control 8.7"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("warning: the flight of tasha3_launch2 with it: Control ended at 1.6"), std::string::npos)
+      << outcome.out;
+  const json::Value said =
+      json::parse(fantail({"plan", "check", folder / "short.toml", "--scenario", "tasha3_launch2", "--json"}).out);
+  EXPECT_EQ(said["outcome"], "not_held");
+  EXPECT_NEAR(said["control_ends_before_apogee_s"].number(), 10.36 - 0.638 - 1.01, 0.1);
+  EXPECT_EQ(said["flight_warnings"].size(), 2U);
+  const json::Value whole =
+      json::parse(fantail({"plan", "check", "tasha3_launch2", "--scenario", "tasha3_launch2", "--json"}).out);
+  EXPECT_EQ(whole["outcome"], "held");
+  EXPECT_EQ(whole["flight_warnings"].size(), 0U);
+}
+
 }  // namespace
 }  // namespace fantail::test

@@ -182,7 +182,7 @@ TEST(Terminal, ATableThatIsTooWideSaysWhichColumnsItLeavesOut) {
 TEST(Terminal, AVerdictIsColouredWhereNobodyObjects) {
   const Folder folder;
   const Words held{"fly"};
-  EXPECT_NE(on_terminal(held, folder).out.find("\r\n\033[32mRoll stayed within"), std::string::npos);
+  EXPECT_NE(on_terminal(held, folder).out.find("\r\n\033[32mSteady, 9.9 deg from the command"), std::string::npos);
   EXPECT_NE(on_terminal({"fly", "tasha3_launch1"}, folder).out.find("\r\n\033[31mCanards commanded"),
             std::string::npos);
   EXPECT_NE(on_terminal({"predict", "tasha3_launch1", "--runs", "8"}, folder).out.find("\033[31mNo go\033[0m: "),

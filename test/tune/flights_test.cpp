@@ -57,5 +57,21 @@ TEST(FlyPairs, FliesTheSameRocketByBothPlansWhateverTheThreads) {
   EXPECT_NEAR(text::degrees(*sum(pairs, &Pair::before).mean_rad), 9.8, 0.5);
 }
 
+// It rests 9.8 degrees away by the old plan, and at its reference by one that rejects the offset.
+TEST(FlyPairs, CountsARollThatIsSteadyFartherAwayThanIsAskedAsSteadyAndNotAsHeld) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.rest_limit_rad = text::radians(5.0);
+  core::FlightPlan integral = scenario.plan;
+  integral.offset.rejection = core::OffsetRejection::integral;
+  integral.offset.integral_gain_per_s = 0.5F;
+  integral.controller.derivative_gain_s = 0.08F;
+  const auto pairs = fly_pairs(scenario, integral, {.flights = 2, .threads = 1}, [](std::size_t) {});
+  const Sum before = sum(pairs, &Pair::before);
+  EXPECT_EQ(before.held, 0U);
+  EXPECT_EQ(before.off_command, 2U);
+  EXPECT_EQ(before.steady, 2U);
+  EXPECT_EQ(sum(pairs, &Pair::after).held, 2U);
+}
+
 }  // namespace
 }  // namespace fantail::tune

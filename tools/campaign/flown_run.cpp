@@ -32,7 +32,9 @@ void take_figures(FlownRun& flown, const JudgedFlight& judged) {
                    figures.control_time_s,
                    figures.control_start_height_m,
                    figures.max_speed_m_s,
-                   figures.apogee_m};
+                   figures.apogee_m,
+                   degrees(figures.rest_error_rad),
+                   judged.flight.top_mach};
   for (std::size_t i = 0; i < flown.figures.size(); ++i) {
     if (flown.figures[i] && !std::isfinite(*flown.figures[i])) {
       flown.outcome = "not_finite";
@@ -70,7 +72,7 @@ std::string check_of(std::string_view row) { return text::sha256(std::as_bytes(s
 /// Of a run: a flight report's, or "refused" or "not_finite".
 bool is_outcome(std::string_view word) {
   return word == "refused" || word == "not_finite" ||
-         std::ranges::any_of(flight_outcomes,
+         std::ranges::any_of(report::outcomes,
                              [word](report::Outcome outcome) { return report::name(outcome) == word; });
 }
 

@@ -14,15 +14,12 @@
 
 namespace fantail::campaign {
 
-/// What a flight report may come to.
-inline constexpr std::array flight_outcomes{
-    report::Outcome::held,       report::Outcome::not_held,   report::Outcome::oscillates,   report::Outcome::cut_short,
-    report::Outcome::not_judged, report::Outcome::no_control, report::Outcome::ascent_failed};
-
 /// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
-inline constexpr std::array<std::string_view, 7> figure_columns{
+inline constexpr std::array<std::string_view, 9> figure_columns{
     "largest_hold_error_deg", "saturated_share", "authority_margin_deg", "control_time_s", "control_start_height_m",
-    "top_speed_m_s",          "apogee_m"};
+    "top_speed_m_s",          "apogee_m",        "rest_error_deg",       "top_mach"};
+/// The place of the last of them.
+inline constexpr std::size_t top_mach_column = figure_columns.size() - 1;
 
 /// One flight of a campaign, as it stands in a row.
 struct FlownRun {

@@ -16,12 +16,14 @@ namespace {
 
 using text::fixed;
 
-page::Tone tone(const std::optional<Judgement>& judgement) {
+page::Tone tone(const Report& report) {
+  const std::optional<Judgement>& judgement = report.analysis.judgement;
+  const bool is_outside = runs_outside_the_model(report) > 0;
   if (!judgement) {
-    return page::Tone::plain;
+    return is_outside ? page::Tone::unsure : page::Tone::plain;
   }
   switch (*judgement) {
-    case Judgement::met: return page::Tone::good;
+    case Judgement::met: return is_outside ? page::Tone::unsure : page::Tone::good;
     case Judgement::not_met: return page::Tone::bad;
     case Judgement::undecided: break;
   }
@@ -164,7 +166,7 @@ std::string report_html(const Report& report) {
        .subtitle = fmt::format("{}, plan {}; {} runs, {}, seed {}; Fantail {}{}", flown.vehicle, flown.plan,
                                flown.runs.size(), sampling_names[static_cast<std::size_t>(campaign.sampling)],
                                campaign.seed, report.version, changes),
-       .tone = tone(report.analysis.judgement),
+       .tone = tone(report),
        .verdict_heading = heading(report.analysis.judgement),
        .verdict = headline(report),
        .body_html = page::section("Outcomes", outcomes(report) + page::figure(convergence_chart(report))) +

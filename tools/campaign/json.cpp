@@ -119,6 +119,7 @@ std::string report_json(const Report& report) {
            {"sentence", headline(report)},
            {"remarks", remarks(report)},
            {"outcomes", outcomes},
+           {"runs_outside_model", runs_outside_the_model(report)},
            {"runs_drawn_again", a.drawn_again},
            {"figures", columns(a.figures)},
            {"quantities", columns(a.quantities)},

@@ -25,7 +25,7 @@ using report::Outcome;
 
 Question outcome_question(std::string_view text, std::string_view outcome) {
   std::string allowed;
-  for (const Outcome one : flight_outcomes) {
+  for (const Outcome one : report::outcomes) {
     if (report::name(one) == outcome) {
       return {.outcome = std::string{outcome}};
     }

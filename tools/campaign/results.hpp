@@ -21,6 +21,8 @@ struct Report {
   std::vector<std::string> run_folders{};  ///< one a worst run, where its flight report is; empty: it has none
 };
 
+/// How many are faster than the simulation of roll holds for, whatever else they came to.
+[[nodiscard]] std::size_t runs_outside_the_model(const Report& report);
 /// What was found, in one sentence or two: the share and the interval, or that it is not decided.
 [[nodiscard]] std::string headline(const Report& report);
 /// What the interval is worth for the way the runs were drawn, a sentence.

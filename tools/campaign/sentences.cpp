@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "campaign/results.hpp"
+#include "flight/flight.hpp"
 #include "text/number.hpp"
 #include "text/table.hpp"
 
@@ -59,14 +60,36 @@ void add_count(std::vector<std::string>& all, const Report& report, std::string_
   }
 }
 
+/// Empty where no run is.
+std::string outside_the_model(const Report& report) {
+  const std::size_t count = runs_outside_the_model(report);
+  if (count == 0) {
+    return {};
+  }
+  double top_mach = 0.0;
+  for (const FlownRun& run : report.flown.runs) {
+    top_mach = std::max(top_mach, run.figures[top_mach_column].value_or(0.0));
+  }
+  return fmt::format("Outside the model: {} of {} are faster than Mach {}, up to Mach {}. ", count,
+                     runs(report.flown.runs.size()), text::brief(flight::model_ends_at_mach, 2),
+                     text::fixed(top_mach, 2));
+}
+
 }  // namespace
+
+std::size_t runs_outside_the_model(const Report& report) {
+  return static_cast<std::size_t>(std::ranges::count_if(report.flown.runs, [](const FlownRun& run) {
+    return run.figures[top_mach_column].value_or(0.0) > flight::model_ends_at_mach;
+  }));
+}
 
 std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
-  return judged(report) + fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.",
-                                      a.question.words(), a.share.count, runs(a.share.of), percent(a.share.value),
-                                      end_percent(a.share.low, std::floor, a.required),
-                                      end_percent(a.share.high, std::ceil, a.required));
+  return outside_the_model(report) + judged(report) +
+         fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.", a.question.words(),
+                     a.share.count, runs(a.share.of), percent(a.share.value),
+                     end_percent(a.share.low, std::floor, a.required),
+                     end_percent(a.share.high, std::ceil, a.required));
 }
 
 std::string interval_sentence(const Report& report) {

@@ -34,6 +34,21 @@ void print_apogee(const flight::Flight& flight, const report::Figures& figures) 
   }
 }
 
+/// Where it was not the apogee: when, what for, and what became of the roll.
+void print_control_end(const flight::Flight& flight, const report::Results& results) {
+  const std::optional<double>& turned_rad = results.figures.roll_after_end_rad;
+  if (!results.verdict.ended_early || !flight.events.control_end_s || !turned_rad) {
+    return;
+  }
+  const auto reason = flight.phase_changes.back().reason;
+  show("  {:<22}{:.2f} s ({}); the roll then turned by up to {:.1f} deg\n", "control ends",
+       *flight.events.control_end_s,
+       !reason                                          ? "the log does not say why"
+       : reason == core::PhaseReason::control_time_over ? "plan"
+                                                        : flight::display_name(*reason),
+       text::degrees(*turned_rad));
+}
+
 }  // namespace
 
 void print_summary(const flight::Flight& flight, const report::Results& results) {
@@ -56,6 +71,7 @@ void print_summary(const flight::Flight& flight, const report::Results& results)
   print_figure("launch detected", events.detected_s, "{:.3f} s after lift-off");
   print_figure("control starts", flight.tunnel ? std::nullopt : events.control_start_s, "{:.3f} s after lift-off");
   print_figure("  at height", results.figures.control_start_height_m, "{:.2f} m");
+  print_control_end(flight, results);
   const bool is_highest_first = events.burnout_s && events.apogee_s && *events.apogee_s < *events.burnout_s;
   if (is_highest_first) {
     print_apogee(flight, results.figures);

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "campaign/judged_flight.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
@@ -150,6 +151,36 @@ LoopCheck check_loop(const Subject& subject) {
   return found;
 }
 
+/// What becomes of the roll when the scenario is flown by this plan.
+struct FlightCheck {
+  std::string outcome{};  ///< empty: there is no scenario
+  std::string verdict{};
+  std::optional<double> before_apogee_s{};  ///< control ends so long before it, where it ends early
+  std::vector<std::string> warnings{};
+};
+
+FlightCheck check_flight(const sim::Scenario& scenario) {
+  const campaign::JudgedFlight flown = campaign::fly_and_judge(scenario);
+  FlightCheck found{.outcome = std::string{report::name(flown.verdict.outcome)}, .verdict = flown.verdict.text};
+  const flight::Events& events = flown.flight.events;
+  const bool by_plan = !flown.flight.phase_changes.empty() &&
+                       flown.flight.phase_changes.back().reason == core::PhaseReason::control_time_over;
+  if (flown.verdict.ended_early) {
+    found.before_apogee_s = flown.figures.ended_before_apogee_s;
+  }
+  if (found.before_apogee_s && by_plan) {
+    found.warnings.push_back(fmt::format(
+        "run.control_time_s = {} ends control {} s before the apogee of {}, which is {} s after control start",
+        text::brief(static_cast<double>(core::seconds(scenario.plan.run.control_time)), 3),
+        text::fixed(*found.before_apogee_s, 2), scenario.name,
+        text::fixed(*events.apogee_s - *events.control_start_s, 2)));
+  }
+  if (flown.verdict.outcome != report::Outcome::held) {
+    found.warnings.push_back(fmt::format("the flight of {} with it: {}", scenario.name, found.verdict));
+  }
+  return found;
+}
+
 /// Where a plan for a launch is weaker than those that the safety case is about (docs/safety.md, "Which plans"). The
 /// firmware takes it all the same.
 std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
@@ -183,7 +214,7 @@ std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
   return weaker;
 }
 
-json::Value json_of(const Subject& subject, const LoopCheck& loop) {
+json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightCheck& flight) {
   json::Value all{
       {"plan", subject.file}, {"may_fly", true}, {"crc", fmt::format("{:08x}", protocol::plan_crc(subject.plan))}};
   all["weaker_than_shipped"] = json::Value::array();
@@ -203,6 +234,11 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop) {
   all["least_phase_margin_deg"] = number(least.has_value(), least ? text::degrees(least->phase_margin_rad) : 0.0);
   all["at_speed_m_s"] = number(least.has_value(), least ? least->speed_m_s : 0.0);
   all["warning"] = loop.warns ? json::Value{loop.sentence} : json::Value{};
+  all["outcome"] = flight.outcome;
+  all["verdict"] = flight.verdict;
+  all["control_ends_before_apogee_s"] =
+      number(flight.before_apogee_s.has_value(), flight.before_apogee_s.value_or(0.0));
+  all["flight_warnings"] = flight.warnings;
   return all;
 }
 
@@ -211,8 +247,9 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop) {
 void check_plan(const PlanCheck& asked) {
   const Subject found = subject(asked);
   const LoopCheck loop = found.scenario ? check_loop(found) : LoopCheck{};
+  const FlightCheck flight = found.scenario ? check_flight(*found.scenario) : FlightCheck{};
   if (asked.json) {
-    fmt::print("{}\n", json_of(found, loop).dump());
+    fmt::print("{}\n", json_of(found, loop, flight).dump());
     return;
   }
   const std::string file = text::printable(found.file);
@@ -230,6 +267,9 @@ void check_plan(const PlanCheck& asked) {
   }
   if (!loop.sentence.empty()) {
     show("{}: {}{}\n", file, loop.warns ? "warning: " : "", text::printable(loop.sentence));
+  }
+  for (const std::string& warning : flight.warnings) {
+    show("{}: warning: {}\n", file, text::printable(warning));
   }
 }
 

@@ -24,6 +24,7 @@
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
 #include "text/number.hpp"
@@ -171,7 +172,7 @@ void fly_campaign(const CampaignOptions& options) {
   if (options.json) {
     fmt::print("{}", campaign::report_json(report));
   } else {
-    show("{}\n  page  {}\n  runs  {}\n", campaign::report_text(report, output_columns()),
+    show("{}\n  page  {}\n  runs  {}\n", painted_decision(campaign::report_text(report, output_columns())),
          (folder / "campaign.html").string(), (folder / campaign::RunsFolder::runs_name).string());
   }
   if (report.analysis.judgement && *report.analysis.judgement != campaign::Judgement::met) {

@@ -252,7 +252,7 @@ void fill(const Verb& verb) {
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "Exit code 0: flown, whether or not the roll was held: `outcome` in summary.json and --json says that (held, "
-      "not_held, oscillates, cut_short, not_judged, no_control, ascent_failed).\n"
+      "off_command, outside_model, not_held, oscillates, cut_short, not_judged, no_control, ascent_failed).\n"
       "Examples:\n"
       "  fantail fly                                         the second launch, into out/tasha3_launch2\n"
       "  fantail fly tasha3_launch1 --set reference.kind=hold --set controller.canard_limit_deg=9\n"

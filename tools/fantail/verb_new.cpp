@@ -15,8 +15,11 @@
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
+#include "fly/fly_scenario.hpp"
 #include "input/document.hpp"
 #include "input/rasp_file.hpp"
+#include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
 #include "text/input_file.hpp"
@@ -146,6 +149,23 @@ sim::Vehicle write(const std::filesystem::path& folder, const std::vector<text::
   }
 }
 
+/// What a first flight of the new rocket shows that it is too fast for; empty: nothing, or it cannot be flown yet.
+std::string beyond_the_model(const std::filesystem::path& scenario) {
+  try {
+    const flight::Flight flown =
+        fly::fly_without_rows(input::load_scenario(scenario.string(), {}), [](const auto&, const auto&) {});
+    if (flown.top_mach.value_or(0.0) > flight::model_ends_at_mach) {
+      return fmt::format(
+          "Outside the model: its first flight reaches Mach {:.2f}, and the simulation of roll holds to Mach {:g}. No "
+          "verdict on its roll will be green; a weaker motor or more mass keeps it slower.\n",
+          *flown.top_mach, flight::model_ends_at_mach);
+    }
+  } catch (const text::Error&) {
+    // fly says what is wrong with it
+  }
+  return {};
+}
+
 void make(const NewOptions& options) {
   const std::filesystem::path folder{options.name};
   if (folder.filename().empty() || std::filesystem::exists(folder)) {
@@ -166,6 +186,7 @@ void make(const NewOptions& options) {
         "It has no canards: nothing controls its roll until the vehicle has the section [canard_fins] and is made "
         "anew.\n");
   }
+  show("{}", painted_decision(beyond_the_model(folder / "scenario.toml")));
   show("{}{}", files.gains, files.gains.empty() ? "" : "\n");
   for (const std::string& assumed : made.assumed) {
     show("Assumed: {}\n", assumed);

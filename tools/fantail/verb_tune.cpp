@@ -14,6 +14,7 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
+#include "fantail/verdict_color.hpp"
 #include "input/shipped.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
@@ -178,7 +179,7 @@ void tune_scenario(const TuneOptions& options) {
   if (options.json) {
     fmt::print("{}", json);
   } else {
-    show("{}\n  page  {}\n  plan  {}\n", tune::tuning_text(tuning), (folder / "tune.html").string(),
+    show("{}\n  page  {}\n  plan  {}\n", painted_decision(tune::tuning_text(tuning)), (folder / "tune.html").string(),
          plan_name.empty() ? "none written" : plan_name + ", to be named " + how_to_fly(options, file));
   }
   if (!tuning.is_proposed()) {

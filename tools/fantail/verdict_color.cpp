@@ -36,8 +36,12 @@ std::string painted_verdict(const report::Verdict& verdict) {
 }
 
 std::string painted_decision(std::string text) {
-  constexpr std::array decisions{std::pair{"Go:", Color::green}, std::pair{"No go:", Color::red},
-                                 std::pair{"PASS\n", Color::green}, std::pair{"FAIL\n", Color::red}};
+  constexpr std::array decisions{std::pair{"Go:", Color::green},
+                                 std::pair{"No go:", Color::red},
+                                 std::pair{"Go with caution:", Color::yellow},
+                                 std::pair{"Outside the model:", Color::yellow},
+                                 std::pair{"PASS\n", Color::green},
+                                 std::pair{"FAIL\n", Color::red}};
   for (std::size_t line = 0; line < text.size(); line = next_line(text, line)) {
     for (const auto& [words, color] : decisions) {
       if (std::string_view{text}.substr(line).starts_with(words)) {

@@ -69,6 +69,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.seed = scenario.seed;
   flight.tunnel = scenario.surroundings != sim::Surroundings::flight;
   flight.plan = scenario.plan;
+  flight.rest_limit_rad = scenario.rest_limit_rad;
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);

@@ -15,6 +15,7 @@ namespace fantail::fly {
 namespace {
 
 constexpr double largest_constant_mach = 0.7;
+static_assert(flight::model_ends_at_mach == sim::highest_mach_of_prandtl_glauert);
 // Where a vehicle does not say it, canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
 constexpr double usual_stall_rad = 15.0 * sim::radians_per_degree;
 

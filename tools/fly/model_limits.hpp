@@ -22,6 +22,9 @@ class ModelLimits {
   /// Each row, in order, and the flight as it is known by then.
   void add(const flight::Row& row, const flight::Flight& so_far);
 
+  /// Of the air along the axis, in any row.
+  [[nodiscard]] double top_mach() const { return top_mach_; }
+
   /// Of a flight whose rows have been added, a sentence each.
   [[nodiscard]] std::vector<std::string> gone_beyond(const flight::Flight& flight) const;
 

@@ -79,6 +79,8 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"imposed_roll", "angle_deg", number(deg, {-3600, 3600}), must_in_its_section, AT(made(it.imposed_roll).angle_rad), "Roll angle from then on."},
   {"imposed_roll", "rate_deg_s", number(deg_s, {-3600, 3600}), must_in_its_section, AT(made(it.imposed_roll).rate_rad_s), "Roll rate from then on."},
 
+  {"verdict", "rest_limit_deg", number(deg, {0.1, 3600}), may, AT(it.rest_limit_rad), "How far from its reference the roll may rest and still count as `held`. Not flown."},
+
   {"timing", "pad_time_s", number("s", {1, 600}), may, AT(it.pad_time_s), "From power-up to ignition (tunnel: to the start command), whether armed by then or not."},
   {"timing", "arm_time_s", number("s", {0.1, 600}), may, AT(it.arm_time_s), "From power-up to the arm switch and the self-test, which takes about seven seconds; earlier than `pad_time_s`."},
   {"timing", "time_after_end_s", number("s", {0, 3600}), may, AT(it.time_after_end_s), "The run goes on this long after apogee and burn-out (tunnel: after control), and until a parachute opens."},

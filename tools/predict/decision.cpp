@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "predict/advice.hpp"
 #include "predict/leaning_guide.hpp"
+#include "predict/model_end.hpp"
 #include "predict/sentences.hpp"
 #include "predict/wind_advice.hpp"
 #include "sim/canard_aerodynamics.hpp"
@@ -72,6 +73,7 @@ struct NotHeld {
   std::string_view clause;
 };
 constexpr std::array ways_not_to_hold{NotHeld{report::Outcome::ascent_failed, "the ascent fails"},
+                                      NotHeld{report::Outcome::off_command, "the roll rests too far from its command"},
                                       NotHeld{report::Outcome::oscillates, "the canards oscillate"},
                                       NotHeld{report::Outcome::cut_short, "control ends early"},
                                       NotHeld{report::Outcome::no_control, "control does not begin"},
@@ -95,16 +97,16 @@ std::string first_with(const Prediction& p, const NotHeld& what) {
   return fmt::format("{} {} (run {}: {})", many, what.clause, first - p.runs.begin(), cause(*first));
 }
 
-/// What "held" is, for it is about the angle at which the law settles and not about the one that the plan asks for.
+/// What "held" is: about the angle at which the law settles, and how far that may be from the one that was asked for.
 std::string held_where(const Prediction& p) {
   const std::string within = fmt::format(", within {} degrees of ", brief(degrees(report::held_error_rad), 1));
   if (flight::rejects_offset(p.flown.plan)) {
     return within + "its reference";
   }
-  return within + "where this law settles" +
-         (p.settle_off_rad
-              ? fmt::format(" ({} degrees from its reference in the median)", fixed(degrees(p.settle_off_rad->p50), 1))
-              : "");
+  const std::string median =
+      p.settle_off_rad ? fmt::format("{} in the median, ", fixed(degrees(p.settle_off_rad->p50), 1)) : "";
+  return within + fmt::format("where this law settles ({}at most {} degrees from its command)", median,
+                              brief(degrees(p.flown.rest_limit_rad), 1));
 }
 
 Criterion held(const Prediction& p, double threshold) {
@@ -116,6 +118,13 @@ Criterion held(const Prediction& p, double threshold) {
               .judgement = judge(share.low >= threshold)};
   if (p.not_judged > 0) {
     c.found += fmt::format(", {} of {} not judged", p.not_judged, runs(p.runs.size()));
+  }
+  if (const std::size_t outside = steady_outside_model(p); outside > 0) {
+    c.found += fmt::format(", {} of {} outside the model", outside, runs(p.runs.size()));
+    if (c.judgement == Judgement::not_met && predict::share(share.count + outside, share.of).low >= threshold) {
+      c.judgement = Judgement::not_judged;
+      return c;
+    }
   }
   std::string others;
   for (const NotHeld& what : ways_not_to_hold) {
@@ -262,8 +271,15 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds, cons
   if (const auto tilt = tilt_limit(prediction)) {
     d.criteria.push_back(*tilt);
   }
+  if (const auto model = within_model(prediction)) {
+    d.criteria.insert(d.criteria.begin(), *model);
+  }
   d.go = std::ranges::all_of(d.criteria, [](const Criterion& c) { return c.judgement == Judgement::met; });
-  d.text = fmt::format("{}: {}.", d.go ? "Go" : "No go", joined(d.criteria, d.go));
+  if (const std::string resonance = resonance_caution(prediction); d.go && !resonance.empty()) {
+    d.cautions.push_back(resonance);
+  }
+  d.text = fmt::format("{}: {}{}.", d.heading(), joined(d.criteria, d.go),
+                       d.cautions.empty() ? "" : fmt::format("; but {}", fmt::join(d.cautions, "; ")));
   if (const std::string missing = missing_spread(prediction); !missing.empty()) {
     d.text += " " + missing;
   }

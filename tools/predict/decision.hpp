@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "predict/prediction.hpp"
@@ -32,9 +33,12 @@ struct Criterion {
 struct Decision {
   bool go = false;
   std::vector<Criterion> criteria{};
-  std::string text{};                 ///< "Go: ..." or "No go: ..."
-  std::vector<std::string> advice{};  ///< what would have to change, a sentence each; empty for go
+  std::string text{};                   ///< heading(), and why
+  std::vector<std::string> cautions{};  ///< of a go: what no requirement asks and the launch is near to, a clause each
+  std::vector<std::string> advice{};    ///< what would have to change, a sentence each; empty for go
   Thresholds thresholds{};
+
+  [[nodiscard]] std::string_view heading() const { return !go ? "No go" : cautions.empty() ? "Go" : "Go with caution"; }
 };
 
 /// Go when every criterion is met: what could not be judged is no go. Shares must reach their threshold with the low

@@ -31,6 +31,15 @@ page::Tone tone(Judgement judgement) {
   return page::Tone::unsure;
 }
 
+page::Tone tone(const Decision& decision) {
+  if (decision.go) {
+    return decision.cautions.empty() ? page::Tone::good : page::Tone::unsure;
+  }
+  return std::ranges::any_of(decision.criteria, [](const Criterion& c) { return c.judgement == Judgement::not_met; })
+             ? page::Tone::bad
+             : page::Tone::unsure;
+}
+
 page::Figure figure(std::string label, const Quantiles& s, double scale, int decimals, std::string unit) {
   return {.label = std::move(label),
           .value = fixed(scale * s.p50, decimals),
@@ -152,20 +161,20 @@ std::string repetition(const Prediction& p) {
 }  // namespace
 
 std::string prediction_html(const Prediction& p, const Decision& decision, std::string_view version) {
-  const std::string heading = decision.go ? "Go" : "No go";
+  const std::string heading{decision.heading()};
   const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
   const std::string warning = resonance_warning(p);
   const std::string resonance = warning.empty() ? "" : page::section("Roll and pitch", page::paragraph(warning));
   std::vector<page::Page::Finding> left_out;
   for (const std::string& sentence : not_in_verdict(p)) {
-    left_out.push_back({.what = "Not in the verdict:", .about = sentence});
+    left_out.push_back({.what = "Beside the requirements:", .about = sentence});
   }
   return page::html(
       {.kind = "Fantail launch prediction",
        .title = p.scenario,
        .subtitle = fmt::format("{}, plan {}; {}, seed {}; Fantail {}{}", p.vehicle, p.plan_name, runs(p.runs.size()),
                                p.seed, version, changes),
-       .tone = decision.go ? page::Tone::good : page::Tone::bad,
+       .tone = tone(decision),
        .verdict_heading = heading,
        .verdict = without_heading(decision),
        .findings = std::move(left_out),

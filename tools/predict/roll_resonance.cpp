@@ -89,6 +89,14 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
       fixed(degrees(canard_reach_rad), 1), of_runs(r.with_canards));
 }
 
+std::string caution(const RollResonance& r) {
+  return fmt::format(
+      "roll resonance, a roll rate equal to the pitch frequency, is reached in {} of {} runs without control, and in "
+      "{} "
+      "with the canards at their limit",
+      r.near + r.past, r.runs, r.with_canards);
+}
+
 std::string in_short(const RollResonance& r, double canard_reach_rad) {
   return fmt::format(
       "Roll resonance, as fast a roll as the rocket swings in pitch: {} of {} runs come to it where nothing controls "

@@ -39,6 +39,9 @@ inline constexpr double near_resonance = 0.25;
 [[nodiscard]] std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const std::vector<Run>& runs,
                                                           double canard_reach_rad);
 
+/// A clause: in how many runs.
+[[nodiscard]] std::string caution(const RollResonance& resonance);
+
 /// For who reads the verdict alone: in how many runs, and what to do.
 [[nodiscard]] std::string in_short(const RollResonance& resonance, double canard_reach_rad);
 

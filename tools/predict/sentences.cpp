@@ -29,12 +29,15 @@ std::string runs(std::size_t count) { return fmt::format("{} run{}", count, coun
 
 std::string cause(const Run& run) {
   std::string_view text = run.verdict;
+  if (constexpr std::string_view outside = "Outside the model: "; text.starts_with(outside)) {
+    text.remove_prefix(std::min(text.size(), text.find(". ") + 2));  // told of all runs
+  }
   for (const std::string_view heading : {"No control: ", "Roll not judged: ", "Roll not held: "}) {
     if (text.starts_with(heading)) {
       text.remove_prefix(heading.size());
     }
   }
-  text = text.substr(0, std::min(text.find(". "), text.find("; ")));
+  text = text.substr(0, std::min({text.find(". "), text.find("; "), text.find(": roll stayed")}));
   return std::string{text.ends_with('.') ? text.substr(0, text.size() - 1) : text};
 }
 
@@ -128,6 +131,10 @@ std::string changes_sentence(const Prediction& p) {
 
 std::string resonance_warning(const Prediction& p) {
   return p.resonance ? warning(*p.resonance, p.reach.angle_rad) : "";
+}
+
+std::string resonance_caution(const Prediction& p) {
+  return p.resonance && p.resonance->with_canards > 0 ? caution(*p.resonance) : "";
 }
 
 std::vector<std::string> not_in_verdict(const Prediction& p) {

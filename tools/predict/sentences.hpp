@@ -37,6 +37,9 @@ namespace fantail::predict {
 /// What the roll may do to the pitch, a sentence or more; empty where nothing speaks for it.
 [[nodiscard]] std::string resonance_warning(const Prediction& prediction);
 
+/// In how many runs, a clause for the verdict; empty where nothing speaks for it.
+[[nodiscard]] std::string resonance_caution(const Prediction& prediction);
+
 /// What the runs or the model show and neither go nor no go counts, with what to do about it: roll resonance, in short,
 /// and the notes of the flights. A sentence or two each.
 [[nodiscard]] std::vector<std::string> not_in_verdict(const Prediction& prediction);

@@ -58,7 +58,7 @@ std::string prediction_text(const Prediction& p, const Decision& decision) {
     text.insert(text.find('\n') + 1, changes + "\n");
   }
   if (const std::vector<std::string> left_out = not_in_verdict(p); !left_out.empty()) {
-    text += "The verdict does not count:\n";
+    text += "Beside the requirements:\n";
     for (const std::string& sentence : left_out) {
       text += fmt::format("  {}\n", sentence);
     }

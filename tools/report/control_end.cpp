@@ -59,6 +59,12 @@ std::string why_no_control(const flight::Flight& flight) {
   }
 }
 
+std::string plan_time(const flight::Flight& flight) {
+  return flight.known.plan
+             ? fmt::format(" of {} s", text::brief(static_cast<double>(core::seconds(flight.plan.run.control_time)), 2))
+             : "";
+}
+
 }  // namespace
 
 std::string no_control(const flight::Flight& flight) {
@@ -75,14 +81,17 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
   if (flight.phase_changes.empty() || flight.phase_changes.back().phase != core::Phase::finished) {
     return false;
   }
-  const auto reason = flight.phase_changes.back().reason;
-  if (!reason || reason == core::PhaseReason::control_time_over) {
-    return false;
-  }
   // The highest point of a rocket whose ascent failed is none at which the air hardly flows.
   const bool has_failed = flight.before_burnout && flight.before_burnout->ascent_failed();
-  return f.ended_before_apogee_s.value_or(0.0) > near_apogee_s ||
-         ((has_failed || !f.ended_before_apogee_s) && reason != core::PhaseReason::apogee);
+  const bool is_early = f.ended_before_apogee_s.value_or(0.0) > near_apogee_s;  // whatever ended it
+  if (is_early || (f.ended_before_apogee_s && !has_failed)) {
+    return is_early;
+  }
+  const auto reason = flight.phase_changes.back().reason;
+  if (reason == core::PhaseReason::control_time_over) {
+    return flight.trajectory_end_s && !flight.tunnel;  // elsewhere apogee may have been before it
+  }
+  return reason && reason != core::PhaseReason::apogee;
 }
 
 std::string early_end(const flight::Flight& flight, const Figures& f) {
@@ -95,16 +104,21 @@ std::string early_end(const flight::Flight& flight, const Figures& f) {
   if (was_lost(flight)) {
     text += flight.outages.back().cause.empty() ? ": the processor stood still from then on."
                                                 : ": the processor was reset, and the flight was not resumed.";
+  } else if (!end.reason) {
+    text += "; the log does not say why.";
   } else if (end.reason == core::PhaseReason::apogee) {
     text += ": the avionics took it for apogee.";
+  } else if (end.reason == core::PhaseReason::control_time_over) {
+    text += fmt::format(": the plan's control time{} was over.", plan_time(flight));
   } else {
     const bool is_seen_later = end_s < end.time_s - 0.01;
     text += fmt::format(": {}{}.", flight::display_name(*end.reason),
                         is_seen_later ? fmt::format(", seen at {} s", text::fixed(end.time_s, 2)) : "");
   }
   if (f.roll_after_end_rad) {
-    text += fmt::format(" After that the rocket turned by up to {} deg until apogee.",
-                        text::fixed(text::degrees(*f.roll_after_end_rad), 1));
+    text += fmt::format(" After that the rocket turned by up to {} deg until {}.",
+                        text::fixed(text::degrees(*f.roll_after_end_rad), 1),
+                        f.ended_before_apogee_s ? "apogee" : "the trajectory ends");
   }
   return text;
 }

@@ -14,7 +14,8 @@ inline constexpr double near_apogee_s = 0.5;
 /// Of a flight without control: why it never began, as far as is known.
 [[nodiscard]] std::string no_control(const flight::Flight& flight);
 
-/// Did control end before its time? The plan's own end of control is none; apogee is one when it was imagined.
+/// Did control end before apogee, whatever ended it? In the tunnel, where there is no apogee: for another reason than
+/// the plan's own time.
 [[nodiscard]] bool ended_early(const flight::Flight& flight, const Figures& f);
 
 /// When and why control did, and what the rocket turned by until apogee: one or two sentences.

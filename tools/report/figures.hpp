@@ -24,12 +24,15 @@ struct Figures {
   std::optional<double> apogee_m;       ///< true height where truth exists, else the estimate; empty, too, where the
                                         ///< rows of apogee are missing
   std::optional<double> max_speed_m_s;  ///< likewise; over ground where the flight has a path
-  std::optional<double> control_start_height_m;   ///< likewise
-  std::optional<double> control_time_s;           ///< first to last tick under control
-  std::optional<double> saturated_fraction;       ///< of the ticks under control, all of which know it
-  std::optional<double> largest_hold_error_rad;   ///< largest |true roll angle - (R + u_d / kp)| over the settled part
-  std::optional<double> mean_hold_error_rad;      ///< mean of the same
-  std::optional<double> largest_disturbance_rad;  ///< u_d of largest magnitude under control, with its sign
+  std::optional<double> control_start_height_m;    ///< likewise
+  std::optional<double> control_time_s;            ///< first to last tick under control
+  std::optional<double> saturated_fraction;        ///< of the ticks under control, all of which know it
+  std::optional<double> largest_hold_error_rad;    ///< largest |true roll angle - (R + u_d / kp)| over the settled part
+  std::optional<double> mean_hold_error_rad;       ///< mean of the same
+  std::optional<double> judged_time_s;             ///< how long that was; empty where the next is
+  std::optional<double> rest_error_rad;            ///< how far from R the roll rests: RunningRest
+  std::optional<double> mean_reference_error_rad;  ///< mean |phi - R| of all time under control
+  std::optional<double> largest_disturbance_rad;   ///< u_d of largest magnitude under control, with its sign
   std::optional<double> authority_margin_rad;  ///< how much farther the canards could go, or come back, than u_d needs;
                                                ///< the least under control; negative: they cannot balance it
   std::optional<double> authority_rad;         ///< how far they deflect in the sense that this u_d needs

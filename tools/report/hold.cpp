@@ -34,8 +34,11 @@ void RunningHold::add(const flight::Row& row, double roll_rad, const flight::Fli
   known_.add(row.time_s);
   last_known_s_ = row.time_s;
   if (row.time_s < settles_at_s_ - clock_tolerance_s) {
+    last_settled_s_.reset();
     return;
   }
+  judged_time_s_ += row.time_s - last_settled_s_.value_or(row.time_s);
+  last_settled_s_ = row.time_s;
   const double error_rad = std::abs(roll_rad - *settle_point_rad);
   largest_error_rad_ = std::max(largest_error_rad_.value_or(0.0), error_rad);
   sum_of_errors_rad_ += error_rad;
@@ -51,6 +54,10 @@ void RunningHold::note_what_is_missing(const flight::Row& row, double roll_rad, 
 
 std::optional<double> RunningHold::mean_error_rad() const {
   return settled_ > 0 ? std::optional{sum_of_errors_rad_ / static_cast<double>(settled_)} : std::nullopt;
+}
+
+double RunningHold::judged_time_s() const {
+  return std::round(1e4 * judged_time_s_) / 1e4;  // whatever the clock of the rows, which rounds to the microsecond
 }
 
 HoldRecord RunningHold::record(const flight::Clock& clock, double usual_step_s) const {

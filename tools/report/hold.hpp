@@ -34,6 +34,8 @@ class RunningHold {
   /// Of the settled part; empty: there is none.
   [[nodiscard]] std::optional<double> largest_error_rad() const { return largest_error_rad_; }
   [[nodiscard]] std::optional<double> mean_error_rad() const;
+  /// How long all of that was, without the holes between its rows.
+  [[nodiscard]] double judged_time_s() const;
 
   /// `usual_step_s`: between rows that know the roll.
   [[nodiscard]] HoldRecord record(const flight::Clock& clock, double usual_step_s) const;
@@ -51,6 +53,8 @@ class RunningHold {
   std::optional<double> largest_error_rad_{};
   double sum_of_errors_rad_ = 0.0;
   std::size_t settled_ = 0;
+  std::optional<double> last_settled_s_{};  ///< of this stretch
+  double judged_time_s_ = 0.0;
 };
 
 }  // namespace fantail::report

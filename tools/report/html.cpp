@@ -13,6 +13,7 @@
 
 #include "flight/phase_names.hpp"
 #include "page/page.hpp"
+#include "report/control_end.hpp"
 #include "report/descent.hpp"
 #include "report/gain_margin_text.hpp"
 #include "report/settle_point.hpp"
@@ -53,9 +54,17 @@ std::string figure_list(const flight::Flight& flight, const Figures& f, bool rol
       rows_are_sparse(flight, f) ? "from its first row to its last" : "");
   add("Largest hold error", roll_is_judged ? text::in_degrees(f.largest_hold_error_rad) : std::nullopt, 1, "deg",
       f.mean_hold_error_rad ? "mean " + fixed(text::degrees(*f.mean_hold_error_rad), 2) + " deg" : "");
+  if (roll_is_judged && f.rest_error_rad) {
+    add("Rests from its command", text::degrees(*f.rest_error_rad), 1, "deg",
+        fmt::format("limit {} deg; mean |phi - R| under control {} deg",
+                    text::brief(text::degrees(flight.rest_limit_rad), 1),
+                    fixed(text::degrees(*f.mean_reference_error_rad), 1)));
+  }
   add("Saturated",
       f.saturated_fraction && *f.control_time_s > 0.0 ? std::optional{100.0 * *f.saturated_fraction} : std::nullopt, 1,
       "%", "of control time");
+  add("Turned after control", ended_early(flight, f) ? text::in_degrees(f.roll_after_end_rad) : std::nullopt, 1, "deg",
+      f.ended_before_apogee_s ? "until apogee" : "until the trajectory ends");
   add("Largest fin offset", text::in_degrees(f.largest_disturbance_rad), 1, "deg", "true u_d under control");
   add("Authority margin", text::in_degrees(f.authority_margin_rad), 1, "deg",
       f.authority_rad ? "of " + text::brief(text::degrees(*f.authority_rad), 1) + " deg" : "");
@@ -180,6 +189,8 @@ page::Tone tone(const Verdict& verdict) {
     case Outcome::ascent_failed:
     case Outcome::no_control: return page::Tone::bad;
     case Outcome::cut_short: return verdict.ended_early ? page::Tone::bad : page::Tone::unsure;
+    case Outcome::off_command:
+    case Outcome::outside_model:
     case Outcome::not_judged: break;
   }
   return page::Tone::unsure;

@@ -202,6 +202,9 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   read_canard_verdicts(flight, member(summary, "canard_verdicts"));
   flight.why_not_armed = text(summary, "why_not_armed");
   flight.trajectory_end_s = number(summary, "trajectory_end_s");
+  flight.top_mach = number(summary, "top_mach");
+  flight.rest_limit_rad =
+      text::radians(number(summary, "rest_limit_deg").value_or(text::degrees(flight.rest_limit_rad)));
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
   flight.before_burnout = read_before_burnout(member(summary, "before_burnout"));
   read_outages(flight, member(summary, "outages"));

@@ -66,7 +66,10 @@ void TrueZero::add(const flight::Row& row) {
 }
 
 RunningFigures::RunningFigures(bool tunnel)
-    : zero_{tunnel}, hold_{settling_time_s(tunnel)}, oscillation_{settling_time_s(tunnel)} {}
+    : zero_{tunnel},
+      hold_{settling_time_s(tunnel)},
+      rest_{settling_time_s(tunnel)},
+      oscillation_{settling_time_s(tunnel)} {}
 
 void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   begins_under_control_ = begins_under_control_ || (rows_ == 0 && row.phase == core::Phase::controlling);
@@ -116,7 +119,9 @@ void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight
   controlled_ += 1;
   end_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .command_rad = row.command_rad};
   const bool is_true = zero_.is_known() && row.truth && std::isfinite(row.truth->roll_angle_rad);
-  hold_.add(row, is_true ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad, flight);
+  const double roll_rad = is_true ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad;
+  hold_.add(row, roll_rad, flight);
+  rest_.add(row, roll_rad, flight);
   if (row.truth && std::isfinite(row.truth->disturbance_rad)) {
     const double offset_rad = row.truth->disturbance_rad;
     keep_farthest_from_zero(largest_offset_rad_, offset_rad);
@@ -193,11 +198,14 @@ void RunningFigures::tell_saturation(Figures& f, const flight::Flight& flight, c
 }
 
 void RunningFigures::tell_end(Figures& f, const flight::Flight& flight) const {
-  if (!flight.events.apogee_s || !flight.events.control_end_s) {
+  if (!flight.events.control_end_s || (!flight.events.apogee_s && !flight.trajectory_end_s)) {
     return;
   }
-  f.ended_before_apogee_s = *flight.events.apogee_s - *flight.events.control_end_s;
   f.roll_after_end_rad = rolled_until_apogee_rad_;
+  if (!flight.events.apogee_s) {
+    return;  // the trajectory ends in the climb
+  }
+  f.ended_before_apogee_s = *flight.events.apogee_s - *flight.events.control_end_s;
   // A gap may have swallowed all of them: then the first behind it shows what happened.
   if (!f.roll_after_end_rad && *f.ended_before_apogee_s > 0.1) {
     f.roll_after_end_rad = first_rolled_rad_;
@@ -250,6 +258,9 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
   if (!f.in_still_air) {  // nothing holds anything there
     f.largest_hold_error_rad = hold_.largest_error_rad();
     f.mean_hold_error_rad = hold_.mean_error_rad();
+    f.judged_time_s = f.largest_hold_error_rad ? std::optional{hold_.judged_time_s()} : std::nullopt;
+    f.rest_error_rad = rest_.rest_error_rad();
+    f.mean_reference_error_rad = rest_.mean_error_rad();
   }
   f.hold = hold_.record(clock, f.roll.usual_step_s);
   tell_authority(f, flight);

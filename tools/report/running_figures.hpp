@@ -11,6 +11,7 @@
 #include "report/extent.hpp"
 #include "report/figures.hpp"
 #include "report/hold.hpp"
+#include "report/rest.hpp"
 
 namespace fantail::report {
 
@@ -103,6 +104,7 @@ class RunningFigures {
   Start start_{};
   End end_{};
   RunningHold hold_;
+  RunningRest rest_;
   std::optional<double> largest_offset_rad_{};
   std::optional<double> least_offset_rad_{};
   std::optional<double> most_offset_rad_{};

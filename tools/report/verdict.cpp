@@ -18,6 +18,9 @@
 namespace fantail::report {
 namespace {
 
+// More than rounding makes of an angle.
+constexpr double same_angle_rad = 1e-9;
+
 std::string degrees_text(double radians) { return fmt::format("{} deg", text::fixed(text::degrees(radians), 1)); }
 std::string signed_limit(double radians) {
   return fmt::format("{}{} deg", radians > 0.0 ? "+" : "", text::brief(text::degrees(radians), 1));
@@ -74,6 +77,11 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   if (!f.hold.is_ever_known && !lacks.empty()) {
     return lacks + ", and with it where roll should settle, is unknown";
   }
+  if (f.judged_time_s) {
+    return fmt::format("it could be judged for only {} s of {} s under control, and {} s is the least",
+                       text::fixed(*f.judged_time_s, 2), text::fixed(*f.control_time_s, 2),
+                       text::brief(least_judged_s, 1));
+  }
   return *f.control_time_s < 2.0 ? fmt::format("control lasted only {} s", text::fixed(*f.control_time_s, 2))
                                  : "the reference was never constant for long enough";
 }
@@ -123,6 +131,26 @@ std::string not_following(const flight::Flight& flight) {
   return count == 1 ? fmt::format("canard {} does not follow its command", text) : text;
 }
 
+/// "; judged for 1.2 s of 9.9 s under control" where that is less than half; else empty.
+std::string how_long_judged(const Figures& f) {
+  return *f.judged_time_s < 0.5 * *f.control_time_s
+             ? fmt::format("; judged for {} s of {} s under control", text::fixed(*f.judged_time_s, 1),
+                           text::fixed(*f.control_time_s, 1))
+             : "";
+}
+
+/// Both halves of a roll that is held: how steadily, and how far from what was asked.
+Verdict steady(const flight::Flight& flight, const Figures& f, const std::string& rest) {
+  const double rest_rad = f.rest_error_rad.value_or(0.0);
+  const bool is_off = rest_rad > flight.rest_limit_rad + same_angle_rad;
+  const std::string asked =
+      is_off ? fmt::format(" ({} deg is the limit)", text::brief(text::degrees(flight.rest_limit_rad), 1)) : "";
+  return {is_off ? Outcome::off_command : Outcome::held,
+          sentence(fmt::format("steady, {} from the command{}: roll stayed within {} of where this law settles{}; {}",
+                               degrees_text(rest_rad), asked, degrees_text(*f.largest_hold_error_rad),
+                               how_long_judged(f), rest))};
+}
+
 Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   const std::string rest = saturation_and_margin(f);
   if (f.at_limit_since_s && f.offset_beyond_limit) {
@@ -146,10 +174,19 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
                       misses, degrees_text(*f.largest_hold_error_rad), rest);
       return {Outcome::not_judged, sentence(on_record) + ended_at_limit};
     }
-    const std::string hold = fmt::format(fmt::runtime(held ? "roll stayed within {} of where this law settles; {}"
-                                                           : "roll not held: up to {} from where this law settles; {}"),
-                                         degrees_text(*f.largest_hold_error_rad), rest);
-    return {held ? Outcome::held : Outcome::not_held, sentence(hold) + ended_at_limit};
+    if (held && *f.judged_time_s >= least_judged_s) {
+      Verdict v = steady(flight, f, rest);
+      v.text += ended_at_limit;
+      return v;
+    }
+    if (!held) {
+      const std::string mean = f.mean_reference_error_rad ? fmt::format(", in the mean {} from the command",
+                                                                        degrees_text(*f.mean_reference_error_rad))
+                                                          : "";
+      return {Outcome::not_held, sentence(fmt::format("roll not held: up to {} from where this law settles{}; {}",
+                                                      degrees_text(*f.largest_hold_error_rad), mean, rest)) +
+                                     ended_at_limit};
+    }
   }
   return {Outcome::not_judged,
           sentence(fmt::format("roll not judged: {}; {}", why_not_judged(flight, f), saturation(f))) + ended_at_limit};
@@ -165,7 +202,7 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   v.roll_is_judged = v.outcome != Outcome::not_judged;
   if (f.oscillation) {
     const Oscillation& o = *f.oscillation;
-    v.outcome = v.outcome == Outcome::held ? Outcome::oscillates : v.outcome;
+    v.outcome = is_steady(v.outcome) ? Outcome::oscillates : v.outcome;
     v.text = fmt::format(
                  "The canards oscillate at {} Hz between {} and {} deg, seen from {} s on, with nothing that "
                  "excites them. ",
@@ -175,7 +212,7 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   }
   const auto worst = std::ranges::min_element(flight.loop_margins, {}, &flight::LoopMargin::phase_margin_rad);
   if (worst != flight.loop_margins.end() && worst->phase_margin_rad <= 0.0) {
-    v.outcome = v.outcome == Outcome::held ? Outcome::oscillates : v.outcome;
+    v.outcome = is_steady(v.outcome) ? Outcome::oscillates : v.outcome;
     v.text = fmt::format("The loop is unstable: at {} m/s its phase margin is {}. ", text::fixed(worst->speed_m_s, 0),
                          degrees_text(worst->phase_margin_rad)) +
              v.text;
@@ -203,9 +240,19 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
 
 /// A trajectory of another program that ends in the climb says nothing of the rest, and neither does a recording.
 void say_how_far_it_reaches(Verdict& v, const std::string& end) {
-  v.outcome = v.outcome == Outcome::held ? Outcome::cut_short : v.outcome;
+  v.outcome = is_steady(v.outcome) ? Outcome::cut_short : v.outcome;
   begin_lower(v.text);
   v.text = fmt::format("Until {}: {}", end, v.text);
+}
+
+/// What a simulation does not hold for takes the green from a verdict, whatever it is, and stands before it.
+void say_what_is_outside_the_model(Verdict& v, const flight::Flight& flight) {
+  if (flight.top_mach.value_or(0.0) <= flight::model_ends_at_mach) {
+    return;
+  }
+  v.outcome = is_steady(v.outcome) ? Outcome::outside_model : v.outcome;
+  v.text = fmt::format("Outside the model: up to Mach {}, and the simulation of roll holds to Mach {}. {}",
+                       text::fixed(*flight.top_mach, 2), text::brief(flight::model_ends_at_mach, 2), v.text);
 }
 
 Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
@@ -225,6 +272,7 @@ Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
     say_how_far_it_reaches(v,
                            fmt::format("the record ends at {} s, under control", text::fixed(figures.roll.end_s, 2)));
   }
+  say_what_is_outside_the_model(v, flight);
   return v;
 }
 
@@ -237,32 +285,6 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
     v.text = before + " " + v.text;
   }
   return v;
-}
-
-std::string_view name(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::held: return "held";
-    case Outcome::not_held: return "not_held";
-    case Outcome::oscillates: return "oscillates";
-    case Outcome::cut_short: return "cut_short";
-    case Outcome::not_judged: return "not_judged";
-    case Outcome::no_control: return "no_control";
-    case Outcome::ascent_failed: return "ascent_failed";
-  }
-  return "unknown";
-}
-
-std::string_view display_name(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::held: return "Held";
-    case Outcome::not_held: return "Not held";
-    case Outcome::oscillates: return "Oscillates";
-    case Outcome::cut_short: return "Cut short";
-    case Outcome::not_judged: return "Not judged";
-    case Outcome::no_control: return "No control";
-    case Outcome::ascent_failed: return "Ascent failed";
-  }
-  return "Unknown";
 }
 
 }  // namespace fantail::report

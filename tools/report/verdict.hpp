@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,18 +14,33 @@ namespace fantail::report {
 
 /// Further from its settle point than this, a roll angle is not what anybody would call held.
 inline constexpr double held_error_rad = text::radians(10.0);
+/// A roll that was seen settled for less time than this is not judged to be held.
+inline constexpr double least_judged_s = 1.0;
 
 enum class Outcome : std::uint8_t {
-  held,        ///< the largest hold error is at most 10 deg, from the second after control start to apogee
-  not_held,    ///< it is more, before or after the end of control, or the canards ended at a limit smaller than the
-               ///< fin offset, or the rocket turned faster than the gyro's range
+  held,           ///< the largest hold error is at most 10 deg, from the second after control start to apogee, and the
+                  ///< roll rests within the limit that is stated for it (Flight::rest_limit_rad) of its reference
+  off_command,    ///< as steady, but resting farther from its reference than that
+  outside_model,  ///< as steady, but faster than the model of the simulation holds for
+  not_held,       ///< the hold error is more, before or after the end of control, or the canards ended at a limit
+                  ///< smaller than the fin offset, or the rocket turned faster than the gyro's range
   oscillates,  ///< within 10 deg, but the canards keep swinging with nothing that excites them, or the linear loop is
                ///< unstable at some speed under control
-  cut_short,   ///< control ended before its time, or was not lost before the trajectory it was flown on ended
-  not_judged,  ///< under control, but never settled, or without a known disturbance
+  cut_short,   ///< control ended before apogee, or was not lost before the trajectory it was flown on ended
+  not_judged,  ///< under control, but settled for less than a second, or without a known disturbance
   no_control,  ///< Controlling was never reached
   ascent_failed,  ///< whatever the roll: flight::BeforeBurnout::ascent_failed()
 };
+
+/// All of them, for files and tables.
+inline constexpr std::array outcomes{Outcome::held,        Outcome::not_held,     Outcome::oscillates,
+                                     Outcome::cut_short,   Outcome::not_judged,   Outcome::no_control,
+                                     Outcome::off_command, Outcome::outside_model, Outcome::ascent_failed};
+
+/// Held as far as steadiness goes: wherever it rests, and at whatever speed.
+[[nodiscard]] constexpr bool is_steady(Outcome outcome) {
+  return outcome == Outcome::held || outcome == Outcome::off_command || outcome == Outcome::outside_model;
+}
 
 struct Verdict {
   Outcome outcome = Outcome::no_control;

@@ -144,14 +144,17 @@ std::string flights_table(const Tuning& t) {
 }  // namespace
 
 std::string tuning_html(const Tuning& t, const std::string& plan_file) {
-  const page::Tone tone = t.is_better() ? page::Tone::good : t.is_proposed() ? page::Tone::unsure : page::Tone::bad;
+  const std::string outside = model_sentence(t);
+  const page::Tone tone = t.is_better() && outside.empty() ? page::Tone::good
+                          : t.is_proposed()                ? page::Tone::unsure
+                                                           : page::Tone::bad;
   page::Page all{.kind = "Fantail tuning",
                  .title = t.scenario,
                  .subtitle = fmt::format("{}; {}; Fantail {}", t.vehicle, t.request.command, t.request.version),
                  .tone = tone};
   if (!t.after) {
     all.verdict_heading = "No gains";
-    all.verdict = t.why_none;
+    all.verdict = outside + (outside.empty() ? "" : " ") + t.why_none;
     all.body_html =
         page::section("The plan as it is", page::paragraph(loop_sentence(t)) +
                                                (t.alternative.empty() ? "" : page::paragraph(t.alternative)));
@@ -160,8 +163,8 @@ std::string tuning_html(const Tuning& t, const std::string& plan_file) {
   all.verdict_heading = t.is_better()     ? "Proposed"
                         : t.is_proposed() ? "Written, but no better in flight"
                                           : "Not proposed";
-  all.verdict = fmt::format("Gains of {} (the plan has {}). {}", law_words(t.after->plan), law_words(t.before.plan),
-                            flights_sentence(t));
+  all.verdict = fmt::format("{}{}Gains of {} (the plan has {}). {}", outside, outside.empty() ? "" : " ",
+                            law_words(t.after->plan), law_words(t.before.plan), flights_sentence(t));
   for (const std::string& sentence : remarks(t)) {
     all.verdict += " " + sentence;
   }

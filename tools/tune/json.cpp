@@ -56,6 +56,8 @@ Json flown(const Flown& f) {
 Json total(const Sum& sum) {
   return {{"flights", sum.flights},
           {"held", sum.held},
+          {"off_command", sum.off_command},
+          {"outside_model", sum.outside_model},
           {"settled", sum.is_settled},
           {"mean_error_deg", angle(sum.mean_rad)},
           {"largest_error_deg", angle(sum.largest_rad)}};
@@ -94,6 +96,7 @@ std::string tuning_json(const Tuning& t, const std::string& plan_file) {
     all["flown_after"] = total(t.flown_after());
     all["sentence"] = flights_sentence(t);
   }
+  all["outside_model"] = json::text_or_null(model_sentence(t));
   all["flights"] = flights;
   return all.pretty();
 }

@@ -32,8 +32,8 @@ std::string plan_text(const Tuning& t) {
                           "the plan it was made from.",
                           t.request.command, t.request.version, t.vehicle));
   text += comment(fmt::format("Gains of {}, instead of {}.", law_words(t.after->plan), law_words(t.before.plan)));
-  for (const std::string& sentence : {loop_sentence(t), flights_sentence(t)}) {
-    text += comment(sentence);
+  for (const std::string& sentence : {model_sentence(t), loop_sentence(t), flights_sentence(t)}) {
+    text += sentence.empty() ? "" : comment(sentence);
   }
   for (const std::string& sentence : remarks(t)) {
     text += comment(sentence);

@@ -36,6 +36,8 @@ std::string error(const Sum& sum) {
     return text;
   }
   text += fmt::format(" (held in {} of {}", sum.held, sum.flights);
+  text += sum.off_command > 0 ? fmt::format(", {} steady off the command", sum.off_command) : "";
+  text += sum.outside_model > 0 ? fmt::format(", {} steady outside the model", sum.outside_model) : "";
   return text + (sum.not_judged > 0 ? fmt::format(", {} not judged)", sum.not_judged) : ")");
 }
 
@@ -95,6 +97,13 @@ std::string loop_sentence(const Tuning& t) {
                  : fmt::format("Over the spread the linear loop of the plan has {}.", loop(t.before));
 }
 
+std::string model_sentence(const Tuning& t) {
+  return t.top_mach() > flight::model_ends_at_mach
+             ? fmt::format("Outside the model: up to Mach {}, and the simulation of roll holds to Mach {}.",
+                           fixed(t.top_mach(), 2), brief(flight::model_ends_at_mach, 2))
+             : "";
+}
+
 std::string flights_sentence(const Tuning& t) {
   const Sum before = t.flown_before();
   const Sum after = t.flown_after();
@@ -108,7 +117,7 @@ std::string flights_sentence(const Tuning& t) {
       "{} of the spread flown by both plans, {}: with the new plan the roll is {} from "
       "its reference, with the old one {}. ",
       rockets(after.flights), what, error(after), error(before));
-  if (after.held < before.held) {
+  if (!t.is_proposed()) {
     return text +
            "The new plan loses flights that the old one holds, each counted from where its own law settles: it is not "
            "proposed.";
@@ -154,13 +163,16 @@ std::vector<std::string> basis(const Tuning& t) {
       "Flights: {}, each by both plans with the same seed, with the scenario's own fin offset and everything else that "
       "it says. Held means: near where the law settles, which is the reference R for a law that rejects the offset, "
       "and "
-      "R + u_d/kp for one that does not.",
-      rockets(r.flights)));
+      "R + u_d/kp for one that does not; and that at most {} degrees from R.",
+      rockets(r.flights), brief(degrees(t.rest_limit_rad), 1)));
   return all;
 }
 
 std::string tuning_text(const Tuning& t) {
   std::string text = fmt::format("{} ({})\n", t.scenario, t.vehicle);
+  if (const std::string outside = model_sentence(t); !outside.empty()) {
+    text += outside + "\n";
+  }
   if (!t.why_none.empty()) {
     return text + t.why_none + "\n" + loop_sentence(t) + "\n" + (t.alternative.empty() ? "" : t.alternative + "\n");
   }

@@ -155,8 +155,8 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
       continue;
     }
     const Sum flown = fly_one(other, plan, few, [&look](std::size_t) { look(Stage::choosing, 0); });
-    const bool is_better = !best || flown.held > best_flown.held ||
-                           (flown.held == best_flown.held && flown.mean_rad &&
+    const bool is_better = !best || flown.steady > best_flown.steady ||
+                           (flown.steady == best_flown.steady && flown.mean_rad &&
                             (!best_flown.mean_rad || *flown.mean_rad < *best_flown.mean_rad));
     if (is_better) {
       best = plan;
@@ -185,6 +185,7 @@ Tuning begun(const sim::Scenario& scenario, const Request& request) {
            .speeds = speeds_of(scenario),
            .servo_lag_s = scenario.vehicle.servo.lag_s,
            .delay_s = stability::loop_delay_s(scenario.vehicle),
+           .rest_limit_rad = scenario.rest_limit_rad,
            .largest_offset_rad = largest_offset_rad(scenario)};
   const predict::CanardReach reach = predict::canard_reach(scenario, t.largest_offset_rad);
   t.reach_rad = reach.angle_rad;
@@ -244,6 +245,16 @@ void try_other_kinds(Tuning& t, const sim::Scenario& scenario, const Look& look)
 }
 
 }  // namespace
+
+bool Tuning::is_proposed() const {
+  const Sum old_plan = flown_before();
+  const Sum new_plan = flown_after();
+  return after && new_plan.steady >= old_plan.steady && new_plan.held >= old_plan.held;
+}
+
+double Tuning::top_mach() const {
+  return std::max({before.flight.top_mach.value_or(0.0), flown_before().top_mach, flown_after().top_mach});
+}
 
 bool Tuning::is_better() const {
   if (!is_proposed()) {

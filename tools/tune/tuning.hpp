@@ -43,6 +43,7 @@ struct Tuning {
   SpeedsFlown speeds{};
   double servo_lag_s = 0.0;
   double delay_s = 0.0;
+  double rest_limit_rad = 0.0;
   double largest_offset_rad = 0.0;  ///< |u_d| of the scenario
   double reach_rad = 0.0;           ///< that the canards can balance
   std::string limit{};              ///< what ends it: "9 degree canard limit"
@@ -54,8 +55,11 @@ struct Tuning {
 
   [[nodiscard]] Sum flown_before() const { return sum(pairs, &Pair::before); }
   [[nodiscard]] Sum flown_after() const { return sum(pairs, &Pair::after); }
-  /// No flight that the old plan holds is lost in number, so the new plan may be handed out.
-  [[nodiscard]] bool is_proposed() const { return after && flown_after().held >= flown_before().held; }
+  /// No flight that the old plan holds, or keeps steady elsewhere, is lost in number, so the new plan may be handed
+  /// out.
+  [[nodiscard]] bool is_proposed() const;
+  /// The largest of any flight.
+  [[nodiscard]] double top_mach() const;
   /// The flights were nearer to their reference, by more than chance would make them.
   [[nodiscard]] bool is_better() const;
 };

@@ -4,7 +4,8 @@
   const $ = (id) => document.getElementById(id);
   const fixed = (value, digits, unit) => value == null ? "\u2013" : `${fantailNumber(value.toFixed(digits))} ${unit}`;
   const native = JSON.parse($("native").textContent || "{}");
-  const names = {held: "Held", not_held: "Not held", oscillates: "Oscillates", cut_short: "Cut short", not_judged: "Not judged", no_control: "No control", ascent_failed: "Ascent failed"};
+  const names = {held: "Held", off_command: "Steady, off the command", outside_model: "Outside the model", not_held: "Not held", oscillates: "Oscillates",
+    cut_short: "Cut short", not_judged: "Not judged", no_control: "No control", ascent_failed: "Ascent failed"};
 
   const usual = "tasha3_launch2";
   let wanted = {scenario: usual, settings: new Map()};
@@ -114,6 +115,7 @@
     const margin = summary.loop_margins.reduce((least, {phase_margin_deg: value}) => Math.min(least, value), Infinity);
     const figures = [
       ["largest error of roll", fixed(summary.outcome === "not_judged" ? null : summary.largest_hold_error_deg, 1, "deg")],
+      ["rests from its command", fixed(summary.outcome === "not_judged" ? null : summary.rest_error_deg, 1, "deg")],
       ["canards at their limit", summary.saturated_fraction == null ? "\u2013" : fixed(100 * summary.saturated_fraction, 1, "%")],
       ["left of their authority", fixed(summary.authority_margin_deg, 1, "deg")],
       ["least phase margin", fixed(Number.isFinite(margin) ? margin : null, 0, "deg")],

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// A verdict says both: how steadily, and how far from what was asked. And nothing is green that was hardly seen, or
+// that the model does not hold for.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "json/value.hpp"
+#include "page/page.hpp"
+#include "report/html.hpp"
+#include "report/summary_json.hpp"
+#include "synthetic_flight.hpp"
+
+namespace fantail::report {
+namespace {
+
+/// A law with so little gain that an offset of 5 degrees makes it rest 70.7 from R = 0.
+SyntheticFlight far_away() {
+  SyntheticFlight synthetic;
+  synthetic.flight.plan.controller.proportional_gain = static_cast<float>(5.0 / 70.7);
+  synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad = text::radians(-70.7); });
+  return synthetic;
+}
+
+json::Value summary_json_of(const flight::Flight& flight) {
+  const Figures f = figures(flight);
+  return json::parse(summary_json(flight, f, verdict(flight, f)));
+}
+
+TEST(Rest, ARollThatRestsFarFromItsCommandIsSteadyAndNotHeld) {
+  const SyntheticFlight synthetic = far_away();
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::off_command);
+  EXPECT_EQ(tone(v), page::Tone::unsure);
+  EXPECT_TRUE(
+      v.text.starts_with("Steady, 70.7 deg from the command (10 deg is the limit): roll stayed within 0.0 deg of "
+                         "where this law settles; "))
+      << v.text;
+  const json::Value summary = summary_json_of(synthetic.flight);
+  EXPECT_EQ(summary["outcome"], "off_command");
+  EXPECT_NEAR(summary["rest_error_deg"].number(), 70.7, 1e-3);
+  EXPECT_NEAR(summary["mean_reference_error_deg"].number(), 70.7, 1e-3);
+  EXPECT_NEAR(summary["rest_limit_deg"].number(), 10.0, 1e-9);
+}
+
+TEST(Rest, WhoeverAsksForLessGetsIt) {
+  SyntheticFlight synthetic = far_away();
+  synthetic.flight.rest_limit_rad = text::radians(71.0);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::held);
+  EXPECT_EQ(tone(v), page::Tone::good);
+  EXPECT_TRUE(v.text.starts_with("Steady, 70.7 deg from the command: roll")) << v.text;
+}
+
+// Ten seconds at 0 and one at 40 are 3.6 in the mean.
+TEST(Rest, OneThatMovesAwayCountsWhereItIsFarthest) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](flight::Row& row) {
+    row.truth->disturbance_rad = text::radians(row.time_s < 4.0 ? 0.0 : -20.0);
+    row.truth->roll_angle_rad = text::radians(row.time_s < 4.0 ? 0.0 : -40.0);
+  });
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::off_command) << verdict_of(synthetic.flight).text;
+  EXPECT_NEAR(text::degrees(*figures(synthetic.flight).rest_error_rad), 40.0, 1e-6);
+}
+
+TEST(Rest, WithoutTruthItIsMeasuredAndNotJudged) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](flight::Row& row) { row.truth.reset(); });
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::not_judged);
+  EXPECT_NEAR(text::degrees(*figures(synthetic.flight).rest_error_rad), 10.0, 1e-6);
+}
+
+// Control from 0.6 s to 1.609 s is settled for 9 ms.
+TEST(Rest, ARollThatWasSettledForNineMillisecondsIsNotJudged) {
+  SyntheticFlight synthetic;
+  synthetic.flight.events.apogee_s = 4.4;
+  synthetic.end_control(1.6095, core::PhaseReason::control_time_over);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_NE(v.outcome, Outcome::held);
+  EXPECT_FALSE(v.roll_is_judged);
+  EXPECT_NE(v.text.find("roll not judged: it could be judged for only 0.01 s of 1.01 s under control, and 1 s is the "
+                        "least"),
+            std::string::npos)
+      << v.text;
+  EXPECT_NEAR(summary_json_of(synthetic.flight)["judged_time_s"].number(), 0.009, 1e-6);
+}
+
+TEST(Rest, ATimeThatIsLittleBesideThatUnderControlIsSaid) {
+  SyntheticFlight synthetic;
+  synthetic.each_controlled([](flight::Row& row) {
+    row.reference_rad = row.time_s < 2.0 ? 1e-3 : row.time_s < 2.5 ? 2e-3 : 0.0;
+  });
+  EXPECT_NE(verdict_of(synthetic.flight).text.find("where this law settles; judged for 1.4 s of 3.9 s under control;"),
+            std::string::npos)
+      << verdict_of(synthetic.flight).text;
+  EXPECT_EQ(verdict_of(SyntheticFlight{}.flight).text.find("judged for"), std::string::npos);
+}
+
+TEST(Rest, FasterThanTheModelHoldsForIsAmberAndInTheHeadline) {
+  SyntheticFlight synthetic;
+  synthetic.flight.top_mach = 1.27;
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::outside_model);
+  EXPECT_EQ(tone(v), page::Tone::unsure);
+  EXPECT_TRUE(
+      v.text.starts_with("Outside the model: up to Mach 1.27, and the simulation of roll holds to Mach 0.8. "
+                         "Steady, 10.0 deg from the command: roll stayed"))
+      << v.text;
+  EXPECT_EQ(summary_json_of(synthetic.flight)["top_mach"], 1.27);
+  synthetic.flight.top_mach = 0.8;
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
+  // What is red for another reason stays so, and says it all the same.
+  synthetic.flight.top_mach = 0.81;
+  synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::not_held);
+  EXPECT_TRUE(verdict_of(synthetic.flight).text.starts_with("Outside the model: up to Mach 0.81"));
+}
+
+TEST(Rest, EveryOutcomeHasAWordForFilesAndOneForReaders) {
+  for (const Outcome outcome : outcomes) {
+    EXPECT_NE(name(outcome), "unknown");
+    EXPECT_NE(display_name(outcome), "Unknown");
+  }
+}
+
+}  // namespace
+}  // namespace fantail::report
