@@ -75,7 +75,7 @@ TEST_F(InputFileTest, WhatIsNoFileIsSaidToBeWhatItIs) {
   for (const char* device : {"/dev/zero", "/dev/null", "/dev/random"}) {
     EXPECT_EQ(refusal(device, ErrorKind::bad_data), "is a device, not a file; copy what you need of it into a file");
   }
-  EXPECT_EQ(refusal(pipe(), ErrorKind::bad_data, InputKind::document),
+  EXPECT_EQ(refusal(pipe(), ErrorKind::no_such_input, InputKind::document),
             "is a pipe, which can be read only once; save its content as a file and give that");
   EXPECT_EQ(read_if_there("/dev/null/x"), std::nullopt);
 }

@@ -20,8 +20,9 @@ namespace {
 
 std::atomic<void (*)()> check_of_pipes = nullptr;
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
-  throw Error{ErrorKind::bad_data, path.string() + ": " + why};
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why,
+                         ErrorKind kind = ErrorKind::bad_data) {
+  throw Error{kind, path.string() + ": " + why};
 }
 
 struct stat status_of(int file, const std::filesystem::path& path) {
@@ -75,14 +76,15 @@ InputFile::InputFile(const std::filesystem::path& path, InputKind kind)
   try {
     const auto mode = status_of(file_, path).st_mode;
     is_pipe_ = S_ISFIFO(mode);
+    const ErrorKind no_file = kind == InputKind::document ? ErrorKind::no_such_input : ErrorKind::bad_data;
     if (S_ISDIR(mode)) {
-      refuse(path, "is a folder, not a file");
+      refuse(path, "is a folder, not a file", no_file);
     }
     if (is_pipe_ && kind == InputKind::document) {
-      refuse(path, "is a pipe, which can be read only once; save its content as a file and give that");
+      refuse(path, "is a pipe, which can be read only once; save its content as a file and give that", no_file);
     }
     if (!is_pipe_ && !S_ISREG(mode)) {
-      refuse(path, "is a device, not a file; copy what you need of it into a file");
+      refuse(path, "is a device, not a file; copy what you need of it into a file", no_file);
     }
   } catch (...) {
     ::close(file_);

@@ -29,8 +29,8 @@ void check_while_reading(void (*check)());
 /// A file or a pipe that is read from its beginning to its end.
 class InputFile {
  public:
-  /// Throws Error for one that is missing (no_such_input), a folder, a device, or a pipe where none is allowed
-  /// (bad_data); std::system_error for one that cannot be opened.
+  /// Throws Error for one that is missing (no_such_input), and for a folder, a device, or a pipe where none is allowed
+  /// (of data bad_data, of a document no_such_input); std::system_error for one that cannot be opened.
   explicit InputFile(const std::filesystem::path& path, InputKind kind = InputKind::data);
   ~InputFile();
   InputFile(const InputFile&) = delete;
@@ -49,8 +49,8 @@ class InputFile {
   bool is_pipe_ = false;
 };
 
-/// All that stands in a file. Throws as InputFile does, and Error (bad_data) for one with more than so many bytes and for
-/// one that grows or shrinks meanwhile.
+/// All that stands in a file. Throws as InputFile does, and Error (bad_data) for one with more than so many bytes and
+/// for one that grows or shrinks meanwhile.
 [[nodiscard]] std::string read_input(const std::filesystem::path& path, InputKind kind, std::size_t most);
 [[nodiscard]] inline std::string read_input(const std::filesystem::path& path, InputKind kind = InputKind::data) {
   return read_input(path, kind, most_bytes(kind));
