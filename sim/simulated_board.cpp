@@ -54,6 +54,7 @@ SimulatedBoard::SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& p
 }
 
 void SimulatedBoard::begin() {
+  devices_.arm_switch.power_up();
   hal::BackupMemory& backup_memory = ports_.has_backup_memory ? static_cast<hal::BackupMemory&>(backup_domain_)
                                                               : static_cast<hal::BackupMemory&>(no_backup_memory_);
   avionics_.emplace(avionics::Devices{.clock = devices_.clock,

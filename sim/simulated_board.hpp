@@ -18,7 +18,10 @@ class SimulatedBoard final : public FlightComputer {
   SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports, const avionics::Identity& identity = {});
 
   [[nodiscard]] hal::sim::WorldSide& hardware() override { return devices_.world; }
-  const core::TickRecord& tick() override { return avionics_->tick(); }
+  const core::TickRecord& tick() override {
+    devices_.arm_switch.update();
+    return avionics_->tick();
+  }
   core::Microseconds restart(const Reset& reset) override;
   void flip_bit(MemoryPart part, std::uint64_t choice) override;
 

@@ -60,7 +60,7 @@ void Arming::receive(const Situation& now, const Permission& permission, const p
 }
 
 void Arming::update(const Situation& now) {
-  switch_was_open_ = switch_was_open_ || !now.arm_switch_closed;
+  switch_was_open_ = switch_was_open_ || now.arm_switch_open;
   expire(now.time);
 }
 

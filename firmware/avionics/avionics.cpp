@@ -43,7 +43,8 @@ const core::TickRecord& Avionics::tick() {
                 .reason = record.reason,
                 .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
                 .moves = record.motion.at_rest_for == core::Microseconds{0},
-                .arm_switch_closed = inputs.arm_switch_closed};
+                .arm_switch_closed = inputs.arm_switch_closed,
+                .arm_switch_open = devices_.arm_switch.open()};
   watch_board(record, flash);
   arming_.update(situation_);
   self_test_.update(inputs, record, flash, situation_.board_faulty);

@@ -14,6 +14,7 @@ struct Situation {
   bool at_rest = false;  ///< for the plan's rest time, up to now
   bool moves = false;    ///< not at rest at all
   bool arm_switch_closed = false;
+  bool arm_switch_open = false;  ///< neither of the two: not known yet
   bool board_faulty = false;
 };
 

@@ -5,6 +5,7 @@
 #include "hal/arm_switch.hpp"
 #include "hal/board.hpp"
 #include "hal/clock.hpp"
+#include "hal/debounced_contact.hpp"
 #include "hal/encoder.hpp"
 #include "hal/imu.hpp"
 #include "hal/servo.hpp"
@@ -73,13 +74,19 @@ class Encoder final : public hal::Encoder {
   const WorldSide& world_;
 };
 
+/// As on the board.
 class ArmSwitch final : public hal::ArmSwitch {
  public:
   explicit ArmSwitch(const WorldSide& world) : world_{world} {}
-  [[nodiscard]] bool closed() const override { return world_.arm_switch_closed; }
+  void power_up() { contact_ = {}; }
+  /// Once a tick, before the avionics has its own.
+  void update() { contact_.update(world_.arm_switch_closed); }
+  [[nodiscard]] bool closed() const override { return contact_.closed(); }
+  [[nodiscard]] bool open() const override { return contact_.open(); }
 
  private:
   const WorldSide& world_;
+  DebouncedContact contact_;
 };
 
 class Watchdog final : public hal::Watchdog {

@@ -21,8 +21,10 @@ struct Armed {
 
   Armed() {
     now.arm_switch_closed = false;
+    now.arm_switch_open = true;
     arming.update(now);
     now.arm_switch_closed = true;
+    now.arm_switch_open = false;
     arming.update(now);
   }
   ArmRefusal say(ArmAction action, std::uint32_t nonce = 0) {

@@ -49,6 +49,14 @@ struct SetEntropy final : hal::Entropy {
   std::uint32_t draw() override { return number; }
 };
 
+/// Without bounces, and so without a debouncer.
+struct DirectSwitch final : hal::ArmSwitch {
+  explicit DirectSwitch(const hal::sim::WorldSide& side) : world{side} {}
+  const hal::sim::WorldSide& world;
+  [[nodiscard]] bool closed() const override { return world.arm_switch_closed; }
+  [[nodiscard]] bool open() const override { return !world.arm_switch_closed; }
+};
+
 /// The avionics on a table: still, upright, with canards that stand where their pulses send them after a first-order
 /// lag of 20 ms, and a PC on the bus. Pulses mean what the default plan says: 1500 us and 10 us a degree.
 class BoardRig {
@@ -73,8 +81,8 @@ class BoardRig {
     avionics_.reset();
     servo.written = {};
     avionics_.emplace(
-        Devices{devices_.clock, devices_.imu, devices_.accelerometer, servo, devices_.encoder, devices_.arm_switch,
-                board_bus_, flash, console, watchdog, entropy, devices_.board, backup_memory, &devices_.second_imu},
+        Devices{devices_.clock, devices_.imu, devices_.accelerometer, servo, devices_.encoder, arm_switch_, board_bus_,
+                flash, console, watchdog, entropy, devices_.board, backup_memory, &devices_.second_imu},
         plan_);
   }
 
@@ -169,6 +177,7 @@ class BoardRig {
 
  private:
   hal::sim::CanBus board_bus_{wire};  // of the two nodes the first
+  DirectSwitch arm_switch_{hardware};
 
  public:
   PcOnBus pc{wire};

@@ -95,7 +95,7 @@ TEST(RightToMove, ControlInTheTunnelDoesNotStartWhileTheRocketMoves) {
 
 TEST(RightToMove, ThereIsNoNonceBeforeThisPowerUpIsCounted) {
   Arming arming;
-  const Situation open{.at_rest = true, .arm_switch_closed = false};
+  const Situation open{.at_rest = true, .arm_switch_closed = false, .arm_switch_open = true};
   const Situation closed{.at_rest = true, .arm_switch_closed = true};
   arming.update(open);
   arming.receive(closed, {.self_test_passed = true, .power_up = {}}, {.action = ArmAction::begin});

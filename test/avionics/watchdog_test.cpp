@@ -59,6 +59,7 @@ struct Encoder final : Watched<hal::Encoder, hal::Encoder> {
 struct ArmSwitch final : Watched<hal::ArmSwitch, hal::ArmSwitch> {
   using Watched::Watched;
   [[nodiscard]] bool closed() const override { return order.called(), device.closed(); }
+  [[nodiscard]] bool open() const override { return order.called(), device.open(); }
 };
 struct CanBus final : Watched<hal::CanBus, hal::CanBus> {
   using Watched::Watched;
@@ -149,6 +150,7 @@ TEST(Watchdog, IsFedAfterTheLastCallOfADeviceInEveryTickAndSoByNoneThatHangsInOn
       pc.say(protocol::ArmAction::self_test);
     }
     sim.world.arm_switch_closed = i > 8'500;
+    sim.arm_switch.update();
     if (i == 8'600) {
       pc.say(protocol::ArmAction::begin);
     }

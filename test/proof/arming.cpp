@@ -43,6 +43,7 @@ int main() {
                       .at_rest = nondet_bool(),
                       .moves = nondet_bool(),
                       .arm_switch_closed = nondet_bool(),
+                      .arm_switch_open = nondet_bool(),
                       .board_faulty = nondet_bool()};
   Arming::Permission permission{.self_test_passed = self_test.passed(now.time),
                                 .session_open = nondet_bool(),
@@ -80,7 +81,9 @@ int main() {
     REACHABLE(2, arming.nonce() && !had_nonce);
     REACHABLE(3, arming.start_command_ && !started);
   } else {
+    const bool was_open = arming.switch_was_open_;
     arming.update(now);
+    CLAIM(arming.switch_was_open_ == (was_open || now.arm_switch_open));
     CLAIM(arming.arm_command_ == commanded && arming.start_command_ == started);
     CLAIM(!arming.nonce() || had_nonce);
     CLAIM(!arming.nonce() || waits);

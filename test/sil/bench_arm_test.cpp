@@ -19,7 +19,7 @@ Phase arm(BenchAtWorld& place, bool start = false) {
   link::ArmSteps steps{place, link};
   EXPECT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
   place.world->set_arm_switch(true);
-  place.wait(10 * millisecond);
+  place.wait(100 * millisecond);
   const protocol::ArmReply reply = steps.ask_for_nonce();
   EXPECT_TRUE(reply.nonce) << replies::sentence(reply.refusal);
   EXPECT_TRUE(steps.confirm(reply.nonce.value_or(0)));
@@ -39,6 +39,41 @@ TEST(BenchArm, ArmsARocketThatThenDetectsItsLaunch) {
   EXPECT_EQ(place.record.phase, Phase::controlling);
   place.wait(40 * second);
   EXPECT_EQ(place.record.reason, core::PhaseReason::apogee);
+}
+
+// As the board does: test_hal_stm32f4 holds the two switches against each other.
+TEST(BenchArm, ARocketStaysArmedWhileItsSwitchBouncesForLessThanFiftyMilliseconds) {
+  BenchAtWorld place{"bench_healthy"};
+  ASSERT_EQ(arm(place), Phase::armed);
+  for (const int open_ms : {1, 2, 3, 30, 49}) {
+    for (int bounce = 0; bounce < 20; ++bounce) {
+      place.world->set_arm_switch(false);
+      place.wait(open_ms * millisecond);
+      place.world->set_arm_switch(true);
+      place.wait(millisecond);
+      ASSERT_EQ(place.record.phase, Phase::armed) << "open for " << open_ms << " ms";
+    }
+  }
+  place.world->set_arm_switch(false);
+  place.wait(51 * millisecond);
+  EXPECT_EQ(place.record.phase, Phase::safe);
+  EXPECT_EQ(place.record.reason, core::PhaseReason::disarmed_by_switch);
+}
+
+// Meets ARM-6 on a board whose switch takes 50 ms to be known.
+TEST(BenchArm, ASwitchThatWasClosedBeforePowerUpHasToBeOpenedFirst) {
+  BenchAtWorld place{"bench_healthy"};
+  place.world->set_arm_switch(true);
+  link::AvionicsLink link{place.bus()};
+  link::await_avionics(place, link);
+  link::ArmSteps steps{place, link};
+  ASSERT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
+  EXPECT_EQ(steps.ask_for_nonce().refusal, protocol::ArmRefusal::switch_not_cycled);
+  place.world->set_arm_switch(false);
+  place.wait(100 * millisecond);
+  place.world->set_arm_switch(true);
+  place.wait(100 * millisecond);
+  EXPECT_TRUE(steps.ask_for_nonce().nonce);
 }
 
 TEST(BenchArm, StartsControlInTheTunnel) {

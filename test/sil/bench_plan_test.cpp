@@ -267,7 +267,7 @@ TEST(BenchPlan, IsNotReadBackFromAnArmedRocket) {
   link::ArmSteps steps{place, link};
   ASSERT_EQ(steps.run_self_test([](const auto&) {}).self_test, protocol::SelfTestState::passed);
   place.world->set_arm_switch(true);
-  place.wait(10 * millisecond);
+  place.wait(100 * millisecond);
   ASSERT_TRUE(steps.confirm(steps.ask_for_nonce().nonce.value_or(0)));
   try {
     (void)link::read_plan_in_force(place, link);

@@ -66,6 +66,7 @@ void Target::begin(std::span<const std::byte> payload) {
     refuse(reader.ok() ? "the flight plan is not one" : "the message is not one");
     return;
   }
+  devices_.arm_switch.power_up();
   flash_.set_geometry(geometry);
   console_.clear();
   avionics_.reset();
@@ -111,6 +112,7 @@ void Target::tick(std::span<const std::byte> payload) {
     return;
   }
   ticked_ = true;
+  devices_.arm_switch.update();
   stopwatch_.begin();
   const core::TickRecord& record = avionics_->tick();
   const world_link::TickTimes times{

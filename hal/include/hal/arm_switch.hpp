@@ -3,12 +3,13 @@
 
 namespace fantail::hal {
 
-/// The switch that a hand closes at the pad; already debounced.
+/// The switch that a hand closes at the pad; already debounced. Neither closed nor open until its contacts have settled
+/// after power-up. Never waits.
 class ArmSwitch {
  public:
   virtual ~ArmSwitch() = default;
-  /// Open at power-up, until it has been seen closed. Never waits.
   [[nodiscard]] virtual bool closed() const = 0;
+  [[nodiscard]] virtual bool open() const = 0;
 };
 
 }  // namespace fantail::hal

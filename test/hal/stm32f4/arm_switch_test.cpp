@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/arm_switch.hpp"
 
+#include <array>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "hal/sim/devices.hpp"
 #include "register_world.hpp"
 #include "seed.hpp"
 
@@ -50,6 +52,49 @@ TEST_F(TheArmSwitch, OneTickAtTheOldLevelBeginsAllOver) {
   EXPECT_FALSE(arm_switch.closed());
   ticks(1, true);
   EXPECT_TRUE(arm_switch.closed());
+}
+
+TEST_F(TheArmSwitch, IsNeitherClosedNorOpenBeforeItHasSettled) {
+  EXPECT_FALSE(arm_switch.open());
+  ticks(49, true);
+  ticks(49, false);
+  EXPECT_FALSE(arm_switch.open() || arm_switch.closed());
+  ticks(1, false);
+  EXPECT_TRUE(arm_switch.open());
+  ticks(49, true);
+  EXPECT_TRUE(arm_switch.open()) << "it bounces";
+  ticks(1, true);
+  EXPECT_FALSE(arm_switch.open());
+}
+
+// A board that is reset with its switch closed has not seen it open: nobody has closed it since.
+TEST_F(TheArmSwitch, ThatIsClosedAtPowerUpIsNeverOpen) {
+  for (int tick = 0; tick < 200; ++tick) {
+    ticks(1, true);
+    ASSERT_FALSE(arm_switch.open());
+  }
+}
+
+// That of a node, of a simulated flight and of the emulator, from power-up on, at the same contacts.
+TEST_F(TheArmSwitch, ChangesInTheSameTickAsTheSimulatedOne) {
+  std::mt19937 random{fantail::test::seed(8)};
+  sim::WorldSide world;
+  sim::ArmSwitch simulated{world};
+  int changes = 0;
+  for (int stretch = 0; stretch < 2'000; ++stretch) {
+    const bool level = random() % 2 == 0;
+    const auto longest = std::array{3U, 49U, 52U, 200U}[random() % 4];
+    for (auto left = 1 + random() % longest; left > 0; --left) {
+      const bool before = arm_switch.closed();
+      ticks(1, level);
+      world.arm_switch_closed = level;
+      simulated.update();
+      ASSERT_EQ(simulated.closed(), arm_switch.closed()) << stretch;
+      ASSERT_EQ(simulated.open(), arm_switch.open()) << stretch;
+      changes += before != arm_switch.closed() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changes, 100);
 }
 
 TEST_F(TheArmSwitch, ABouncingContactIsNeitherClosedNorOpened) {
