@@ -5,6 +5,7 @@
 #include "bench/board_state.hpp"
 #include "bench/cycle.hpp"
 #include "bench/sheet.hpp"
+#include "bench/zero.hpp"
 #include "json/value.hpp"
 #include "synthetic.hpp"
 
@@ -107,6 +108,14 @@ TEST(LittleTravel, ALimitCloseToTheTrimIsDoubtedAndNotJudged) {
       << all.text;
   EXPECT_TRUE(says(all.text, "Send a plan with a wider limit of the canards, or smaller trims, and run again."))
       << all.text;
+}
+
+TEST(LittleTravel, MeasuresNeitherCentreNorScale) {
+  const Exercise exercise = Exercise::limits_of(six_degrees(0.3), 2);
+  const ZeroReading reading = zero_reading(examine(Bench{}.record(exercise), exercise, {}, {}), 2);
+  EXPECT_FALSE(reading.run);
+  EXPECT_EQ(reading.refusal,
+            "Canard 3 is not measured: its limit of 0.30 deg is less than 0.5 deg beyond its trim of 0.00 deg.");
 }
 
 }  // namespace

@@ -21,7 +21,6 @@ using text::degrees;
 using text::fixed;
 
 constexpr double least_whole = 0.95;  // share of the exercise that must have been recorded
-const double least_travel_rad = text::radians(0.5);
 const double resolution_rad = text::radians(0.01);
 
 bool all_passed(const std::vector<Check>& checks) {
@@ -190,13 +189,10 @@ class Examination {
   // A canard that hardly moves shows neither scale nor speed.
   void travel() {
     for (const CanardResult& result : sheet_.canards) {
-      const double limit_rad = exercise_.bounds().limit_rad[result.canard];
-      const double centre_rad = exercise_.bounds().centre_rad[result.canard];
-      if (exercise_.kind() == ExerciseKind::limits &&
-          limit_rad - std::abs(centre_rad) < least_travel_rad - 0.5 * resolution_rad) {
+      if (exercise_.kind() == ExerciseKind::limits && too_little_travel(exercise_.bounds(), result.canard)) {
         doubt("canard {} has a limit of {} deg and a trim of {} deg; less than {} deg between them is not judged",
-              result.canard + 1, fixed(degrees(limit_rad), 2), fixed(degrees(centre_rad), 2),
-              fixed(degrees(least_travel_rad), 1));
+              result.canard + 1, fixed(degrees(exercise_.bounds().limit_rad[result.canard]), 2),
+              fixed(degrees(exercise_.bounds().centre_rad[result.canard]), 2), fixed(degrees(least_travel_rad()), 1));
       }
     }
   }

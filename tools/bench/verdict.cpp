@@ -102,6 +102,13 @@ double required_slew_rad_s(double way_rad, const sim::CanardTolerances& toleranc
   return std::min(tolerances.slowest_slew_rad_s, reachable_rad_s);
 }
 
+double least_travel_rad() { return text::radians(0.5); }
+
+bool too_little_travel(const Bounds& bounds, std::size_t canard) {
+  const double half_bus_step_rad = text::radians(0.005);
+  return bounds.limit_rad[canard] - std::abs(bounds.centre_rad[canard]) < least_travel_rad() - half_bus_step_rad;
+}
+
 double most_others_move_rad() { return text::radians(0.5); }
 
 std::vector<Check> check(const Figures& f, const Bounds& bounds, std::size_t canard, bool alone,

@@ -61,6 +61,10 @@ struct MeasureText {
 /// more is asked than a lag that just passes the step time reaches.
 [[nodiscard]] double required_slew_rad_s(double way_rad, const sim::CanardTolerances& tolerances);
 
+/// Limit beyond the trim, to both sides, with which a movement is judged; less shows neither scale nor speed.
+[[nodiscard]] double least_travel_rad();
+[[nodiscard]] bool too_little_travel(const Bounds& bounds, std::size_t canard);
+
 /// How far another canard may go along with one that moves alone. No vehicle needs more: encoders and linkages are
 /// separate.
 [[nodiscard]] double most_others_move_rad();

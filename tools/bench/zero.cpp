@@ -89,6 +89,12 @@ ZeroReading zero_reading(const Sheet& sheet, std::size_t canard) {
   if (found == sheet.canards.end() || !found->alone) {
     return {.refusal = refused(canard, "it was not exercised alone")};
   }
+  if (too_little_travel(sheet.bounds, canard)) {
+    return {.refusal = refused(canard, fmt::format("its limit of {} deg is less than {} deg beyond its trim of {} deg",
+                                                   fixed(degrees(sheet.bounds.limit_rad[canard]), 2),
+                                                   fixed(degrees(least_travel_rad()), 1),
+                                                   fixed(degrees(sheet.bounds.centre_rad[canard]), 2)))};
+  }
   const Figures& f = found->alone->figures;
   const Diagnosis& diagnosis = found->alone->diagnosis;
   if (diagnosis.cause != Cause::limit_not_kept && diagnosis.cause != Cause::wrong_canard_moves) {
