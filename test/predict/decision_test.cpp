@@ -49,8 +49,7 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
   }
 }
 
-// "Held" beside "settles 13 degrees away" is true of a law that settles off its reference, and misleads who does not
-// know.
+// "Held" alone misleads who does not know that the law settles off its reference.
 TEST(Decision, SaysWhatHeldMeansAndHowFarFromTheReferenceThatIs) {
   Prediction p = good();
   p.settle_off_rad = Quantiles{.p50 = radians(13.0)};
@@ -60,56 +59,6 @@ TEST(Decision, SaysWhatHeldMeansAndHowFarFromTheReferenceThatIs) {
       << decide(p, {}).text;
   p.flown.plan.offset.rejection = core::OffsetRejection::integral;
   EXPECT_NE(decide(p, {}).text.find("in all runs, within 10 degrees of its reference; 95 %"), std::string::npos);
-}
-
-// 200 runs that rest 70.7 degrees away are none that is held, and the sentence says how far and what was asked.
-TEST(Decision, ARollThatRestsFarFromItsCommandIsNoGo) {
-  Prediction p = good();
-  p.held = share(0, 200);
-  for (predict::Run& run : p.runs) {
-    run.outcome = report::Outcome::off_command;
-    run.verdict =
-        "Steady, 70.7 deg from the command (10 deg is the limit): roll stayed within 1.2 deg of where this law "
-        "settles.";
-  }
-  const Decision d = decide(p, {});
-  EXPECT_FALSE(d.go);
-  EXPECT_EQ(d.text,
-            "No go: roll is held in none of the runs, in all runs the roll rests too far from its command (run 0: "
-            "Steady, 70.7 deg from the command (10 deg is the limit)).");
-}
-
-TEST(Decision, FasterThanTheModelHoldsForIsNotJudgedAndNoGo) {
-  Prediction p = good();
-  p.held = share(0, 200);
-  p.outside_model = 200;
-  for (predict::Run& run : p.runs) {
-    run.outcome = report::Outcome::outside_model;
-    run.top_mach = 1.27;
-  }
-  const Decision d = decide(p, {});
-  EXPECT_FALSE(d.go);
-  EXPECT_EQ(
-      d.text,
-      "No go: outside the model: 200 of 200 runs are faster than Mach 0.8, up to Mach 1.27, and the simulation of "
-      "roll ends there.");
-  EXPECT_EQ(criterion(d, "model").judgement, Judgement::not_judged);
-  EXPECT_EQ(criterion(d, "held").judgement, Judgement::not_judged);
-}
-
-TEST(Decision, AGoNearRollResonanceSaysSoInItsHeadline) {
-  Prediction p = good();
-  p.resonance = RollResonance{.near = 3, .past = 9, .with_canards = 200, .runs = 200};
-  const Decision d = decide(p, {});
-  EXPECT_TRUE(d.go);
-  EXPECT_EQ(d.heading(), "Go with caution");
-  EXPECT_TRUE(d.text.starts_with("Go with caution: ")) << d.text;
-  EXPECT_TRUE(
-      d.text.ends_with("; but roll resonance, a roll rate equal to the pitch frequency, is reached in 12 of 200 "
-                       "runs without control, and in 200 with the canards at their limit."))
-      << d.text;
-  p.resonance->with_canards = 0;
-  EXPECT_EQ(decide(p, {}).heading(), "Go");
 }
 
 // A run may end control early and be not held for it, or for another reason: it counts all the same.
