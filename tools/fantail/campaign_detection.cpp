@@ -228,8 +228,9 @@ void fill_detection(const Verb& verb) {
       .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text").excludes(event);
   verb.examples(
-      "Armed, and in hands, dropped, on the road, shaken, beside another launch: how often does it believe that it "
-      "flies, and how often do its canards move? Of launches: how many are missed, how late, how high?\n"
+      "Armed, and in hands, dropped, on the road, shaken, beside another launch, or down again after a flight that it "
+      "did not detect: how often does it believe that it flies, and how often do its canards move? Of launches: how "
+      "many are missed, how late, how high, and how wrong is the tilt?\n"
       "A campaign that was interrupted goes on when the same command is given again, also with more events.\n"
       "Exit code 0: no judged plan moved a canard in an event that was no launch, both accelerometers well, and what "
       "was "
