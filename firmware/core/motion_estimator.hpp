@@ -46,7 +46,9 @@ struct Motion {
 
 /// Attitude, roll, height and speed from a gyro and a three-axis accelerometer.
 ///
-/// The gyro rate turns the attitude (a quaternion, body to earth) and is summed into the unwrapped roll angle; the
+/// The gyro rate turns the attitude (a quaternion, body to earth) and is summed into the unwrapped roll angle. That is
+/// the integral of a rate about an axis of the body: where the axis goes around a cone of half-angle theta f times a
+/// second, a camera on the rocket sees another one, by 2 pi f (1 - cos theta). The
 /// specific force is turned into the earth frame, gravity is removed, and the rest is integrated twice. Attitude and
 /// gyro bias begin with the averages of a still window on the pad, so a tilted guide costs nothing.
 ///

@@ -16,9 +16,11 @@ constexpr std::uint32_t blocks_of_push = 30;
 // On a rail of up to 60 degrees the axis reads more than this; in free flight, upside down and on its side, less.
 constexpr float least_support_m_s2 = 0.5F * standard_gravity_m_s2;
 
-// Drag of a rocket near its apogee is less. A drop of 1.2 m lasts 0.5 s, a hop of 3.5 m 1.7 s.
+// Drag of a rocket near its apogee is less. A drop of 1.2 m lasts 0.5 s, and a flight that is over sooner than this has
+// come to less than a metre above where its motor went out. What kicks a falling rocket, as an ejection charge does,
+// takes one block off and does not begin the count anew.
 constexpr float weightless_m_s2 = 0.4F * standard_gravity_m_s2;
-constexpr std::uint32_t blocks_of_fall = 20;
+constexpr std::uint32_t blocks_of_fall = 8;
 
 constexpr std::uint32_t blocks_of_silence = 10;
 
@@ -46,7 +48,8 @@ void PadMovement::take(float length_s, const Vector3& rate_rad_s, const Vector3&
 
   pushed_ = count(f.x > least_push_m_s2, pushed_);
   unsupported_ = count(f.x < least_support_m_s2, unsupported_);
-  weightless_ = count(f.x * f.x + f.y * f.y + f.z * f.z < weightless_m_s2 * weightless_m_s2, weightless_);
+  const bool weightless = f.x * f.x + f.y * f.y + f.z * f.z < weightless_m_s2 * weightless_m_s2;
+  weightless_ = weightless ? count(true, weightless_) : weightless_ > 0 ? weightless_ - 1 : 0;
   missed_ = 0;
 
   const bool turned = pushed_ == 0 && turn_squared > largest_turn_rad * largest_turn_rad;
@@ -55,7 +58,7 @@ void PadMovement::take(float length_s, const Vector3& rate_rad_s, const Vector3&
 }
 
 void PadMovement::miss() {
-  pushed_ = unsupported_ = weightless_ = 0;
+  pushed_ = unsupported_ = 0;
   missed_ = count(true, missed_);
   moved_ = moved_ || missed_ >= blocks_of_silence;
 }

@@ -163,14 +163,15 @@ void bind_autopilot(nb::module_& m) {
           "speed_m_s", [](const TickRecord& t) { return t.motion.speed_m_s; }, "Along the guide")
       .def_prop_ro("signals", &signals, "Every signal by its name with its unit; an enumeration as a word");
 
-  auto bound_autopilot = nb::class_<core::Autopilot>(m, "Autopilot", autopilot_text)
-                       .def(nb::init<const core::FlightPlan&>(), nb::arg("plan"))
-                       .def(
-                           "step", [](core::Autopilot& law, const core::Inputs& inputs) { return law.step(inputs); },
-                           nb::arg("inputs"), "One step, nominally every millisecond.")
-                       .def_prop_ro(
-                           "phase", [](const core::Autopilot& law) { return core::name(law.phase()); },
-                           "safe, armed, launched, controlling or finished");
+  auto bound_autopilot =
+      nb::class_<core::Autopilot>(m, "Autopilot", autopilot_text)
+          .def(nb::init<const core::FlightPlan&>(), nb::arg("plan"))
+          .def(
+              "step", [](core::Autopilot& law, const core::Inputs& inputs) { return law.step(inputs); },
+              nb::arg("inputs"), "One step, nominally every millisecond.")
+          .def_prop_ro(
+              "phase", [](const core::Autopilot& law) { return core::name(law.phase()); },
+              "safe, armed, launched, controlling or finished");
   refuse_to_pickle(bound_autopilot, "Autopilot",
                    "pass the arguments of Plan.load(), and make an Autopilot of that plan there");
 }

@@ -141,20 +141,20 @@ void bind_campaigns(nb::module_& m) {
       .def_rw("threads", &CampaignRequest::threads)
       .def_rw("out", &CampaignRequest::out);
   auto bound_flown = nb::class_<FlownRuns>(m, "FlownRuns")
-                   .def_ro("summary", &FlownRuns::summary)
-                   .def_prop_ro("remark", [](const FlownRuns& runs) { return runs.flown.remark; })
-                   .def_prop_ro("quantities", [](const FlownRuns& runs) { return runs.flown.quantities; })
-                   .def_prop_ro("figures",
-                                [](const FlownRuns&) {
-                                  return std::vector<std::string>(campaign::figure_columns.begin(),
-                                                                  campaign::figure_columns.end());
-                                })
-                   .def("__len__", [](const FlownRuns& runs) { return runs.flown.runs.size(); })
-                   .def("numbers", &numbers_of, nb::arg("name"))
-                   .def("runs", [](const FlownRuns& runs) { return whole_numbers_of(runs, &FlownRun::run); })
-                   .def("seeds", [](const FlownRuns& runs) { return whole_numbers_of(runs, &FlownRun::seed); })
-                   .def("outcomes", [](const FlownRuns& runs) { return words_of(runs, &FlownRun::outcome); })
-                   .def("notes", [](const FlownRuns& runs) { return words_of(runs, &FlownRun::note); });
+                         .def_ro("summary", &FlownRuns::summary)
+                         .def_prop_ro("remark", [](const FlownRuns& runs) { return runs.flown.remark; })
+                         .def_prop_ro("quantities", [](const FlownRuns& runs) { return runs.flown.quantities; })
+                         .def_prop_ro("figures",
+                                      [](const FlownRuns&) {
+                                        return std::vector<std::string>(campaign::figure_columns.begin(),
+                                                                        campaign::figure_columns.end());
+                                      })
+                         .def("__len__", [](const FlownRuns& runs) { return runs.flown.runs.size(); })
+                         .def("numbers", &numbers_of, nb::arg("name"))
+                         .def("runs", [](const FlownRuns& runs) { return whole_numbers_of(runs, &FlownRun::run); })
+                         .def("seeds", [](const FlownRuns& runs) { return whole_numbers_of(runs, &FlownRun::seed); })
+                         .def("outcomes", [](const FlownRuns& runs) { return words_of(runs, &FlownRun::outcome); })
+                         .def("notes", [](const FlownRuns& runs) { return words_of(runs, &FlownRun::note); });
   refuse_to_pickle(bound_flown, "Campaign", "pass to_pandas(), or its folder, and read runs.csv.gz there");
   m.def("fly_campaign", &fly_campaign, nb::arg("request"));
   m.def("merge_shards", &merge_shards, nb::arg("shards"), nb::arg("out"), nb::call_guard<nb::gil_scoped_release>());

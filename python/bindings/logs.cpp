@@ -108,15 +108,15 @@ std::pair<core::Autopilot, std::size_t> autopilot(const Flight& flight, const st
 
 void bind_logs(nb::module_& m) {
   auto bound_log = nb::class_<LogFile>(m, "Log")
-                 .def_static(
-                     "read", [](const std::string& path) { return flight_log::read_log_file(path); }, nb::arg("path"),
-                     nb::call_guard<nb::gil_scoped_release>())
-                 .def_ro("name", &LogFile::name)
-                 .def_ro("bytes", &LogFile::bytes)
-                 .def_ro("foreign_bytes", &LogFile::foreign_bytes)
-                 .def_prop_ro("intact", [](const LogFile& file) { return flight_log::intact(file); })
-                 .def("__len__", [](const LogFile& file) { return file.flights.size(); })
-                 .def("flight", &flight_of, nb::arg("index"), nb::rv_policy::reference_internal);
+                       .def_static(
+                           "read", [](const std::string& path) { return flight_log::read_log_file(path); },
+                           nb::arg("path"), nb::call_guard<nb::gil_scoped_release>())
+                       .def_ro("name", &LogFile::name)
+                       .def_ro("bytes", &LogFile::bytes)
+                       .def_ro("foreign_bytes", &LogFile::foreign_bytes)
+                       .def_prop_ro("intact", [](const LogFile& file) { return flight_log::intact(file); })
+                       .def("__len__", [](const LogFile& file) { return file.flights.size(); })
+                       .def("flight", &flight_of, nb::arg("index"), nb::rv_policy::reference_internal);
   refuse_to_pickle(bound_log, "Log", "pass its path, and call read_log() there");
   auto bound_logged =
       nb::class_<Flight>(m, "LoggedFlight")

@@ -121,18 +121,19 @@ nb::bytes block(const core::FlightPlan& plan) {
 
 void bind_plans(nb::module_& m) {
   auto bound_plan = nb::class_<core::FlightPlan>(m, "Plan")
-                  .def_static("load", &load, nb::arg("name_or_path"), nb::arg("changes"))
-                  .def_static("default", &core::default_plan)
-                  .def(
-                      "changed",
-                      [](const core::FlightPlan& plan, const std::vector<std::string>& changes) {
-                        return input::changed_plan(plan, overrides(changes));
-                      },
-                      nb::arg("changes"))
-                  .def_prop_ro("values_json", &values_json)
-                  .def_prop_ro("table", &input::plan_table)
-                  .def_prop_ro("block", &block);
-  refuse_to_pickle(bound_plan, "Plan", "pass name or path and set, and call Plan.load() there; dict(plan) has its values");
+                        .def_static("load", &load, nb::arg("name_or_path"), nb::arg("changes"))
+                        .def_static("default", &core::default_plan)
+                        .def(
+                            "changed",
+                            [](const core::FlightPlan& plan, const std::vector<std::string>& changes) {
+                              return input::changed_plan(plan, overrides(changes));
+                            },
+                            nb::arg("changes"))
+                        .def_prop_ro("values_json", &values_json)
+                        .def_prop_ro("table", &input::plan_table)
+                        .def_prop_ro("block", &block);
+  refuse_to_pickle(bound_plan, "Plan",
+                   "pass name or path and set, and call Plan.load() there; dict(plan) has its values");
   m.def("plan_fields_json", &fields_json);
 }
 

@@ -48,20 +48,20 @@ std::vector<std::string> Scenario::all_changes() const {
 
 void bind_scenarios(nb::module_& m) {
   auto bound_scenario = nb::class_<Scenario>(m, "Scenario")
-                      .def_static("load", &Scenario::load, nb::arg("source"), nb::arg("changes"), nb::arg("seed"))
-                      .def_ro("source", &Scenario::source)
-                      .def_ro("changes", &Scenario::changes)
-                      .def_ro("seed_text", &Scenario::seed)
-                      .def_prop_ro("name", [](const Scenario& s) { return s.scenario.name; })
-                      .def_prop_ro("vehicle", [](const Scenario& s) { return s.scenario.vehicle.name; })
-                      .def_prop_ro("plan_name", [](const Scenario& s) { return s.scenario.plan_name; })
-                      .def_prop_ro("seed", [](const Scenario& s) { return s.scenario.seed; })
-                      .def_prop_ro("plan", [](const Scenario& s) { return s.scenario.plan; })
-                      .def_prop_ro("warnings", [](const Scenario& s) {
-                        std::vector<std::string> all = s.scenario.vehicle.warnings;
-                        all.insert(all.end(), s.scenario.warnings.begin(), s.scenario.warnings.end());
-                        return all;
-                      });
+                            .def_static("load", &Scenario::load, nb::arg("source"), nb::arg("changes"), nb::arg("seed"))
+                            .def_ro("source", &Scenario::source)
+                            .def_ro("changes", &Scenario::changes)
+                            .def_ro("seed_text", &Scenario::seed)
+                            .def_prop_ro("name", [](const Scenario& s) { return s.scenario.name; })
+                            .def_prop_ro("vehicle", [](const Scenario& s) { return s.scenario.vehicle.name; })
+                            .def_prop_ro("plan_name", [](const Scenario& s) { return s.scenario.plan_name; })
+                            .def_prop_ro("seed", [](const Scenario& s) { return s.scenario.seed; })
+                            .def_prop_ro("plan", [](const Scenario& s) { return s.scenario.plan; })
+                            .def_prop_ro("warnings", [](const Scenario& s) {
+                              std::vector<std::string> all = s.scenario.vehicle.warnings;
+                              all.insert(all.end(), s.scenario.warnings.begin(), s.scenario.warnings.end());
+                              return all;
+                            });
   refuse_to_pickle(bound_scenario, "Scenario", "pass name or path, set and seed, and call Scenario.load() there");
   m.def("set_data_folder", [](const std::string& folder) { input::set_data_folder(folder); }, nb::arg("folder"));
   m.def("data_folder", [] { return input::data_folder().string(); });

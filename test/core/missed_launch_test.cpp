@@ -26,12 +26,26 @@ void miss_a_launch(Rocket& rocket, Microseconds coast) {
   rocket.run(coast, -one_g_m_s2);
 }
 
-TEST(MissedLaunch, AfterTwoWeightlessSecondsTheRocketIsFinished) {
+TEST(MissedLaunch, AfterLessThanASecondWithoutWeightTheRocketIsFinished) {
   Rocket rocket{plan_of_two()};
-  miss_a_launch(rocket, ms(1'000));
+  miss_a_launch(rocket, ms(600));
   rocket.expect(Phase::armed, PhaseReason::moved_without_launch);
-  rocket.run(ms(1'300), -one_g_m_s2);
+  rocket.run(ms(400), -one_g_m_s2);
   rocket.expect(Phase::finished, PhaseReason::flew_without_launch);
+}
+
+// Nose up under its drogue it stands as still as on the pad, and the main opens.
+TEST(MissedLaunch, HangingStillUnderAParachuteIsNoRestThatReadiesIt) {
+  for (const int coast_ms : {1'000, 1'500, 1'900}) {
+    Rocket rocket{plan_of_two()};
+    miss_a_launch(rocket, ms(coast_ms));
+    rocket.run(ms(6'000));
+    for (int t = 0; t < 800; ++t) {
+      rocket.tick((8.0 * std::sin(3.14159265 * t / 800) - 1.0) * one_g_m_s2);
+    }
+    rocket.run(ms(2'000));
+    rocket.expect(Phase::finished, PhaseReason::flew_without_launch);
+  }
 }
 
 TEST(MissedLaunch, TheOpeningShockOfAParachuteStartsNoControl) {

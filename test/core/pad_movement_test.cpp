@@ -83,14 +83,16 @@ TEST(PadMovement, LyingHangingAndFallingAreMovement) {
   EXPECT_EQ(blocks_until_moved(leaning, {}, {0.51F * g, 0.86F * g, 0.0F}), 1000);
 }
 
-TEST(PadMovement, OnlyTwoSecondsWithoutWeightAreAFlight) {
+TEST(PadMovement, EightTenthsOfASecondWithoutWeightAreAFlight) {
   PadMovement movement;
-  for (int i = 0; i < 19; ++i) {
+  for (int i = 0; i < 7; ++i) {
     movement.take(block_s, {}, {-0.39F * g, 0.0F, 0.0F});
   }
-  movement.take(block_s, {}, {0.41F * g, 0.0F, 0.0F});
-  EXPECT_FALSE(movement.has_fallen()) << "a hop ends";
-  for (int i = 0; i < 19; ++i) {
+  for (int i = 0; i < 7; ++i) {
+    movement.take(block_s, {}, {0.41F * g, 0.0F, 0.0F});
+  }
+  EXPECT_FALSE(movement.has_fallen()) << "a drop ends";
+  for (int i = 0; i < 7; ++i) {
     movement.take(block_s, {}, {0.2F * g, 0.2F * g, -0.2F * g});
   }
   EXPECT_FALSE(movement.has_fallen());
@@ -100,6 +102,18 @@ TEST(PadMovement, OnlyTwoSecondsWithoutWeightAreAFlight) {
     movement.take(block_s, {}, upright);
   }
   EXPECT_TRUE(movement.has_fallen() && movement.has_moved()) << "whatever comes, but rest";
+}
+
+TEST(PadMovement, AKickWhileItFallsDoesNotMakeItStand) {
+  PadMovement movement;
+  for (int i = 0; i < 5; ++i) {
+    movement.take(block_s, {}, {});
+  }
+  movement.take(block_s, {}, {0.75F * g, 0.0F, 0.0F});  // 15 g for 5 ms
+  for (int i = 0; i < 4; ++i) {
+    movement.take(block_s, {}, {});
+  }
+  EXPECT_TRUE(movement.has_fallen());
 }
 
 TEST(PadMovement, ASecondThatNobodyMeasuredIsMovement) {

@@ -143,7 +143,8 @@ void fill(const Verb& verb) {
   verb.examples(
       "Exit code 0: the page was written, whether or not the roll was held: of one flight `outcome` in summary.json "
       "and "
-      "--json says that (held, off_command, outside_model, not_held, oscillates, cut_short, not_judged, no_control, ascent_failed).\n"
+      "--json says that (held, off_command, outside_model, not_held, oscillates, cut_short, not_judged, no_control, "
+      "ascent_failed).\n"
       "Examples:\n"
       "  fantail report flown.ftl                             what the board has recorded, as fly shows its flights\n"
       "  fantail report flown.ftl out/tasha3_launch2 --align angle --from 0 --to 12\n"

@@ -84,22 +84,22 @@ std::vector<Claim> offset_intervals(const identify::model::Record& window, const
   for (std::size_t i = 0; i < printed_deg.size(); ++i) {
     met += std::abs(errors_deg[i] - printed_deg[i]) <= 0.2 * printed_deg[i] ? 1 : 0;
   }
-  return {
-      compare(InWords{
-          .place = "Section 4.3.2",
-          .what = "Mean angle error of the first window for N1 = 1 to 6 intervals",
-          .theirs = "2.36, 2.15, 0.57, 0.26 deg, then no significant improvement",
-          .ours = fmt::format("{:.2f} deg", fmt::join(errors_deg, ", ")),
-          .holds = met == printed_deg.size(),
-          .kind = Kind::fitted,
-          .why = fmt::format(
-              "Over an offset of one wave, \u22124.9 \u00b1 {:.1f} degrees: the best of some 20 shapes, its size chosen to meet 2.36. {} of "
-              "the four errors are met within 20 %. Without noise more intervals go on helping. A wave within the "
-              "tunnel's offsets, \u00b1 {:.1f} degrees, leaves {:.2f} deg at N1 = 1.",
-              fitted_swing_deg, met, tunnel_swing_deg(), text::degrees(narrow.front().mean_abs_angle_error_rad))}),
-      unpublished("Section 4.3.2", "Damping and torque constant for N1 = 3 to 6", "virtually identical",
-                  "It depends on the course of the real offset.",
-                  fmt::format("{:g}; {:g} over that wave", fmt::join(alphas_m2, ", "), fmt::join(betas_m, ", ")))};
+  return {compare(InWords{
+              .place = "Section 4.3.2",
+              .what = "Mean angle error of the first window for N1 = 1 to 6 intervals",
+              .theirs = "2.36, 2.15, 0.57, 0.26 deg, then no significant improvement",
+              .ours = fmt::format("{:.2f} deg", fmt::join(errors_deg, ", ")),
+              .holds = met == printed_deg.size(),
+              .kind = Kind::fitted,
+              .why = fmt::format(
+                  "Over an offset of one wave, \u22124.9 \u00b1 {:.1f} degrees: the best of some 20 shapes, its size "
+                  "chosen to meet 2.36. {} of "
+                  "the four errors are met within 20 %. Without noise more intervals go on helping. A wave within the "
+                  "tunnel's offsets, \u00b1 {:.1f} degrees, leaves {:.2f} deg at N1 = 1.",
+                  fitted_swing_deg, met, tunnel_swing_deg(), text::degrees(narrow.front().mean_abs_angle_error_rad))}),
+          unpublished("Section 4.3.2", "Damping and torque constant for N1 = 3 to 6", "virtually identical",
+                      "It depends on the course of the real offset.",
+                      fmt::format("{:g}; {:g} over that wave", fmt::join(alphas_m2, ", "), fmt::join(betas_m, ", ")))};
 }
 
 std::string errors_over_a_wave(const identify::model::Record& window, const Run& run, std::size_t intervals) {

@@ -33,8 +33,8 @@ enum class Outcome : std::uint8_t {
 };
 
 /// All of them, for files and tables.
-inline constexpr std::array outcomes{Outcome::held,        Outcome::not_held,     Outcome::oscillates,
-                                     Outcome::cut_short,   Outcome::not_judged,   Outcome::no_control,
+inline constexpr std::array outcomes{Outcome::held,        Outcome::not_held,      Outcome::oscillates,
+                                     Outcome::cut_short,   Outcome::not_judged,    Outcome::no_control,
                                      Outcome::off_command, Outcome::outside_model, Outcome::ascent_failed};
 
 /// Held as far as steadiness goes: wherever it rests, and at whatever speed.
