@@ -3,9 +3,13 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "identify/doubts.hpp"
+#include "identify/identification.hpp"
+#include "identify/model/planted.hpp"
 #include "identify/planted_log.hpp"
 #include "identify/result/formatting.hpp"
 #include "identify/study.hpp"
@@ -71,9 +75,48 @@ TEST(Mistakes, ACanardColumnInDegreesThatIsReadAsRadiansIsNamed) {
   EXPECT_NE(text.find("degrees"), std::string::npos) << text;
 }
 
+// With a measured start the error of the first sample is in all of them.
 TEST(Mistakes, NothingIsNamedInAGoodLog) {
-  const WindowFindings found = study(noisy_log({}, {}, 3), asked()).windows[0];
+  Question question = asked();
+  question.options.start = Start::fitted;
+  const WindowFindings found = study(noisy_log({}, {}, 3), question).windows[0];
   EXPECT_EQ(said(found), "alpha and beta are identifiable from this window");
+}
+
+// "identifiable" beside few effective samples is no contradiction, and says why.
+TEST(Mistakes, WhatLooksLikeAContradictionBesideTheVerdictIsExplained) {
+  const std::string text = said(study(noisy_log({}, {}, 3), asked()).windows[0]);
+  EXPECT_NE(text.find("alpha and beta are identifiable from this window\nThe effective samples are few, 7 of 401: an "
+                      "error that many samples share counts once"),
+            std::string::npos)
+      << text;
+}
+
+// In either loop, whatever else is right; in the closed one, with the canards, as a doubt about the numbers.
+TEST(Mistakes, AResidualThatIsCorrelatedBeyondChanceIsSaidBesideTheVerdict) {
+  Record record = planted_record({});
+  add_noise(record, {}, 3);
+  Identification found =
+      identify(record, tasha, {.nodes = NodeTimes{0.0}, .start = Start::fitted, .with_error_map = false});
+  const auto says = [&](Loop loop, const ResidualTests& tests) {
+    found.loop = loop;
+    found.residual_tests = tests;
+    const std::vector<std::string> all = doubts(record, tasha, Start::fitted, found);
+    return all.empty() ? "" : all.back();
+  };
+  const ResidualTests beyond{
+      .own_correlation = 0.38, .canard_correlation = -0.41, .chance = 0.12, .canard_chance = 0.17};
+  for (const Loop loop : {Loop::open, Loop::closed}) {
+    const std::string text = says(loop, beyond);
+    EXPECT_NE(
+        text.find("is not white: its correlation reaches 0.38 with itself (chance: up to 0.12) and -0.41 with the "
+                  "canards (up to 0.17)."),
+        std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("So the model lacks something") != std::string::npos, loop == Loop::closed) << text;
+    EXPECT_EQ(says(loop, {.own_correlation = 0.1, .canard_correlation = -0.1, .chance = 0.12, .canard_chance = 0.17}),
+              "");
+  }
 }
 
 TEST(Mistakes, ALagBeyondThatWhichIsFittedIsNamedWithItsOption) {

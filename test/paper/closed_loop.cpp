@@ -50,6 +50,7 @@ std::vector<Point> run(const Loop& loop, double until_s) {
   core::Chirp chirp{loop.excitation};
   core::OffsetEstimator estimator{plan_of(loop)};
   sim::RollState state = loop.start;
+  double gear_rad = 0.0;
   double canard_rad = 0.0;
   const auto ticks = static_cast<int>(std::lround(until_s / tick_s));
   const auto control_from = static_cast<int>(std::lround(loop.control_from_s / tick_s));
@@ -82,9 +83,16 @@ std::vector<Point> run(const Loop& loop, double until_s) {
     double seen_rad = goal_rad;  // mean over the step
     if (loop.servo_lag_s) {
       const double decay = std::exp(-tick_s / *loop.servo_lag_s);
-      const double apart_rad = canard_rad - goal_rad;
-      seen_rad = goal_rad + apart_rad * (*loop.servo_lag_s / tick_s) * (1.0 - decay);
-      canard_rad = goal_rad + apart_rad * decay;
+      const double apart_rad = gear_rad - goal_rad;
+      gear_rad = goal_rad + apart_rad * decay;
+      if (loop.servo_play_rad > 0.0) {
+        const double before_rad = canard_rad;
+        canard_rad = std::clamp(canard_rad, gear_rad - 0.5 * loop.servo_play_rad, gear_rad + 0.5 * loop.servo_play_rad);
+        seen_rad = 0.5 * (before_rad + canard_rad);
+      } else {
+        seen_rad = goal_rad + apart_rad * (*loop.servo_lag_s / tick_s) * (1.0 - decay);
+        canard_rad = gear_rad;
+      }
     }
     const double middle_s = t + 0.5 * tick_s;
     state = loop.plant.step(state, density_kg_m3, loop.speed_m_s(middle_s), seen_rad + loop.disturbance.at(middle_s),

@@ -28,6 +28,7 @@ struct Loop {
   std::function<double(double time_s)> speed_m_s;
   double control_from_s = 0.0;
   std::optional<double> servo_lag_s{};  ///< empty: ideal
+  double servo_play_rad = 0.0;          ///< whole width, behind a lag only
   sim::RollState start{};
   core::GainSchedulePlan gain_schedule{};
   core::OffsetPlan offset{};  ///< with the controller's gains

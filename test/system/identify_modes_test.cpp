@@ -60,17 +60,19 @@ TEST_F(ModesOfTheLaw, ChangeNothingForTheOpenLoop) {
   }
 }
 
-// The flown servos are no pure lag, so the closed loop is a little off in each, and in all by the same.
+// The flown servos have a delay beside lag and play, so the closed loop is off in each, in all by the same, and says
+// so.
 TEST_F(ModesOfTheLaw, AreKnownToTheClosedLoopFromThePlanInTheFlightLog) {
   const Words closed{"--loop", "closed", "--servo-lag", "0.026"};
   const auto published = identified(joined({"published"}, closed));
-  EXPECT_NEAR(published["alpha_m2"].number(), 23.0, 1.0);
+  EXPECT_NEAR(published["alpha_m2"].number(), 23.0, 2.5);
   for (const char* flight : {"integral", "integral/flight.csv", "integral/flight.ftl", "observer", "schedule"}) {
     const auto json = identified(joined({flight}, closed));
     EXPECT_NEAR(json["alpha_m2"].number(), published["alpha_m2"].number(), 0.5) << flight;
     EXPECT_NEAR(json["beta_m"].number(), published["beta_m"].number(), 0.2) << flight;
     EXPECT_NEAR(json["disturbance_deg"][0].number(), -4.9, 0.05) << flight;
     EXPECT_LT(json["mean_abs_angle_error_deg"].number(), 0.05) << flight;
+    EXPECT_NE(json["remarks"].dump().find("So the model lacks something"), std::string::npos) << json["remarks"];
     EXPECT_NE(json["remarks"].dump().find("the plan in the flight log"), std::string::npos) << json["remarks"];
   }
 }

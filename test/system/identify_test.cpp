@@ -154,6 +154,13 @@ TEST_F(IdentifiedFlight, MayBeLeftToTheController) {
   EXPECT_NEAR(json["alpha_m2"].number(), 23.0, 0.2 * 23.0);
   EXPECT_NEAR(json["beta_m"].number(), 9.0, 0.2 * 9.0);
   EXPECT_NEAR(json["disturbance_deg"][0].number(), -4.9, 0.2);
+  // Frames and delay count as lag; no play of one servo is that of the mean of four.
+  EXPECT_NEAR(json["servo_lag_s"].number(), 0.026, 0.004);
+  EXPECT_LT(json["servo_lag_interval_s"][0].number(), json["servo_lag_s"].number());
+  EXPECT_GE(json["servo_play_deg"].number(), 0.0);
+  EXPECT_LT(json["servo_play_deg"].number(), 0.3);
+  EXPECT_NE(json["remarks"].dump().find("not by the 20 ms of --servo-lag"), std::string::npos) << json["remarks"];
+  EXPECT_NE(json["remarks"].dump().find("So the model lacks something"), std::string::npos) << json["remarks"];
 }
 
 TEST(Identify, PrintsATableForPeople) {

@@ -95,9 +95,9 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
   verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
   verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
   verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
-  verb.option("--servo-lag", o.servo_lag_s, "Closed loop: first-order lag of the servos in s")
-      .check(within(0, 1))
-      .show_default();
+  verb.option("--servo-lag", o.servo_lag_s,
+              "Closed loop: expected lag of the servos in s; lag and play are fitted, from there on [0.02]")
+      .check(within(0, 0.5));
 }
 
 core::FlightPlan plan_of(const IdentifyOptions& o, const std::string& data) {
@@ -117,6 +117,8 @@ core::FlightPlan plan_of(const IdentifyOptions& o, const std::string& data) {
   return *flown;
 }
 
+constexpr double usual_servo_lag_s = 0.02;
+
 identify::closed_loop::Control closed_loop(const IdentifyOptions& o, const std::string& data) {
   if (o.fit_lag) {
     throw UsageError{"--fit-lag: the closed loop does not use the measured canards; allowed with --loop open"};
@@ -135,7 +137,8 @@ identify::closed_loop::Control closed_loop(const IdentifyOptions& o, const std::
   return {.controller = controller,
           .gain_schedule = plan.gain_schedule,
           .offset_rejection = plan.offset.rejection,
-          .servo_lag_s = o.servo_lag_s};
+          .servo_lag_s = o.servo_lag_s.value_or(usual_servo_lag_s),
+          .servo_is_fitted = true};
 }
 
 void use_huber_loss(const IdentifyOptions& o, identify::Options& options) {
@@ -182,6 +185,7 @@ identify::Question question(const IdentifyOptions& o, const std::string& data) {
   }
   if (o.loop == "closed") {
     q.options.closed_loop = closed_loop(o, data);
+    q.told_servo_lag_s = o.servo_lag_s;
     q.record.canard_needed = false;
   }
   return q;

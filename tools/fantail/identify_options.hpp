@@ -42,7 +42,7 @@ struct IdentifyOptions {
   std::optional<double> proportional_gain;
   std::optional<double> derivative_gain_s;
   std::optional<double> limit_deg;
-  double servo_lag_s = 0.0;
+  std::optional<double> servo_lag_s;
 
   bool json = false;
   std::string out;

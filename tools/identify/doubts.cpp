@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -13,6 +14,7 @@
 #include "identify/model/open_loop.hpp"
 #include "identify/model/robust_fit.hpp"
 #include "identify/result/formatting.hpp"
+#include "identify/result/residual.hpp"
 #include "identify/result/uncertainty.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -95,10 +97,8 @@ std::optional<std::string> nodes(const DoubtCase& c) {
       more.size(), found.node_time_s.size(), change(found, model), more.size() - 1);
 }
 
-std::optional<std::string> unexplained(const DoubtCase& c) {
-  constexpr double worth_a_word = 0.2;
-  constexpr double negligible = 0.01;
-  const auto& tests = c.found.residual_tests;
+// How much of the motion is left in the rate, root mean square over root mean square.
+double share_left(const DoubtCase& c) {
   double left = 0.0;
   double motion = 0.0;
   for (std::size_t i = 0; i < c.record.size(); ++i) {
@@ -106,16 +106,44 @@ std::optional<std::string> unexplained(const DoubtCase& c) {
     left += std::pow(rate_rad_s - c.found.simulation.roll_rate_rad_s[i], 2);
     motion += rate_rad_s * rate_rad_s;
   }
-  if (left < negligible * negligible * motion || !tests ||
-      std::abs(tests->own_correlation) < std::max(tests->chance, worth_a_word)) {
+  return motion > 0.0 ? std::sqrt(left / motion) : 0.0;
+}
+
+// Whatever is beyond chance is said, beside the verdict that it qualifies.
+std::optional<std::string> unexplained(const DoubtCase& c) {
+  constexpr double worth_a_doubt = 0.2;
+  constexpr double negligible = 0.01;
+  const auto& tests = c.found.residual_tests;
+  const bool with_canards = tests && std::abs(tests->canard_correlation) > tests->canard_chance;
+  if (!tests || (std::abs(tests->own_correlation) <= tests->chance && !with_canards)) {
     return {};
   }
-  return fmt::format(
-      "The residual of the roll rate is not white: its correlation with itself reaches {}, where chance gives up to "
-      "{}. Neither a lag nor more nodes explain it, so the model lacks something else: a speed or density that is "
-      "wrong in "
-      "part of the window, canards that do not act in proportion to their angle.",
-      text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2));
+  const double share = share_left(c);
+  const std::string reaches = fmt::format(
+      "The residual of the roll rate, {} % of the motion, is not white: its correlation reaches {} with itself "
+      "(chance: "
+      "up to {}) and {} with the canards (up to {}).",
+      text::brief(100.0 * share, 2), text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2),
+      text::fixed(tests->canard_correlation, 2), text::fixed(tests->canard_chance, 2));
+  if (c.found.loop == Loop::closed) {
+    return reaches +
+           (with_canards
+                ? " So the model lacks something, and alpha and beta may lie outside their intervals: servos "
+                  "with a delay, noise that moves the canards to their limit, a wrong speed, another plan than "
+                  "the one that flew. Compare with --loop open, which needs no model of the servos."
+                : " A law that answers to noise or gusts moves the rocket like that, and the intervals count "
+                  "with it; an error of the model would do so, too. Compare with --loop open.");
+  }
+  if (share < negligible || std::abs(tests->own_correlation) < worth_a_doubt) {
+    return reaches + (c.start == Start::fitted
+                          ? " So small errors of the model are in it, and the intervals do not include them."
+                          : " So small errors are in it: of the measured first angle and rate, which the intervals "
+                            "include and --fit-initial fits, or of the model, which they do not include.");
+  }
+  return reaches +
+         " Neither a lag nor more nodes explain it, so the model lacks something else: a speed or density that is "
+         "wrong "
+         "in part of the window, canards that do not act in proportion to their angle.";
 }
 
 // Only where it was tried and tells both numbers better; Huber's loss knows no fitted lag.
@@ -168,7 +196,7 @@ std::optional<std::string> outliers(const DoubtCase& c) {
 
 bool can_be_judged(const DoubtCase& c) {
   const auto& u = c.found.uncertainty;
-  return c.found.loop == Loop::open && u && *u->interval[1].low > 0.0;
+  return u && *u->interval[1].low > 0.0;
 }
 
 }  // namespace
@@ -177,14 +205,20 @@ std::vector<std::string> doubts(const Record& record, const Airframe& airframe, 
                                 const Identification& found) {
   const DoubtCase c{record, airframe, start, found};
   std::vector<std::string> all;
+  if (found.loop == Loop::closed) {
+    if (auto lacks = unexplained(c)) {
+      all.push_back(std::move(*lacks));
+    }
+    return all;
+  }
   if (!can_be_judged(c)) {
     // A model that a far too late column has spoilt tells nothing; misfit() has seen that it does not fit.
-    const auto late = found.loop == Loop::open && !found.remarks.empty() ? long_lag_doubt(c) : std::nullopt;
+    const auto late = !found.remarks.empty() ? long_lag_doubt(c) : std::nullopt;
     if (late) {
       all.push_back(*late);
     }
     // Outliers widen the intervals until nothing is left to judge: then most of all they must be named.
-    if (const auto few = found.loop == Loop::open && found.uncertainty ? outliers(c) : std::nullopt) {
+    if (const auto few = found.uncertainty ? outliers(c) : std::nullopt) {
       all.push_back(*few);
     }
     return all;
@@ -201,7 +235,7 @@ std::vector<std::string> doubts(const Record& record, const Airframe& airframe, 
     return all;
   }
   // misfit() has said it already where the residual is almost all motion.
-  if (found.remarks.empty()) {
+  if (!misfit(record, found)) {
     add(unexplained(c));
   }
   return all;

@@ -48,7 +48,7 @@ void check_record(const Record& record, std::size_t nodes, Start start) {
 struct Question {
   const Record& record;
   const Airframe& airframe;
-  const Options& options;
+  Options& options;
 };
 
 RollModel open_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
@@ -63,19 +63,36 @@ RollModel open_loop_model(const Question& q, const NodeTimes& nodes, std::option
   return fit_open_loop(record, airframe, nodes, options.start, options.grid);
 }
 
+// Where the servo is fitted, what was found goes into the question: all else goes on with it.
 RollModel closed_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   const auto& [record, airframe, options] = q;
-  std::optional<RollModel> grid_best;
-  if (options.method == Method::grid || options.with_error_map) {
-    closed_loop::GridResult found =
-        closed_loop::search_grid(record, airframe, *options.closed_loop, nodes, options.start, options.grid);
-    errors = std::move(found.errors);
-    if (options.method == Method::grid) {
-      return std::move(found.model);
-    }
-    grid_best = std::move(found.least_squares);
+  closed_loop::Control& control = *options.closed_loop;
+  const bool on_grid = options.method == Method::grid || options.with_error_map;
+  std::optional<closed_loop::Fit> found;
+  if (control.servo_is_fitted || !on_grid) {
+    found = closed_loop::fit(record, airframe, control, nodes, options.start, options.grid);
+    control = found->control;
   }
-  return closed_loop::fit(record, airframe, *options.closed_loop, nodes, options.start, options.grid, grid_best).model;
+  if (!on_grid) {
+    return std::move(found->model);
+  }
+  closed_loop::GridResult searched =
+      closed_loop::search_grid(record, airframe, control, nodes, options.start, options.grid);
+  errors = std::move(searched.errors);
+  if (options.method == Method::grid) {
+    return std::move(searched.model);
+  }
+  if (!found) {
+    return closed_loop::fit(record, airframe, control, nodes, options.start, options.grid, searched.least_squares)
+        .model;
+  }
+  closed_loop::Fit further =
+      closed_loop::Descent{record, airframe, control, nodes, options.start}.from(searched.least_squares);
+  if (further.squares_rad2 < found->squares_rad2) {
+    found = std::move(further);
+    control = found->control;
+  }
+  return std::move(found->model);
 }
 
 RollModel model_with(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
@@ -146,11 +163,18 @@ Uncertainty uncertainty(const Question& q, const RollModel& model, const Simulat
 Uncertainty uncertainty_with_grid(const Question& q, const RollModel& on_grid) {
   const auto& [record, airframe, options] = q;
   const NodeTimes& nodes = on_grid.node_time_s;
-  const RollModel refined =
-      options.closed_loop
-          ? closed_loop::fit(record, airframe, *options.closed_loop, nodes, options.start, options.grid, on_grid).model
-          : fit_open_loop(record, airframe, nodes, options.start, options.grid);
-  Uncertainty result = uncertainty(q, refined, simulate(q, refined));
+  Options exactly = options;
+  RollModel refined;
+  if (options.closed_loop) {
+    closed_loop::Fit found =
+        closed_loop::fit(record, airframe, *options.closed_loop, nodes, options.start, options.grid, on_grid);
+    refined = std::move(found.model);
+    exactly.closed_loop = found.control;
+  } else {
+    refined = fit_open_loop(record, airframe, nodes, options.start, options.grid);
+  }
+  const Question again{record, airframe, exactly};
+  Uncertainty result = uncertainty(again, refined, simulate(again, refined));
   const std::vector<double> rounded = on_grid.numbers();
   const std::vector<double> exact = refined.numbers();
   const auto reach_out = [](Interval& interval, double value) {
@@ -179,7 +203,8 @@ void add_robust_fit(const Question& q, Identification& result) {
 }  // namespace
 
 Identification identify(const Record& record, const Airframe& airframe, const Options& options) {
-  const Question question{record, airframe, options};
+  Options own = options;
+  const Question question{record, airframe, own};
   Identification result;
   result.method = options.method;
   result.loop = options.closed_loop ? Loop::closed : Loop::open;
@@ -188,6 +213,9 @@ Identification identify(const Record& record, const Airframe& airframe, const Op
   const NodeTimes nodes = choose_nodes(question, result.node_trials);
   result.model = model_with(question, nodes, result.error_map);
   result.simulation = simulate(question, result.model);
+  if (own.closed_loop && own.closed_loop->servo_is_fitted) {
+    result.servo = Servo{.lag_s = own.closed_loop->servo_lag_s, .play_rad = own.closed_loop->servo_play_rad};
+  }
   remark_on_edges(result, options.grid);
   if (options.loss == Loss::huber) {
     add_robust_fit(question, result);

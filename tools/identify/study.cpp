@@ -11,11 +11,13 @@
 #include "identify/choices.hpp"
 #include "identify/doubts.hpp"
 #include "identify/model/least_squares.hpp"
+#include "identify/result/formatting.hpp"
 #include "identify/result/residual.hpp"
 #include "identify/result/residual_tests.hpp"
 #include "input/messages.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -90,6 +92,32 @@ void prepare_closed_loop(const logs::RollLog& log, const closed_loop::Control& c
   }
 }
 
+std::optional<std::string> unexpected_servo(const std::optional<double>& told_s, const Identification& found) {
+  if (!told_s || !found.servo || !found.uncertainty || !found.uncertainty->lag_s ||
+      std::abs(*told_s - found.servo->lag_s) <= found.uncertainty->lag_s->reach) {
+    return {};
+  }
+  return fmt::format(
+      "The servos lag by {} ms in this model (95 %: {} ms), not by the {} ms of --servo-lag. The result is that of the "
+      "fitted lag; a delay counts as lag.",
+      text::brief(1e3 * found.servo->lag_s, 1), servo_interval(found.servo->lag_s, found.uncertainty->lag_s, 1e3),
+      text::brief(1e3 * *told_s, 1));
+}
+
+// Few of many beside "identifiable" looks like a contradiction.
+std::optional<std::string> about_effective_samples(const Identification& found) {
+  constexpr double few = 30.0;
+  const auto& u = found.uncertainty;
+  if (!u || u->effective_samples >= few || !u->alpha_identifiable || !u->beta_identifiable) {
+    return {};
+  }
+  return fmt::format(
+      "The effective samples are few, {} of {}: an error that many samples share counts once, as of a residual that "
+      "changes slowly, or of a measured first angle and rate. The intervals count with that. alpha and beta are "
+      "identifiable because these errors are small beside the motion.",
+      text::fixed(u->effective_samples, 0), found.samples);
+}
+
 WindowFindings identify_window(const logs::RollLog& log, const Window& window, const Question& question) {
   WindowFindings found;
   RecordOptions how = question.record;
@@ -126,6 +154,12 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
     }
     if (auto doubt = misfit(found.record, result)) {
       result.remarks.push_back(std::move(*doubt));
+    }
+    if (auto other = unexpected_servo(question.told_servo_lag_s, result)) {
+      result.remarks.push_back(std::move(*other));
+    }
+    if (auto meaning = about_effective_samples(result)) {
+      result.remarks.push_back(std::move(*meaning));
     }
     const Record& judged = result.robust ? result.robust->pseudo_record : found.record;
     for (std::string& doubt : doubts(judged, question.airframe, options.start, result)) {

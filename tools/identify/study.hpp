@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,10 @@ struct Question {
   std::vector<result::Method> methods{result::Method::continuous};
   model::Airframe airframe{};
   RecordOptions record{};
-  std::string nodes = "even:1";  ///< as find_nodes reads it
-  bool fit_lag = false;          ///< instead of record.lag_s; open loop only
-  Options options{};             ///< nodes and method apart
+  std::string nodes = "even:1";              ///< as find_nodes reads it
+  std::optional<double> told_servo_lag_s{};  ///< what the person expects, beside what the closed loop finds
+  bool fit_lag = false;                      ///< instead of record.lag_s; open loop only
+  Options options{};                         ///< nodes and method apart
 };
 
 /// Fills in data, airframe, warnings and windows. Throws as find_nodes, make_record and identify do.

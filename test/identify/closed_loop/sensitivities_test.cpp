@@ -111,6 +111,36 @@ TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferences) {
   }
 }
 
+// Where the play is met or left a difference is off for one step.
+TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferencesByLagAndPlayOfTheServo) {
+  const paper::Loop loop = second_launch_with_chirp();
+  const Record record = closed_loop_record(loop, 4.0, 2);
+  const Airframe airframe = paper::airframe(loop);
+  for (const double play_deg : {0.0, 0.2}) {
+    Control control = controller_of(loop);
+    control.servo_is_fitted = true;
+    control.servo_play_rad = play_deg * degree;
+    const RollModel model = beside_the_second_launch();
+    const Sensitivities found = sensitivities(record, airframe, control, model);
+    ASSERT_EQ(found.lag.cols(), play_deg > 0.0 ? 2 : 1);
+    EXPECT_EQ(found.numbers.cols(), 5);
+    const auto angles = [&](double lag_by_s, double half_play_by_rad) {
+      Control other = control;
+      other.servo_lag_s += lag_by_s;
+      other.servo_play_rad += 2.0 * half_play_by_rad;
+      const Simulation flown = simulate(record, airframe, other, model);
+      return Eigen::VectorXd{
+          Eigen::Map<const Eigen::VectorXd>{flown.roll_angle_rad.data(), static_cast<Eigen::Index>(record.size())}};
+    };
+    const Eigen::VectorXd by_lag = (angles(2e-5, 0.0) - angles(-2e-5, 0.0)) / 4e-5;
+    EXPECT_LT((by_lag - found.lag.col(0)).norm(), 0.01 * by_lag.norm()) << play_deg;
+    if (play_deg > 0.0) {
+      const Eigen::VectorXd by_half_play = (angles(0.0, 2e-5) - angles(0.0, -2e-5)) / 4e-5;
+      EXPECT_LT((by_half_play - found.lag.col(1)).norm(), 0.02 * by_half_play.norm());
+    }
+  }
+}
+
 TEST(ClosedLoopSensitivities, AreThoseOfFiniteDifferencesThroughSaturation) {
   const paper::Loop loop = first_launch();
   const RollModel model{.alpha_m2 = 8,

@@ -63,11 +63,13 @@ struct GridResult {
 struct Fit {
   model::RollModel model;
   double squares_rad2;  ///< sum of squared angle errors
+  Control control;      ///< with the servo that was found, where it is fitted
 };
 
 enum class Alpha : std::uint8_t { fitted, held };
 
-/// Least squares for all numbers of a model at once, from one place to the nearest minimum.
+/// Least squares for all numbers of a model at once, from one place to the nearest minimum. Where the servo is fitted,
+/// its lag is one of them, and its play, where that begins above zero.
 class Descent {
  public:
   /// `record` must live as long.
@@ -85,6 +87,7 @@ class Descent {
   [[nodiscard]] model::NormalEquations evaluate(const Eigen::VectorXd& unknown, Alpha alpha);
 
   const model::Record& record_;
+  Control control_;
   model::NodeTimes node_time_s_;
   model::Start start_;
   model::AlphaRange alpha_range_;
@@ -95,7 +98,8 @@ class Descent {
 
 /// The model of least squares, alpha and beta not bound to a grid. With the controller in the loop the sum of squares
 /// has many local minima, because a command at its limit hides what the rest of the model does: so the descent begins
-/// at twelve places spread over `range`, and at the best cell of a grid. `grid_best` is that cell if a grid has been
+/// at twelve places spread over `range`, and at the best cell of a grid. The servo is fitted last, without play and
+/// with it; play is kept where it takes more off the sum than chance would. `grid_best` is that cell if a grid has been
 /// searched already; else a coarse one is. Never worse than where it began.
 [[nodiscard]] Fit fit(const model::Record& record, const model::Airframe& airframe, const Control& control,
                       const model::NodeTimes& node_time_s, model::Start start, const model::Grid& range,

@@ -65,6 +65,7 @@ class CourseBuilder {
                 .steps = {},
                 .air = {},
                 .servo = {},
+                .half_play_rad = 0.0,
                 .holds = false} {}
 
   Course build() {
@@ -82,6 +83,7 @@ class CourseBuilder {
       }
     }
     course_.first_step.push_back(course_.steps.size());
+    course_.set_servo(control_.servo_lag_s, control_.servo_play_rad);
     return std::move(course_);
   }
 
@@ -121,11 +123,6 @@ class CourseBuilder {
                              .law = !in_control ? Law::rests
                                     : runs      ? Law::runs
                                                 : Law::holds});
-    if (control_.servo_lag_s > 0.0) {
-      const double lags = duration_s / control_.servo_lag_s;
-      const double decay = std::exp(-lags);
-      course_.servo.push_back({.decay = decay, .mean_share = last ? 1.0 : -std::expm1(-lags) / lags});
-    }
   }
 
   [[nodiscard]] core::Adaptation adaptation(std::size_t sample, double share, double time_s) const {
@@ -171,6 +168,14 @@ Course make_course(const Record& record, const Airframe& airframe, const Control
                 fmt::format("servo lag: {:g} s; allowed: 0 or more", control.servo_lag_s)};
   }
   return CourseBuilder{record, airframe, control, node_time_s}.build();
+}
+
+void Course::set_servo(double lag_s, double play_rad) {
+  half_play_rad = 0.5 * play_rad;
+  servo.resize(lag_s > 0.0 || play_rad > 0.0 ? air.size() : 0);
+  for (std::size_t i = 0; i < servo.size(); ++i) {
+    servo[i] = lag_s > 0.0 ? servo_of(lag_s, air[i].duration_s) : no_servo;
+  }
 }
 
 void Plant::set_alpha(const Course& course, double alpha_m2, Slopes slopes) {

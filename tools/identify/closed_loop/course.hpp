@@ -44,7 +44,11 @@ struct Course {
   std::vector<CourseStep> steps;
   std::vector<CourseAir> air;
   std::vector<Servo> servo;  ///< empty: the canard is where it was told to be
-  bool holds;                ///< some sub-steps hold the command of an earlier one
+  double half_play_rad;
+  bool holds;  ///< some sub-steps hold the command of an earlier one
+
+  /// A lag above zero, or none without any play.
+  void set_servo(double lag_s, double play_rad);
 
   [[nodiscard]] std::size_t segments() const { return record->segment_begin.size(); }
   [[nodiscard]] std::size_t segment_begin(std::size_t segment) const { return record->segment_begin[segment]; }

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "identify/closed_loop/closed_loop.hpp"
 
@@ -22,6 +24,30 @@ double alpha_start_m2(const Axis& range, const AlphaRange& allowed, std::size_t 
   const double first = std::clamp(range.first, allowed.lowest_m2, allowed.highest_m2);
   const double last = std::clamp(range.last, first, allowed.highest_m2);
   return first * std::pow(last / first, share(i, alpha_starts));
+}
+
+constexpr double shortest_fitted_lag_s = 1e-4;
+constexpr double longest_fitted_lag_s = 0.5;
+constexpr std::array play_starts_rad{0.1 * std::numbers::pi / 180.0, 0.3 * std::numbers::pi / 180.0};
+
+Fit with_servo(const Record& record, const Airframe& airframe, const Control& control, const RollModel& begin,
+               Start start) {
+  Control from = control;
+  from.servo_play_rad = 0.0;
+  Fit best = Descent{record, airframe, from, begin.node_time_s, start}.from(begin);
+  const double without_play_rad2 = best.squares_rad2;
+  for (const double play_rad : play_starts_rad) {
+    from.servo_lag_s = best.control.servo_lag_s;
+    from.servo_play_rad = play_rad;
+    Fit found = Descent{record, airframe, from, begin.node_time_s, start}.from(best.model);
+    // Chance takes off as much as one of the samples' squares.
+    constexpr double beyond_chance = 4.0;
+    const double chance_rad2 = beyond_chance * without_play_rad2 / static_cast<double>(record.size());
+    if (found.squares_rad2 < std::min(best.squares_rad2, without_play_rad2 - chance_rad2)) {
+      best = std::move(found);
+    }
+  }
+  return best;
 }
 
 Axis coarse(const Axis& axis, double steps) {
@@ -91,33 +117,52 @@ Eigen::VectorXd FirstGuess::at(double alpha_m2, double beta_m) const {
 Descent::Descent(const Record& record, const Airframe& airframe, const Control& control, const NodeTimes& node_time_s,
                  Start start)
     : record_{record},
+      control_{control},
       node_time_s_{node_time_s},
       start_{start},
       alpha_range_{alpha_range(airframe)},
       course_{make_course(record, airframe, control, node_time_s)},
-      trials_{course_, {.initial = start == Start::fitted, .model = true}} {}
+      trials_{course_, {.initial = start == Start::fitted, .model = true, .servo = control.servo_is_fitted}} {}
 
-// The unknowns here: log alpha, which cannot leave the positive numbers, then beta and the others.
+// The unknowns here: log alpha, which cannot leave the positive numbers, then beta, where the servo is fitted the
+// logarithm of its lag and half of its play, and the others.
 NormalEquations Descent::evaluate(const Eigen::VectorXd& unknown, Alpha alpha) {
   const double alpha_m2 = std::exp(unknown(0));
   if (!alpha_range_.contains(alpha_m2)) {
     return {.squares = std::numeric_limits<double>::infinity()};
   }
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(unknown.size());
+  scale(0) = alpha == Alpha::held ? 0.0 : alpha_m2;
+  if (control_.servo_is_fitted) {
+    const double lag_s = std::exp(unknown(2));
+    if (lag_s < shortest_fitted_lag_s || lag_s > longest_fitted_lag_s || unknown(3) < 0.0) {
+      return {.squares = std::numeric_limits<double>::infinity()};
+    }
+    course_.set_servo(lag_s, 2.0 * unknown(3));
+    scale(2) = lag_s;
+    scale(3) = control_.servo_play_rad > 0.0 ? 1.0 : 0.0;
+  }
+  const Eigen::Index before_nodes = control_.servo_is_fitted ? 4 : 2;
   plant_.set_alpha(course_, alpha_m2, Slopes::by_alpha);
-  trials_.set(0, unknown(1), unknown.tail(unknown.size() - 2));
+  trials_.set(0, unknown(1), unknown.tail(unknown.size() - before_nodes));
   trials_.fly_with_derivatives(plant_);
   NormalEquations result = trials_.equations(0);
-  const double scale = alpha == Alpha::held ? 0.0 : alpha_m2;
-  result.normal.row(0) *= scale;
-  result.normal.col(0) *= scale;
-  result.gradient(0) *= scale;
+  result.normal = scale.asDiagonal() * result.normal * scale.asDiagonal();
+  result.gradient = scale.asDiagonal() * result.gradient;
   return result;
 }
 
 Fit Descent::from(const RollModel& begin, Alpha alpha) {
   const Eigen::VectorXd rest = unknown_of(begin, start_);
-  Eigen::VectorXd unknown{rest.size() + 2};
-  unknown << std::log(std::clamp(begin.alpha_m2, alpha_range_.lowest_m2, alpha_range_.highest_m2)), begin.beta_m, rest;
+  const Eigen::Index before_nodes = control_.servo_is_fitted ? 4 : 2;
+  Eigen::VectorXd unknown{rest.size() + before_nodes};
+  unknown(0) = std::log(std::clamp(begin.alpha_m2, alpha_range_.lowest_m2, alpha_range_.highest_m2));
+  unknown(1) = begin.beta_m;
+  if (control_.servo_is_fitted) {
+    unknown(2) = std::log(std::clamp(control_.servo_lag_s, 2.0 * shortest_fitted_lag_s, 0.5 * longest_fitted_lag_s));
+    unknown(3) = 0.5 * control_.servo_play_rad;
+  }
+  unknown.tail(rest.size()) = rest;
   LevenbergMarquardt search{unknown,
                             {.first_damping = 1e-3,
                              .relative_gain = 1e-9,
@@ -127,9 +172,15 @@ Fit Descent::from(const RollModel& begin, Alpha alpha) {
     search.tell(evaluate(search.trial(), alpha));
   }
   const Eigen::VectorXd& best = search.best();
-  return {.model = model_of(record_, node_time_s_, start_, alpha == Alpha::held ? begin.alpha_m2 : std::exp(best(0)),
-                            best(1), best.tail(rest.size())),
-          .squares_rad2 = search.squares()};
+  Fit found{.model = model_of(record_, node_time_s_, start_, alpha == Alpha::held ? begin.alpha_m2 : std::exp(best(0)),
+                              best(1), best.tail(rest.size())),
+            .squares_rad2 = search.squares(),
+            .control = control_};
+  if (control_.servo_is_fitted) {
+    found.control.servo_lag_s = std::exp(best(2));
+    found.control.servo_play_rad = 2.0 * best(3);
+  }
+  return found;
 }
 
 double Descent::squares_rad2(const RollModel& model) {
@@ -141,11 +192,13 @@ double Descent::squares_rad2(const RollModel& model) {
 
 Fit fit(const Record& record, const Airframe& airframe, const Control& control, const NodeTimes& node_time_s,
         Start start, const Grid& range, const std::optional<RollModel>& grid_best) {
+  Control held = control;
+  held.servo_is_fitted = false;
   const auto searched = [&] {
     const Grid grid{.alpha_m2 = coarse(range.alpha_m2, 12.0), .beta_m = coarse(range.beta_m, 4.0)};
-    return search_grid(record, airframe, control, node_time_s, start, grid).least_squares;
+    return search_grid(record, airframe, held, node_time_s, start, grid).least_squares;
   };
-  Descent descent{record, airframe, control, node_time_s, start};
+  Descent descent{record, airframe, held, node_time_s, start};
   Fit best = descent.from(grid_best ? *grid_best : searched());
   const FirstGuess guess{record, airframe, node_time_s, start};
   for (std::size_t i = 0; i < alpha_starts; ++i) {
@@ -160,7 +213,10 @@ Fit fit(const Record& record, const Airframe& airframe, const Control& control, 
   }
   // The steepest way down may have been longer than one descent has steps.
   Fit further = descent.from(best.model);
-  return further.squares_rad2 < best.squares_rad2 ? std::move(further) : std::move(best);
+  if (further.squares_rad2 < best.squares_rad2) {
+    best = std::move(further);
+  }
+  return control.servo_is_fitted ? with_servo(record, airframe, control, best.model, start) : best;
 }
 
 }  // namespace fantail::identify::closed_loop

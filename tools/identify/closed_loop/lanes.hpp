@@ -27,26 +27,28 @@ struct LanePoints {
   std::vector<Lane<lanes>> rate_rad_s{};  ///< likewise
 };
 
-/// What besides the nodes is unknown. The order of all unknowns is: alpha, beta, nodes, angle and rate at the begin of
-/// each segment. One segment's derivatives stand in another order, because the nodes that are felt grow in number:
-/// initial angle and rate, alpha, beta, then nodes from the first that this segment feels.
+/// What besides the nodes is unknown. The order of all unknowns is: alpha, beta, lag and half play, nodes, angle and
+/// rate at the begin of each segment. One segment's derivatives stand in another order, because the nodes that are felt
+/// grow in number: initial angle and rate, alpha, beta, lag and play, then nodes from the first that this segment
+/// feels.
 struct Unknowns {
-  bool initial;  ///< angle and rate at the begin of each segment
-  bool model;    ///< alpha and beta; all lanes have one alpha
+  bool initial;        ///< angle and rate at the begin of each segment
+  bool model;          ///< alpha and beta; all lanes have one alpha
+  bool servo = false;  ///< its lag and half of its play; with `model` only
 
+  [[nodiscard]] std::size_t before_nodes() const { return (model ? 2U : 0U) + (servo ? 2U : 0U); }
   [[nodiscard]] std::size_t count(std::size_t node_count, std::size_t segments) const {
-    return (model ? 2U : 0U) + node_count + (initial ? 2U * segments : 0U);
+    return before_nodes() + node_count + (initial ? 2U * segments : 0U);
   }
-  [[nodiscard]] std::size_t columns_before_nodes() const { return (initial ? 2U : 0U) + (model ? 2U : 0U); }
+  [[nodiscard]] std::size_t columns_before_nodes() const { return (initial ? 2U : 0U) + before_nodes(); }
   /// Where a segment's column stands among the unknowns.
   [[nodiscard]] std::size_t place(std::size_t column, std::size_t first_node, std::size_t node_count,
                                   std::size_t segment) const {
-    const std::size_t before_nodes = model ? 2U : 0U;
     if (initial && column < 2) {
-      return before_nodes + node_count + 2 * segment + column;
+      return before_nodes() + node_count + 2 * segment + column;
     }
     const std::size_t rest = column - (initial ? 2U : 0U);
-    return rest < before_nodes ? rest : rest + first_node;
+    return rest < before_nodes() ? rest : rest + first_node;
   }
 };
 
@@ -55,7 +57,11 @@ struct LaneState {
   Lane<lanes> angle_rad{};
   Lane<lanes> rate_rad_s{};
   Lane<lanes> command_rad{};
+  Lane<lanes> gear_rad{};
   Lane<lanes> canard_rad{};
+  Lane<lanes> apart_rad{};     ///< gear from command, at the begin of the sub-step
+  Lane<lanes> side_of_mean{};  ///< Played::side, of the mean and of the end of the sub-step
+  Lane<lanes> side{};
   Lane<lanes> effective_rad{};     ///< canard and disturbance, mean over the sub-step
   Lane<lanes> command_by_angle{};  ///< zero while saturated
   Lane<lanes> command_by_rate_s{};
@@ -75,13 +81,18 @@ struct LaneState {
     command_by_rate_s.fill(0.0);
   }
 
-  void move_canards(const CourseStep& step, const Servo& servo, const LanePoints<lanes>& points) {
+  void move_canards(const CourseStep& step, const Servo& servo, double half_play_rad, const LanePoints<lanes>& points) {
     const Lane<lanes>& node_rad = points.node_rad[step.node];
     const Lane<lanes>& next_rad = points.node_rad[step.next_node];
     for (std::size_t l = 0; l < lanes; ++l) {
-      effective_rad[l] =
-          servo.mean(canard_rad[l], command_rad[l]) + (node_rad[l] + step.next_share * (next_rad[l] - node_rad[l]));
-      canard_rad[l] = servo.end(canard_rad[l], command_rad[l]);
+      apart_rad[l] = gear_rad[l] - command_rad[l];
+      const Played mean = follow(canard_rad[l], servo.mean(gear_rad[l], command_rad[l]), half_play_rad);
+      gear_rad[l] = servo.end(gear_rad[l], command_rad[l]);
+      const Played end = follow(canard_rad[l], gear_rad[l], half_play_rad);
+      effective_rad[l] = mean.canard_rad + (node_rad[l] + step.next_share * (next_rad[l] - node_rad[l]));
+      canard_rad[l] = end.canard_rad;
+      side_of_mean[l] = mean.side;
+      side[l] = end.side;
     }
   }
 
@@ -103,16 +114,17 @@ struct Tangents {
   std::vector<Lane<lanes>> angle{};
   std::vector<Lane<lanes>> rate{};
   std::vector<Lane<lanes>> command{};
+  std::vector<Lane<lanes>> gear{};
   std::vector<Lane<lanes>> canard{};
 
   Tangents(Unknowns which, std::size_t node_count) : unknowns{which} {
-    for (auto* columns : {&angle, &rate, &command, &canard}) {
+    for (auto* columns : {&angle, &rate, &command, &gear, &canard}) {
       columns->resize(which.columns_before_nodes() + node_count);
     }
   }
 
   void begin_segment(std::size_t node) {
-    for (auto* columns : {&angle, &rate, &command, &canard}) {
+    for (auto* columns : {&angle, &rate, &command, &gear, &canard}) {
       std::ranges::fill(*columns, Lane<lanes>{});
     }
     if (unknowns.initial) {
@@ -152,20 +164,32 @@ struct Tangents {
     }
   }
 
-  void advance_lagged(const CourseStep& step, const Servo& servo, const model::HeldStep& plant,
+  void advance_lagged(const CourseStep& step, const Servo& servo, bool with_play, const model::HeldStep& plant,
                       const Lane<lanes>& beta_m, const LaneState<lanes>& state) {
     const bool anew = step.law != Law::holds;
+    const std::size_t lag = unknowns.servo ? unknowns.columns_before_nodes() - 2 : canard.size();
     for (std::size_t column = 0; column < active; ++column) {
       Lane<lanes>& angles = angle[column];
       Lane<lanes>& rates = rate[column];
       Lane<lanes>& commands = command[column];
+      Lane<lanes>& gears = gear[column];
       Lane<lanes>& canards = canard[column];
       for (std::size_t l = 0; l < lanes; ++l) {
         if (anew) {
           commands[l] = state.command_by_angle[l] * angles[l] + state.command_by_rate_s[l] * rates[l];
         }
-        const double x = beta_m[l] * servo.mean(canards[l], commands[l]);
-        canards[l] = servo.end(canards[l], commands[l]);
+        double mean = servo.mean(gears[l], commands[l]);
+        gears[l] = servo.end(gears[l], commands[l]);
+        if (column == lag) {
+          mean += state.apart_rad[l] * servo.mean_by_lag_s;
+          gears[l] += state.apart_rad[l] * servo.decay_by_lag_s;
+        }
+        if (with_play) {
+          const double by_half_play = column == lag + 1 ? 1.0 : 0.0;
+          mean = state.side_of_mean[l] == 0.0 ? canards[l] : mean + by_half_play * state.side_of_mean[l];
+          canards[l] = state.side[l] == 0.0 ? canards[l] : gears[l] + by_half_play * state.side[l];
+        }
+        const double x = beta_m[l] * mean;
         angles[l] += plant.angle_change(rates[l], x);
         rates[l] = plant.rate_after(rates[l], x);
       }
@@ -208,7 +232,6 @@ struct Tangents {
 template <std::size_t lanes, bool with_tangents, class Sink>
 void fly_lanes(const Course& course, const Plant& plant, const LanePoints<lanes>& points, Tangents<lanes>* tangents,
                Sink& sink) {
-  static constexpr Servo no_servo{.decay = 0.0, .mean_share = 0.0};
   const bool direct = course.servo.empty() && !course.holds;
   LaneState<lanes> state;
   for (std::size_t segment = 0; segment < course.segments(); ++segment) {
@@ -216,7 +239,8 @@ void fly_lanes(const Course& course, const Plant& plant, const LanePoints<lanes>
     const std::size_t end = course.segment_end(segment);
     state.angle_rad = points.angle_rad[segment];
     state.rate_rad_s = points.rate_rad_s[segment];
-    state.canard_rad.fill(course.canard_at(begin));
+    state.gear_rad.fill(course.canard_at(begin));
+    state.canard_rad = state.gear_rad;
     if constexpr (with_tangents) {
       tangents->begin_segment(course.steps[course.first_step[begin]].node);
     }
@@ -234,13 +258,13 @@ void fly_lanes(const Course& course, const Plant& plant, const LanePoints<lanes>
         if (i == first) {
           sink.at_command(sample, state.command_rad);
         }
-        state.move_canards(step, servo, points);
+        state.move_canards(step, servo, course.half_play_rad, points);
         if constexpr (with_tangents) {
           tangents->activate(step.next_node);
           if (direct) {
             tangents->advance_direct(plant.step[i], points.beta_m, state);
           } else {
-            tangents->advance_lagged(step, servo, plant.step[i], points.beta_m, state);
+            tangents->advance_lagged(step, servo, course.half_play_rad > 0.0, plant.step[i], points.beta_m, state);
           }
           const model::HeldStep* by_alpha = tangents->unknowns.model ? &plant.by_alpha[i] : nullptr;
           tangents->add_sources(step, plant.step[i], by_alpha, points.beta_m, state);

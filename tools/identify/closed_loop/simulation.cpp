@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <utility>
+
 #include "identify/closed_loop/closed_loop.hpp"
 
 namespace fantail::identify::closed_loop {
@@ -55,12 +57,18 @@ class TangentRecorder {
   void end_segment(std::size_t segment) { segment_ = segment + 1; }
 
   [[nodiscard]] Sensitivities result() const {
-    const auto numbers = static_cast<Eigen::Index>(2 + course_.node_count);
+    const auto nodes = static_cast<Eigen::Index>(course_.node_count);
+    const auto before_nodes = static_cast<Eigen::Index>(tangents_.unknowns.before_nodes());
     const auto segments = static_cast<Eigen::Index>(course_.segments());
     const Eigen::MatrixXd starts = angle_.rightCols(2 * segments);
-    return {.numbers = angle_.leftCols(numbers),
+    Eigen::MatrixXd numbers{angle_.rows(), 2 + nodes};
+    numbers << angle_.leftCols(2), angle_.middleCols(before_nodes, nodes);
+    // Without play there is nothing to tell of it.
+    const Eigen::Index of_servo = !tangents_.unknowns.servo ? 0 : course_.half_play_rad > 0.0 ? 2 : 1;
+    return {.numbers = std::move(numbers),
             .start_angle = starts(Eigen::all, Eigen::seqN(0, segments, 2)),
-            .start_rate = starts(Eigen::all, Eigen::seqN(1, segments, 2))};
+            .start_rate = starts(Eigen::all, Eigen::seqN(1, segments, 2)),
+            .lag = angle_.middleCols(2, of_servo)};
   }
 
  private:
@@ -88,7 +96,7 @@ Sensitivities sensitivities(const Record& record, const Airframe& airframe, cons
   const Course course = make_course(record, airframe, control, model.node_time_s);
   Plant plant;
   plant.set_alpha(course, model.alpha_m2, Slopes::by_alpha);
-  Tangents<1> tangents{{.initial = true, .model = true}, course.node_count};
+  Tangents<1> tangents{{.initial = true, .model = true, .servo = control.servo_is_fitted}, course.node_count};
   TangentRecorder recorder{course, tangents};
   fly_lanes<1, true>(course, plant, one_point(model), &tangents, recorder);
   return recorder.result();

@@ -141,7 +141,7 @@ struct Sensitivities {
   Eigen::MatrixXd numbers;      ///< columns: alpha, beta, nodes
   Eigen::MatrixXd start_angle;  ///< a column a segment
   Eigen::MatrixXd start_rate;   ///< likewise
-  Eigen::MatrixXd lag{};        ///< of the canard column: one column where it is fitted, else none
+  Eigen::MatrixXd lag{};  ///< of the canard column, where it is fitted; of the servo: its lag, and half of its play
 };
 
 }  // namespace fantail::identify::model

@@ -78,6 +78,21 @@ Json frequency_json(const FrequencyResponse& response) {
               {"lines", lines}};
 }
 
+void add_servo(Json& json, const Servo& servo, const Uncertainty& known) {
+  json["servo_lag_s"] = rounded(servo.lag_s);
+  json["servo_play_deg"] = rounded(degrees(servo.play_rad));
+  if (known.lag_s) {
+    json["servo_lag_sd_s"] = rounded(known.lag_s->standard_deviation);
+    json["servo_lag_interval_s"] =
+        pair({.low = std::max(0.0, servo.lag_s - known.lag_s->reach), .high = servo.lag_s + known.lag_s->reach});
+  }
+  if (known.play_rad) {
+    json["servo_play_sd_deg"] = rounded(degrees(known.play_rad->standard_deviation));
+    json["servo_play_interval_deg"] = pair({.low = degrees(std::max(0.0, servo.play_rad - known.play_rad->reach)),
+                                            .high = degrees(servo.play_rad + known.play_rad->reach)});
+  }
+}
+
 Json object(const Study& study, const WindowFindings& window, const Identification& result) {
   Json json{{"data", study.data},
             {"window", window.record.window},
@@ -102,7 +117,9 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
   }
   json["lag_s"] = rounded(window.lag_s);
   json["lag_fitted"] = window.lag_is_fitted;
-  if (result.uncertainty && result.uncertainty->lag_s) {
+  if (result.servo) {
+    add_servo(json, *result.servo, result.uncertainty ? *result.uncertainty : Uncertainty{});
+  } else if (result.uncertainty && result.uncertainty->lag_s) {
     const Spread& spread = *result.uncertainty->lag_s;
     json["lag_sd_s"] = rounded(spread.standard_deviation);
     json["lag_interval_s"] = pair({.low = window.lag_s - spread.reach, .high = window.lag_s + spread.reach});
@@ -111,6 +128,7 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
     json["residual_own_correlation"] = rounded(tests->own_correlation);
     json["residual_canard_correlation"] = rounded(tests->canard_correlation);
     json["residual_correlation_by_chance"] = rounded(tests->chance);
+    json["residual_canard_correlation_by_chance"] = rounded(tests->canard_chance);
   }
   if (result.frequency_response) {
     json["frequency_response"] = frequency_json(*result.frequency_response);

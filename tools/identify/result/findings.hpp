@@ -37,7 +37,8 @@ struct Uncertainty {
   Eigen::MatrixXd correlation{};
   std::vector<Interval> interval{};  ///< 95 %, from the standard deviations
   Interval alpha_profile_m2{};       ///< 95 %, from the profile of the likelihood: the one to trust for alpha
-  std::optional<Spread> lag_s{};     ///< where the lag of the canards was fitted, too
+  std::optional<Spread> lag_s{};     ///< where the lag of the canards, or of the servo, was fitted, too
+  std::optional<Spread> play_rad{};  ///< where that of the servo was, too
   double effective_samples = 0.0;    ///< independent samples that would tell alpha and beta as well as these do
   double degrees_of_freedom = 0.0;   ///< of Student's distribution behind the intervals
   double residual_rms_rad = 0.0;
@@ -52,6 +53,7 @@ struct ResidualTests {
   double own_correlation = 0.0;     ///< the strongest with itself, 2 to 20 bins later
   double canard_correlation = 0.0;  ///< the strongest with the canards, up to 20 bins earlier
   double chance = 0.0;              ///< white noise is beyond it in one record of a hundred
+  double canard_chance = 0.0;       ///< for the canards: so is a residual that remembers itself as this one does
 };
 
 /// One line of the curve over the number of intervals.
@@ -61,12 +63,19 @@ struct NodeTrial {
   double mean_abs_angle_error_rad;
 };
 
+/// Of the closed loop, where it was fitted.
+struct Servo {
+  double lag_s;
+  double play_rad;  ///< 0: none that tells
+};
+
 /// What one method finds in one record.
 struct Identification {
   Method method = Method::continuous;
   Loop loop = Loop::open;
   model::RollModel model{};
   model::Simulation simulation{};
+  std::optional<Servo> servo{};
   std::optional<Uncertainty> uncertainty{};
   std::optional<ResidualTests> residual_tests{};
   std::optional<FrequencyResponse> frequency_response{};  ///< open loop only: the measured canards drive the model

@@ -158,9 +158,40 @@ std::string fitted_lag(const WindowFindings& window) {
       interval_text({.low = window.lag_s - known->lag_s->reach, .high = window.lag_s + known->lag_s->reach}, ms));
 }
 
+std::string servo_interval(double value, const std::optional<Spread>& known, double unit) {
+  return known ? interval_text({.low = std::max(0.0, value - known->reach), .high = value + known->reach}, unit)
+               : std::string{};
+}
+
+namespace {
+
+std::string with_spread(double value, const std::optional<Spread>& known, double unit) {
+  return known ? value_with_deviation(unit * value, unit * known->standard_deviation) : text::brief(unit * value, 2);
+}
+
+}  // namespace
+
+std::string servo_lag_text(const Identification& result) {
+  return result.servo
+             ? with_spread(result.servo->lag_s, result.uncertainty ? result.uncertainty->lag_s : std::nullopt, 1000.0)
+             : std::string{};
+}
+
+std::string servo_play_text(const Identification& result) {
+  if (!result.servo) {
+    return "";
+  }
+  return result.servo->play_rad > 0.0
+             ? with_spread(result.servo->play_rad, result.uncertainty ? result.uncertainty->play_rad : std::nullopt,
+                           text::degrees(1.0))
+             : "0 (no play fits better)";
+}
+
 std::string residual_text(const Identification& result, double ResidualTests::* which) {
   const auto& tests = result.residual_tests;
-  return tests ? fmt::format("{} (chance {})", text::fixed((*tests).*which, 2), text::fixed(tests->chance, 2))
+  const bool of_canards = which == &ResidualTests::canard_correlation;
+  return tests ? fmt::format("{} (chance {})", text::fixed((*tests).*which, 2),
+                             text::fixed(of_canards ? tests->canard_chance : tests->chance, 2))
                : std::string{};
 }
 

@@ -39,6 +39,13 @@ namespace fantail::identify::result {
 /// " (fitted; 95 %: 18.2 to 21.4 ms)" behind a lag that was fitted, else nothing.
 [[nodiscard]] std::string fitted_lag(const WindowFindings& window);
 
+/// "17.9 to 18.6": of a lag or a play, in its own unit times `unit`.
+[[nodiscard]] std::string servo_interval(double value, const std::optional<Spread>& known, double unit);
+
+/// "18.2 +- 0.2" ms and "0.28 +- 0.01" deg, where the servo was fitted.
+[[nodiscard]] std::string servo_lag_text(const Identification& result);
+[[nodiscard]] std::string servo_play_text(const Identification& result);
+
 /// "0.12 (chance 0.17)": the strongest correlation of the rate's residual with itself or with the canards.
 [[nodiscard]] std::string residual_text(const Identification& result, double ResidualTests::* which);
 

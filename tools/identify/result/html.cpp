@@ -59,6 +59,19 @@ std::string numbers_table(const WindowFindings& window) {
     }
     rows.push_back(std::move(row));
   }
+  if (std::ranges::any_of(window.results, [](const Identification& r) { return r.servo.has_value(); })) {
+    std::vector<page::Cell> lag{{"servo lag / ms, fitted"}};
+    std::vector<page::Cell> play{{"servo play / deg, fitted"}};
+    for (const Identification& r : window.results) {
+      const Uncertainty& known = r.uncertainty ? *r.uncertainty : Uncertainty{};
+      const Servo servo = r.servo.value_or(Servo{.lag_s = 0.0, .play_rad = 0.0});
+      lag.insert(lag.end(), {{printable(servo_lag_text(r))}, {servo_interval(servo.lag_s, known.lag_s, 1000.0)}});
+      play.insert(play.end(),
+                  {{printable(servo_play_text(r))}, {servo_interval(servo.play_rad, known.play_rad, degrees(1.0))}});
+    }
+    rows.push_back(std::move(lag));
+    rows.push_back(std::move(play));
+  }
   std::vector<page::Cell> angle{{"mean angle error / deg"}};
   std::vector<page::Cell> rate{{"mean rate error / deg/s"}};
   std::vector<page::Cell> own{{"rate residual, correlation with itself"}};

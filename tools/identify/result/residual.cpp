@@ -198,7 +198,7 @@ std::optional<std::string> misfit(const Record& record, const Identification& re
   return fmt::format(
       "The model does not fit this log well: the residual of the roll rate, {} deg/s RMS, is motion and not noise. The "
       "intervals do not include this error. More nodes, another window or {} may help.",
-      text::brief(text::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--servo-lag");
+      text::brief(text::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--loop open");
 }
 
 }  // namespace fantail::identify::result

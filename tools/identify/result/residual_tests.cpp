@@ -69,6 +69,15 @@ double strongest(const Bins& earlier, const Bins& later, std::size_t nearest) {
   return most;
 }
 
+// By how much two signals that remember themselves correlate farther by chance than white ones (Bartlett 1935).
+double widened(const Bins& one, const Bins& other) {
+  double sum = 1.0;
+  for (std::size_t apart = 1; apart <= farthest && apart < one.size(); ++apart) {
+    sum += 2.0 * correlation(one, one, apart) * correlation(other, other, apart);
+  }
+  return std::sqrt(std::max(1.0, sum));
+}
+
 }  // namespace
 
 ResidualTests test_residual(const Record& record, const Simulation& simulation) {
@@ -84,9 +93,11 @@ ResidualTests test_residual(const Record& record, const Simulation& simulation) 
   const Bins rest = binned(record, residual, width_s);
   const Bins canards = binned(record, simulation.canard_rad, width_s);
   const auto filled = std::ranges::count_if(rest, [](const auto& bin) { return bin.has_value(); });
+  const double chance = one_of_twenty / std::sqrt(static_cast<double>(filled));
   return {.own_correlation = strongest(rest, rest, 2),
           .canard_correlation = strongest(canards, rest, 0),
-          .chance = std::min(1.0, one_of_twenty / std::sqrt(static_cast<double>(filled)))};
+          .chance = std::min(1.0, chance),
+          .canard_chance = std::min(1.0, chance * widened(rest, canards))};
 }
 
 }  // namespace fantail::identify::result

@@ -76,6 +76,10 @@ class Text {
     for (std::size_t k = 0; k < nodes; ++k) {
       row(window, "  " + node_label(window, k), [&](const Identification& r) { return node_value(window, r, k); });
     }
+    if (std::ranges::any_of(window.results, [](const Identification& r) { return r.servo.has_value(); })) {
+      row(window, "servo lag / ms, fitted", servo_lag_text);
+      row(window, "servo play / deg, fitted", servo_play_text);
+    }
     row(window, "mean angle error / deg",
         [](const Identification& r) { return text::fixed(text::degrees(r.simulation.mean_abs_angle_error_rad), 3); });
     row(window, "mean rate error / deg/s",

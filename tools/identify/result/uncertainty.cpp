@@ -177,6 +177,10 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
   if (sensitivities.lag.cols() > 0) {
     result.lag_s = {.standard_deviation = all_deviations(own), .reach = quantile * all_deviations(own)};
   }
+  if (sensitivities.lag.cols() > 1) {  // the second is by half of the play
+    const double deviation_rad = 2.0 * all_deviations(own + 1);
+    result.play_rad = {.standard_deviation = deviation_rad, .reach = quantile * deviation_rad};
+  }
   result.standard_deviation.assign(deviation.begin(), deviation.end());
   for (std::size_t k = 0; k < found.size(); ++k) {
     const double reach = quantile * result.standard_deviation[k];
