@@ -126,13 +126,12 @@ std::optional<std::string> unexplained(const DoubtCase& c) {
       text::brief(100.0 * share, 2), text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2),
       text::fixed(tests->canard_correlation, 2), text::fixed(tests->canard_chance, 2));
   if (c.found.loop == Loop::closed) {
-    return reaches +
-           (with_canards
-                ? " So the model lacks something, and alpha and beta may lie outside their intervals: servos "
-                  "with a delay, noise that moves the canards to their limit, a wrong speed, another plan than "
-                  "the one that flew. Compare with --loop open, which needs no model of the servos."
-                : " A law that answers to noise or gusts moves the rocket like that, and the intervals count "
-                  "with it; an error of the model would do so, too. Compare with --loop open.");
+    return reaches + (with_canards
+                          ? " So the model lacks something, and alpha and beta may lie outside their intervals. Servos "
+                            "with a delay do that, noise that moves the canards to their limit, a wrong speed, or "
+                            "another plan. Compare with --loop open, which needs no model of the servos."
+                          : " A law that answers to noise or gusts moves the rocket like that, and the intervals count "
+                            "with it; an error of the model would do so, too. Compare with --loop open.");
   }
   if (share < negligible || std::abs(tests->own_correlation) < worth_a_doubt) {
     return reaches + (c.start == Start::fitted
