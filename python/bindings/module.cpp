@@ -6,7 +6,9 @@
 
 #include "python/bindings/bind.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/output_folder.hpp"
+#include "text/printable.hpp"
 
 namespace nb = nanobind;
 
@@ -19,9 +21,9 @@ void translate(const std::exception_ptr& trouble, void*) {
   } catch (const text::Error& error) {
     PyErr_SetString(PyExc_ValueError, error.what());
   } catch (const text::OutputError& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+    PyErr_SetString(PyExc_OSError, text::printable(error.what()).c_str());
   } catch (const std::system_error& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+    PyErr_SetString(PyExc_OSError, text::printable(error.what()).c_str());
   }
 }
 
@@ -31,6 +33,7 @@ void translate(const std::exception_ptr& trouble, void*) {
 NB_MODULE(_core, m) {
   m.doc() = "The libraries of Fantail; the package fantail is what to use.";
   nb::register_exception_translator(fantail::python::translate);
+  fantail::text::check_while_reading(fantail::python::give_up_if_interrupted);
   fantail::python::bind_plans(m);
   fantail::python::bind_scenarios(m);
   fantail::python::bind_flights(m);

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import json
 import numbers
-import os
 from collections.abc import Sequence
 from typing import Any, Optional, Union
 
@@ -17,7 +16,7 @@ Window = Union[str, tuple[float, float]]
 
 def _filled(asked: Any, values: dict[str, Any]) -> Any:
     for name, value in values.items():
-        setattr(asked, name, value)
+        setattr(asked, name, _arguments.utf8(name, value) if isinstance(value, str) else value)
     return asked
 
 
@@ -51,7 +50,7 @@ def identify(data: Union[Flight, Path], *, windows: Union[str, Sequence[Window]]
         "fit_initial": fit_initial, "truth": truth})
     if isinstance(data, Flight):
         return json.loads(_core.identify_flight(data._core, asked))
-    return json.loads(_core.identify_file(os.fspath(data), asked))
+    return json.loads(_core.identify_file(_arguments.path("data", data), asked))
 
 
 def predict(scenario: Union[Scenario, Name], set: Optional[_changes.Changes] = None,  # noqa: A002
@@ -76,7 +75,7 @@ def predict(scenario: Union[Scenario, Name], set: Optional[_changes.Changes] = N
         _arguments.in_range(name, value, least, most)
     scenario = asked_for(scenario, set, seed)
     spread = _filled(_core.Spread(), {
-        "tunnel": None if tunnel is None else os.fspath(tunnel), "swirl_deg": swirl_deg,
+        "tunnel": None if tunnel is None else _arguments.path("tunnel", tunnel), "swirl_deg": swirl_deg,
         "damping_factor": damping_factor, "runs": runs, "threads": threads, "servo_lag_s": servo_lag_s,
         "servo_delay_s": servo_delay_s, "other_vehicle": other_vehicle})
     return json.loads(_core.predict(scenario._core, spread, authority_percent, held_percent, phase_margin_deg))

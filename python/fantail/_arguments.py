@@ -19,9 +19,23 @@ def in_range(name: str, value: Any, least: float, most: float) -> None:
         raise ValueError(f"{name} = {value}; allowed: {least} to {most}")
 
 
+def utf8(name: str, value: str) -> str:
+    """Python keeps bytes of a name that are not UTF-8 as halves of characters, and no library takes those for text."""
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise ValueError(f"{name} = {value!r}; allowed: text in UTF-8; rename the file if this is the name of one") from None
+    return value
+
+
+def path(name: str, value: Union[str, os.PathLike[str]]) -> str:
+    """The name of a file, or of what is shipped."""
+    return utf8(name, os.fsdecode(value))
+
+
 def folder(name: str, value: Union[str, os.PathLike[str]]) -> str:
     """An empty name would be the folder that one happens to be in."""
-    text = os.fspath(value)
+    text = path(name, value)
     if not text:
         raise ValueError(f"{name}: it is empty")
     return text

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import json
-import os
 import warnings
 from collections.abc import Sequence
 from typing import Any, Optional
@@ -78,8 +77,8 @@ def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Pat
             and 1 <= shard[0] <= shard[1]):
         raise ValueError(f"shard = {shard!r}; allowed: (number, of), from (1, of) to (of, of)")
     request = _core.CampaignRequest()
-    for name, value in {"scenario": os.fspath(scenario), "changes": _changes.words(set), "runs": runs, "seed": seed,
-                        "sampling": sampling, "share": share,
+    for name, value in {"scenario": _arguments.path("scenario", scenario), "changes": _changes.words(set), "runs": runs,
+                        "seed": seed, "sampling": sampling, "share": _arguments.utf8("share", share),
                         "at_least": None if at_least_percent is None else at_least_percent / 100.0,
                         "until_within": None if until_within_percent is None else until_within_percent / 100.0,
                         "until_decided": until_decided, "shard": shard, "threads": threads,

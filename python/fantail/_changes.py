@@ -9,6 +9,8 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Union
 
+from . import _arguments
+
 Value = Union[bool, int, float, str, Sequence[Any]]
 Changes = Mapping[str, Value]
 
@@ -18,6 +20,7 @@ _WORD = re.compile(r"(?!(true|false|inf|nan)$)[A-Za-z_./~][\w./~ +-]*(?<! )")
 
 def _text(name: str, value: Any, *, in_list: bool = False) -> str:
     if isinstance(value, str):
+        _arguments.utf8(name, value)
         return value if _WORD.fullmatch(value) and not in_list else json.dumps(value, ensure_ascii=False)
     if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):  # numpy's, too
         return "true" if value else "false"
@@ -42,4 +45,4 @@ def unknown(name: object, known: Iterable[str]) -> str:
 
 def words(changes: Changes | None) -> list[str]:
     """Each as `section.key=value`. Numbers keep every bit."""
-    return [f"{name}={_text(name, value)}" for name, value in (changes or {}).items()]
+    return [f"{_arguments.utf8('set', str(name))}={_text(name, value)}" for name, value in (changes or {}).items()]

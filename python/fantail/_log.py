@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 
 import numpy
 
-from . import _changes, _core
+from . import _arguments, _changes, _core
 from ._flight import Flight
 from ._plan import Plan
 
@@ -130,13 +130,13 @@ class Replay:
 def read_log(path: Path) -> Log:
     """A flight log (.ftl), or a folder with a flight.ftl. Raises ValueError when it is none; what a damaged one still
     holds is read."""
-    return Log(_core.Log.read(os.fspath(path)))
+    return Log(_core.Log.read(_arguments.path("path", path)))
 
 
 def read_flight(path: Path) -> Flight:
     """A flight that is on the disk: a log (.ftl), a table with columns of flight.csv, or a folder of `fantail fly`.
     Raises ValueError."""
-    return Flight(_core.read_flight(os.fspath(path)))
+    return Flight(_core.read_flight(_arguments.path("path", path)))
 
 
 def replay(log: Union[Log, LoggedFlight, Path], set: Optional[_changes.Changes] = None) -> Replay:  # noqa: A002

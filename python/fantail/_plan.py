@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterator, Mapping
 from typing import Any, Optional, Union
 
-from . import _changes, _core
+from . import _arguments, _changes, _core
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Plan(Mapping):
     @classmethod
     def load(cls, name_or_path: Union[str, os.PathLike[str]], set: Optional[_changes.Changes] = None) -> Plan:  # noqa: A002
         """A shipped plan or a file, with changes: {"section.key": value}. Raises ValueError."""
-        return cls(_core.Plan.load(os.fspath(name_or_path), _changes.words(set)))
+        return cls(_core.Plan.load(_arguments.path("name_or_path", name_or_path), _changes.words(set)))
 
     @functools.cached_property
     def fields(self) -> dict[str, PlanField]:

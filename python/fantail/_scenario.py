@@ -6,7 +6,7 @@ import os
 import warnings
 from typing import Optional, Union
 
-from . import _changes, _core
+from . import _arguments, _changes, _core
 from ._plan import Plan
 
 Name = Union[str, "os.PathLike[str]"]
@@ -27,7 +27,7 @@ class Scenario:
         all random streams, instead of the scenario's. What is doubtful in the files becomes a UserWarning. Raises
         ValueError.
         """
-        return cls._load(os.fspath(name_or_path), _changes.words(set), _seed_text(seed))
+        return cls._load(_arguments.path("name_or_path", name_or_path), _changes.words(set), _seed_text(seed))
 
     @classmethod
     def _load(cls, source: str, words: list[str], seed: str) -> Scenario:

@@ -39,6 +39,18 @@ TEST(Page, IsWholeAndEscaped) {
   EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 
+TEST(Page, WhatNoPageMayHaveIsReplacedAndSaid) {
+  EXPECT_EQ(escape_html("fl\xFCg \xC3\xBC \xF0\x9F\x9A\x80\xF0\x9F"), "fl\uFFFDg \u00FC \U0001F680\uFFFD\uFFFD");
+  EXPECT_EQ(escape_html(std::string_view{"a\0b\x1B[31m\x7F\tc\nd\r\n", 15}), "a\uFFFDb\uFFFD[31m\uFFFD\tc\nd\r\n");
+  EXPECT_EQ(escape_html("\xED\xA0\x80 \xC0\xAF \xC2\x85"), "\uFFFD\uFFFD\uFFFD \uFFFD\uFFFD \uFFFD\uFFFD")
+      << "half a character, one in too many bytes, a control character";
+  Page page = example();
+  EXPECT_FALSE(holds(html(page), "\uFFFD"));
+  page.facts = {{"Log", "fl\xFCg.csv"}};
+  EXPECT_TRUE(holds(html(page), "<dd>fl\uFFFDg.csv</dd>"));
+  EXPECT_TRUE(holds(html(page), "\uFFFD stands for a byte that is not text in UTF-8, as names of files can have."));
+}
+
 TEST(Page, WithoutAVerdictThereIsNone) {
   Page page = example();
   page.verdict_heading.clear();

@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: MIT
 import json
 import math
+import os
+import signal
+import subprocess
+import sys
+import time
 
 import numpy
 import pytest
@@ -99,3 +104,25 @@ def test_what_a_step_comes_to_is_what_the_replay_shows(log):
                 [columns[f"command_{canard}_deg"][i] for canard in (1, 2, 3, 4)], abs=1e-6)
             assert tick.phase == columns["phase"][i]
             assert tick.signals["command_rad"] == tick.command_rad and tick.signals["height_m"] == tick.height_m
+
+
+# A name that another computer has given: its bytes are not UTF-8, and Python has halves of characters for them.
+@pytest.mark.parametrize("ask", [fantail.read_log, fantail.read_flight, fantail.replay, fantail.identify, fantail.fly,
+                                 fantail.plan, fantail.Scenario.load])
+def test_a_name_that_is_no_utf8_is_refused_in_words(ask, tmp_path):
+    name = os.fsencode(tmp_path) + b"/fl\xfcg.ftl"
+    with open(name, "wb"):
+        pass
+    with pytest.raises(ValueError, match=r"fl\\udcfcg.ftl'; allowed: text in UTF-8; rename the file"):
+        ask(os.fsdecode(name))
+
+
+def test_ctrl_c_ends_the_waiting_for_a_pipe(tmp_path):
+    os.mkfifo(tmp_path / "pipe.ftl")
+    with subprocess.Popen([sys.executable, "-c", "import fantail, sys; print('now', flush=True); fantail.read_log(sys.argv[1])",
+                           tmp_path / "pipe.ftl"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as waiting:
+        assert waiting.stdout.readline() == "now\n"
+        time.sleep(0.5)
+        waiting.send_signal(signal.SIGINT)
+        _, said = waiting.communicate(timeout=30)
+    assert said.endswith("KeyboardInterrupt\n") and waiting.returncode == -signal.SIGINT

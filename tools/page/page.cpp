@@ -9,6 +9,7 @@
 
 #include "page/assets.hpp"
 #include "text/number.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::page {
 namespace {
@@ -82,8 +83,13 @@ std::string made_by(const Page& page) {
   return command.empty() ? "" : fmt::format("<p>Made by <code>{}</code>{}.</p>\n", escape_html(command), by);
 }
 
-std::string footer(const Page& page) {
-  const std::string text = (page.footer.empty() ? "" : paragraph(page.footer)) + made_by(page);
+constexpr std::string_view replacement = "\uFFFD";
+
+std::string footer(const Page& page, std::string_view content_html) {
+  std::string text = (page.footer.empty() ? "" : paragraph(page.footer)) + made_by(page);
+  if (content_html.find(replacement) != std::string_view::npos || text.find(replacement) != std::string::npos) {
+    text += paragraph("\uFFFD stands for a byte that is not text in UTF-8, as names of files can have.");
+  }
   return text.empty() ? "" : fmt::format("<footer>\n{}</footer>\n", text);
 }
 
@@ -121,13 +127,14 @@ std::string inner_html(const Page& page) { return header(page) + verdict(page) +
 std::string html(const Page& page) {
   const std::string title = escape_html(page.title);
   const std::string kind = escape_html(page.kind);
+  const std::string content = inner_html(page);
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}{}{}</title>\n<style>{}{}{}</style>\n</head>\n"
       "<body>\n<main>\n{}{}</main>\n{}</body>\n</html>\n",
       title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
-      chart_css, page_css, inner_html(page), footer(page), live_scripts(page.live));
+      chart_css, page_css, content, footer(page, content), live_scripts(page.live));
 }
 
 void set_made_by(std::string command, std::string version) {
@@ -139,15 +146,23 @@ const std::string& made_by_command() { return origin_of_pages().command; }
 std::string escape_html(std::string_view text) {
   std::string out;
   out.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
+  while (!text.empty()) {
+    std::size_t length = 1;
+    switch (text.front()) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
       case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '\n':
+      case '\r':
+      case '\t': out += text.front(); break;
+      default:
+        length = text::printable_character(text);
+        out += length > 0 ? text.substr(0, length) : replacement;
+        length = std::max<std::size_t>(length, 1);
     }
+    text.remove_prefix(length);
   }
   return out;
 }

@@ -50,7 +50,8 @@ void set_made_by(std::string command, std::string version);
 /// That command; empty when nobody has said it.
 [[nodiscard]] const std::string& made_by_command();
 
-/// Text for HTML or SVG, between tags or inside a quoted attribute.
+/// Text for HTML or SVG, between tags or inside a quoted attribute. What no page may have (bytes that are no UTF-8,
+/// control characters) becomes U+FFFD, and html() then says below the page what that is.
 [[nodiscard]] std::string escape_html(std::string_view text);
 /// The same, with real minus signs.
 [[nodiscard]] std::string printed(std::string_view text);

@@ -6,7 +6,8 @@
 
 namespace fantail::text {
 
-/// A text as TOML has it, in double quotes.
+/// A text as TOML has it, in double quotes. Throws Error (bad_configuration) for one that is not UTF-8: TOML has no way
+/// to write such bytes.
 [[nodiscard]] std::string toml_text(std::string_view text);
 
 }  // namespace fantail::text
