@@ -114,9 +114,7 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
     return fail(without_imu ? SelfTestFailure::gyro_failed : SelfTestFailure::accelerometer_failed);
   }
   gyro_zeros_[0].take(inputs.gyro);
-  if (inputs.second_gyro) {
-    gyro_zeros_[1].take(*inputs.second_gyro);
-  }
+  gyro_zeros_[1].take(inputs.second_gyro.value_or(core::GyroSample{}));
   if (record.motion.at_rest_for == Microseconds{0}) {
     restart_averages(inputs.time);
   }
@@ -125,20 +123,22 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
   if (!still || !counted) {
     if (inputs.time - started_ >= patience) {
       // A rocket in which a sensor is off by more than the plan's tolerance is never at rest: that is the better name.
-      const auto cause = judge_sensors();
-      fail(still ? SelfTestFailure::timed_out : cause ? *cause : judge_gyro_zeros().value_or(SelfTestFailure::moved));
+      fail(still ? SelfTestFailure::timed_out : judge_averages().value_or(SelfTestFailure::moved));
     }
     return;
   }
-  if (const auto failure = judge_sensors()) {
+  if (const auto failure = judge_averages()) {
     fail(*failure);
-  } else if (const auto of_gyro = judge_gyro_zeros()) {
-    fail(*of_gyro);
   } else if (const auto of_flash = judge_flash(flash)) {
     fail(*of_flash);
   } else {
     begin_move(inputs.time, Stage::centre, 0);
   }
+}
+
+std::optional<SelfTestFailure> SelfTest::judge_averages() const {
+  const auto failure = judge_sensors();
+  return failure ? failure : judge_gyro_zeros();
 }
 
 // Two gyros of different makers that read the same turn do not disagree: it may be the rocket that turns.

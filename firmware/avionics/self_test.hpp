@@ -63,6 +63,7 @@ class SelfTest {
   bool average(const core::Inputs& inputs);
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_sensors() const;
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_gyro_zeros() const;
+  [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_averages() const;
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_flash(const FlashFacts& flash) const;
   void move_canards(const core::TickRecord& record);
   void judge_canards();
