@@ -204,8 +204,7 @@ std::optional<SelfTestFailure> SelfTest::judge_sensors() const {
   }
   if (needed_accelerometers() == 2) {
     const float apart_m_s2 = averages_[0].mean_m_s2() - averages_[1].mean_m_s2();
-    const float allowed_m_s2 = plan_->launch_detection.disagreement_m_s2;
-    if (apart_m_s2 > allowed_m_s2 || apart_m_s2 < -allowed_m_s2) {
+    if (!core::is_within(apart_m_s2, plan_->launch_detection.disagreement_m_s2)) {
       return SelfTestFailure::accelerometers_disagree;
     }
   }

@@ -278,9 +278,7 @@ Motion MotionEstimator::motion(Microseconds now) const {
   const Vector3f axis = Quaternionf{a.w, a.x, a.y, a.z}.toRotationMatrix().col(0);
   result.roll_angle = Angle::from_radians(roll_angle_rad_.value() + bridged_roll_rad(now));
   result.roll_rate_rad_s = rate_rad_s_.x;
-  if (const auto& pad = pad_window_.average()) {
-    result.gyro_bias_rad_s = pad->gyro_bias_rad_s;
-  }
+  result.gyro_bias_rad_s = pad_window_.average().value_or(PadAverage{}).gyro_bias_rad_s;
   result.specific_force_m_s2 = specific_force_m_s2_;
   result.height_m = trajectory_.position_m.z;
   result.distance_along_guide_m = eigen(trajectory_.position_m).dot(eigen(trajectory_.guide_axis));

@@ -9,6 +9,7 @@
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "predict/decision.hpp"
+#include "predict/sentences.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {
@@ -204,6 +205,31 @@ TEST(Trial, SaysThatNobodyKnowsWhetherItHelpsWhereAHeldReferenceCannotBeJudgedEi
   EXPECT_TRUE(tried.sentence.starts_with("Flown so, none of the first 2 runs can be judged (run 0: "));
   EXPECT_TRUE(tried.sentence.ends_with("): whether it helps is not known.")) << tried.sentence;
   EXPECT_FALSE(tried.helps);
+}
+
+// A heavy rocket: the nearest gains have a smaller proportional one, and too few runs settle in time; the derivative
+// gain alone is enough.
+TEST(Decision, AdvisesTheDerivativeGainAloneWhereASmallerProportionalGainCostsRuns) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.vehicle.roll_plant.inertia_kg_m2 = 0.05;
+  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
+  const Prediction p = predict(scenario, tunnel, {.runs = 60}, [](std::size_t) {});
+  ASSERT_FALSE(trial(p, {}, advice_on_gains(p, text::radians(45.0))).helps);
+  ASSERT_FALSE(trial(p, {}, advice_on_gains(p, text::radians(30.0))).helps);
+  const Decision d = decide(p, {});
+  ASSERT_EQ(d.advice.size(), 2U);
+  EXPECT_NE(d.advice[0].find("proportional gain as it is, derivative gain larger"), std::string::npos) << d.advice[0];
+  EXPECT_NE(d.advice[1].find("the roll is held in 20 of the first 20 runs."), std::string::npos) << d.advice[1];
+}
+
+TEST(Percent, DoesNotRoundToAllOrNone) {
+  EXPECT_EQ(percent(0.0), "0 %");
+  EXPECT_EQ(percent(0.004), "0.4 %");
+  EXPECT_EQ(percent(0.5), "50 %");
+  EXPECT_EQ(percent(0.996), "99.6 %");
+  EXPECT_EQ(percent(1.0), "100 %");
+  EXPECT_EQ(percent(0.99999), "99.9 %");
+  EXPECT_EQ(percent(0.00001), "0.1 %");
 }
 
 }  // namespace

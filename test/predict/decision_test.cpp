@@ -254,16 +254,6 @@ TEST(Decision, GainsThatHoldNothingAreNoGo) {
   EXPECT_EQ(decide(p, {}).text, "No go: the gains are too small to hold anything.");
 }
 
-TEST(Percent, DoesNotRoundToAllOrNone) {
-  EXPECT_EQ(percent(0.0), "0 %");
-  EXPECT_EQ(percent(0.004), "0.4 %");
-  EXPECT_EQ(percent(0.5), "50 %");
-  EXPECT_EQ(percent(0.996), "99.6 %");
-  EXPECT_EQ(percent(1.0), "100 %");
-  EXPECT_EQ(percent(0.99999), "99.9 %");
-  EXPECT_EQ(percent(0.00001), "0.1 %");
-}
-
 // Gains for 45 degrees hold the roll in 69 % of these runs, the plan's in 97 %; those for the 30 that are asked for, in
 // all.
 TEST(Decision, AdvisesGainsThatCostNoRunWhichWouldHold) {
@@ -296,21 +286,6 @@ TEST(Decision, PromisesNothingWhereTheFinsReverseTheRoll) {
   EXPECT_NE(d.text.find("the fins take back all of the canards' roll torque, or more"), std::string::npos) << d.text;
   ASSERT_EQ(d.advice.size(), 1U);
   EXPECT_NE(d.advice[0].find("No canard limit would balance the offset"), std::string::npos) << d.advice[0];
-}
-
-// A heavy rocket: the nearest gains have a smaller proportional one, and too few runs settle in time; the derivative
-// gain alone is enough.
-TEST(Decision, AdvisesTheDerivativeGainAloneWhereASmallerProportionalGainCostsRuns) {
-  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
-  scenario.vehicle.roll_plant.inertia_kg_m2 = 0.05;
-  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
-  const Prediction p = predict(scenario, tunnel, {.runs = 60}, [](std::size_t) {});
-  ASSERT_FALSE(trial(p, {}, advice_on_gains(p, text::radians(45.0))).helps);
-  ASSERT_FALSE(trial(p, {}, advice_on_gains(p, text::radians(30.0))).helps);
-  const Decision d = decide(p, {});
-  ASSERT_EQ(d.advice.size(), 2U);
-  EXPECT_NE(d.advice[0].find("proportional gain as it is, derivative gain larger"), std::string::npos) << d.advice[0];
-  EXPECT_NE(d.advice[1].find("the roll is held in 20 of the first 20 runs."), std::string::npos) << d.advice[1];
 }
 
 }  // namespace
