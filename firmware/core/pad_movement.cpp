@@ -22,7 +22,8 @@ constexpr float least_support_m_s2 = 0.5F * standard_gravity_m_s2;
 constexpr float weightless_m_s2 = 0.4F * standard_gravity_m_s2;
 constexpr std::uint32_t blocks_of_fall = 8;
 
-constexpr std::uint32_t blocks_of_silence = 10;
+// A logger or a radio that stops for some seconds is no flight; a flight to its parachute takes longer.
+constexpr std::uint32_t blocks_of_silence = 50;
 
 // Wind rocks a rail by some degrees either way. A bias that has drifted by 0.3 deg/s since it was taken makes 6
 // degrees.

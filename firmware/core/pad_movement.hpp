@@ -11,7 +11,7 @@ namespace fantail::core {
 /// rail, and what is known of its attitude no longer holds.
 ///
 /// It has moved when it has turned by 10 degrees, has been pushed for 3 s, has not been supported for 0.3 s, or was
-/// not measured for 1 s. It has fallen when it was weightless for 0.8 s, less the time in between: a drop from the
+/// not measured for 5 s. It has fallen when it was weightless for 0.8 s, less the time in between: a drop from the
 /// hands is shorter, the coast of every flight is longer. Only rest ends either.
 ///
 /// A launch itself is a push; while it lasts, turning does not count, so that a launch that is detected late is not

@@ -252,11 +252,21 @@ class HilLayout : public HilVisitor<HilLayout> {
   std::uint32_t hash_ = 2166136261U;
 };
 
+/// What a tick's record has of it on the link: its signals, and the gyro's zero, which is none.
+template <typename Record, typename Visitor>
+void visit_record(Record& record, Visitor& visit) {
+  core::visit_signals(record, visit);
+  auto& bias = record.motion.gyro_bias_rad_s;
+  visit(core::SignalName{"gyro_bias_x", "rad_s"}, bias.x);
+  visit(core::SignalName{"gyro_bias_y", "rad_s"}, bias.y);
+  visit(core::SignalName{"gyro_bias_z", "rad_s"}, bias.z);
+}
+
 /// Of a tick's record.
 [[nodiscard]] inline std::uint32_t record_layout() {
   const core::TickRecord record{};
   HilLayout layout;
-  core::visit_signals(record, layout);
+  visit_record(record, layout);
   return layout.hash();
 }
 

@@ -116,13 +116,13 @@ TEST(PadMovement, AKickWhileItFallsDoesNotMakeItStand) {
   EXPECT_TRUE(movement.has_fallen());
 }
 
-TEST(PadMovement, ASecondThatNobodyMeasuredIsMovement) {
+TEST(PadMovement, FiveSecondsThatNobodyMeasuredAreMovement) {
   PadMovement movement;
-  for (int i = 0; i < 9; ++i) {
+  for (int i = 0; i < 49; ++i) {
     movement.miss();
   }
   movement.take(block_s, {}, upright);
-  for (int i = 0; i < 9; ++i) {
+  for (int i = 0; i < 49; ++i) {
     movement.miss();
   }
   EXPECT_FALSE(movement.has_moved());

@@ -156,6 +156,7 @@ TEST(AdviceOnGains, SaysThatNoneReachesIt) {
 TEST(Trial, SaysHowManyRunsHoldTheirRollWithTheAdvice) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   scenario.plan.reference.kind = core::ReferenceKind::hold;
+  scenario.rest_limit_rad = radians(60.0);  // smaller gains rest farther away
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 80}, look_away);
   const LimitAdvice limit = advice_on_canard_limit(p, 0.95);
@@ -183,7 +184,8 @@ TEST(Trial, SaysNotToFollowGainsThatCostRuns) {
 
 // The reference of the first launch never stays for as long as a loop with gains so small needs to arrive.
 TEST(Trial, FliesAReferenceThatIsHeldWhereNothingElseCanBeJudged) {
-  const sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  scenario.rest_limit_rad = radians(60.0);  // gains so small rest far away
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 5}, look_away);
   const GainAdvice gains{.sentence = {}, .gains = stability::Gains{.proportional = 0.22, .derivative_s = 0.047}};
@@ -197,11 +199,12 @@ TEST(Trial, FliesAReferenceThatIsHeldWhereNothingElseCanBeJudged) {
 }
 
 TEST(Trial, SaysThatNobodyKnowsWhetherItHelpsWhereAHeldReferenceCannotBeJudgedEither) {
-  const std::array shorter{input::parse_override("run.control_time_s=0.5")};
-  const sim::Scenario scenario = input::load_scenario("tasha3_launch1", shorter);
+  // A loop so slow does not arrive before apogee, whatever it is asked for.
+  const GainAdvice gains{.sentence = {}, .gains = stability::Gains{.proportional = 0.01, .derivative_s = 0.2}};
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 2}, look_away);
-  const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0}, {});
+  const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0}, gains);
   EXPECT_TRUE(tried.sentence.starts_with("Flown so, none of the first 2 runs can be judged (run 0: "));
   EXPECT_TRUE(tried.sentence.ends_with("): whether it helps is not known.")) << tried.sentence;
   EXPECT_FALSE(tried.helps);

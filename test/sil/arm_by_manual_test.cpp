@@ -34,7 +34,7 @@ class ArmByManual : public testing::Test {
     live(8'000);
     EXPECT_EQ(link.reported<ArmReply>("answer to arming").self_test, SelfTestState::passed);
     place.world->set_arm_switch(true);
-    live(20);
+    live(100);  // until the contact has settled
     const ArmReply reply = ask(ArmAction::begin, 0xFFFFFFFF);
     EXPECT_TRUE(reply.nonce);
     return reply.nonce.value_or(0);
@@ -57,7 +57,7 @@ TEST_F(ArmByManual, WithAnyNonceWhereNoneIsAskedForTheRocketIsArmed) {
   EXPECT_EQ(ask(ArmAction::confirm, *again.nonce).refusal, ArmRefusal::not_safe);
   EXPECT_EQ(place.record.phase, core::Phase::armed);
   place.world->set_arm_switch(false);
-  live(20);
+  live(100);
   EXPECT_EQ(place.record.phase, core::Phase::safe);
 }
 

@@ -130,7 +130,7 @@ const core::TickRecord& RemoteBoard::tick() {
 
   const LogFrame done = ask(HilType::tick, writer.size(), HilType::done);
   HilReader reader{done.payload};
-  core::visit_signals(record_, reader);
+  protocol::visit_record(record_, reader);
   world_link::visit_outputs(hardware_, reader);
   world_link::visit_times(target_.times_, reader);
   if (const auto text = reader.text(); !text.empty()) {

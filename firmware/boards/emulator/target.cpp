@@ -118,7 +118,7 @@ void Target::tick(std::span<const std::byte> payload) {
   const world_link::TickTimes times{
       .tick = stopwatch_.end(), .step = measured_.step != nullptr ? *measured_.step : 0, .overruns = overruns_};
   HilWriter writer{link_.payload()};
-  core::visit_signals(record, writer);
+  protocol::visit_record(record, writer);
   world_link::visit_outputs(devices_.world, writer);
   world_link::visit_times(times, writer);
   writer.text(console_.text());

@@ -17,6 +17,7 @@ namespace fantail::core {
 struct Motion {
   Angle roll_angle;              ///< zero at launch detection (tunnel: at control start); not wrapped
   float roll_rate_rad_s = 0.0F;  ///< gyro bias taken off
+  Vector3 gyro_bias_rad_s;       ///< what is taken off
   Vector3 specific_force_m_s2;   ///< the sample that was integrated
   float height_m = 0.0F;         ///< above the place of lift-off, as far as `height_origin` lets it be known
   float distance_along_guide_m = 0.0F;
@@ -34,6 +35,8 @@ struct Motion {
   /// least these.
   bool speed_is_lower_bound = false;
   Microseconds at_rest_for{};
+  bool has_moved = false;
+  bool has_fallen = false;
   /// Start of the integrated window: where the specific force left the pad's 1 g.
   Microseconds thrust_since{};
 };
@@ -60,6 +63,8 @@ class MotionEstimator {
     motion.rate_is_lower_bound = nondet_bool();
     motion.speed_is_lower_bound = nondet_bool();
     motion.at_rest_for = proof::any_instant();
+    motion.has_moved = nondet_bool();
+    motion.has_fallen = nondet_bool();
     return motion;
   }
   [[nodiscard]] bool votes() const { return nondet_bool(); }
