@@ -57,14 +57,11 @@ STEPS = [
        f"build/soak/found_{target} build/soak/seeds_{target}", {},
        [("edges covered", r"\bcov: (\d+)"), ("inputs a second", r"average_exec_per_sec: +(\d+)")])
       for target, most, about in [
-          ("bus", 4096, "any frames on a bus, to the gateway and the bench"),
-          ("csv", 4096, "any bytes as a CSV log"), ("log", 8192, "any bytes as a flight log"),
+          ("bus", 4096, "any frames on a bus, to the gateway and the bench"), ("csv", 4096, "any bytes as a CSV log"),
+          ("json", 4096, "any bytes as JSON: a flight's summary, a roll model, a campaign"), ("log", 8192, "any bytes as a flight log"),
           ("document", 4096, "any bytes as plan, vehicle, scenario, thrust curve or OpenRocket design"),
-          ("frame", 2048, "any bytes as a frame, a plan block or a record"),
-          ("json", 4096, "any bytes as JSON: a flight's summary, a roll model, a campaign"),
-          ("listen", 4096, "any bytes as somebody's log, and as the words that map its columns"),
-          ("network", 4096, "any bytes as LCM packets or log, address, or question of a browser"),
-          ("state", 4096, "the flight law from any state, with any samples"),
+          ("frame", 2048, "any bytes as a frame, a plan block or a record"), ("listen", 4096, "any bytes as somebody's log, and as the words that map its columns"),
+          ("network", 4096, "any bytes as LCM packets or log, address, or question of a browser"), ("state", 4096, "the flight law from any state, with any samples"),
           ("table", 4096, "any bytes as MAT-file, Parquet file or trajectory")]],
 ]
 # What a step is made of: a program of what ninja says and of what is always there; the proofs, and what is no program of a build:
