@@ -169,6 +169,16 @@ TEST(FrameOrder, OfOneSenderIsNeverTakenForThatOfTwoWhateverIsLost) {
   }
 }
 
+// Between any two frames that it reads the PC stands still for some time.
+TEST(FrameOrder, OfOneSenderReadByAPcThatAlwaysStallsIsNotTakenForThatOfTwo) {
+  core::RandomStream random{test::seed()};
+  FrameOrder order;
+  for (int frame = 0; frame < 60'000; ++frame) {
+    order.take(static_cast<std::uint8_t>(random.whole(0, 15)));
+  }
+  EXPECT_FALSE(order.two_senders());
+}
+
 TEST(FrameOrder, OfTwoSendersIsToldAlsoWhenTheSecondIsAFifthAsFast) {
   core::RandomStream random{test::seed()};
   for (int second_from = 0; second_from < 16; ++second_from) {
