@@ -43,7 +43,7 @@ TEST_F(CanSystem, ArmingTakesTheSwitchAndTheWordAndTheSwitchEndsIt) {
 
 // It says that a self-test runs and names no canard, as another rocket does that rests for its own.
 TEST_F(CanSystem, AStrangersArmRepliesPutNoCanardOnTheTerminalThatIsNone) {
-  Node node{"vcan0"};
+  Node node{"vcan0", "bench_healthy", "", {"imu.rate_bias_deg_s=0.3"}};
   node.await_rest();
   Program arm{{"bench", "arm", "--can", "vcan0", "--yes"}};
   hal::on_linux::CanBus stranger{"vcan0"};
@@ -58,7 +58,9 @@ TEST_F(CanSystem, AStrangersArmRepliesPutNoCanardOnTheTerminalThatIsNone) {
   EXPECT_EQ(
       arm.outcome().out,
       "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.\n  canard 1\n  "
-      "canard 2\n  canard 3\n  canard 4\n  passed\nClose the arm switch at the rocket.\n  closed\nARMED. Opening "
+      "canard 2\n  canard 3\n  canard 4\n  passed; at rest the gyro reads 0.30 deg/s about the long axis, which is "
+      "taken "
+      "off\nClose the arm switch at the rocket.\n  closed\nARMED. Opening "
       "the arm switch makes the rocket safe again.\n");
 }
 

@@ -91,8 +91,15 @@ bool Ear::until(const std::function<bool()>& question, std::chrono::milliseconds
   return false;
 }
 
-Node::Node(const std::string& on, const std::string& scenario, const std::string& flash)
-    : interface{on}, program{{"node", scenario, "--can", on, "--flash", flash_or(flash, folder)}} {}
+Node::Node(const std::string& on, const std::string& scenario, const std::string& flash,
+           const std::vector<std::string>& settings)
+    : interface{on}, program{[&] {
+        std::vector<std::string> arguments{"node", scenario, "--can", on, "--flash", flash_or(flash, folder)};
+        for (const std::string& setting : settings) {
+          arguments.insert(arguments.end(), {"--set", setting});
+        }
+        return arguments;
+      }()} {}
 
 void Node::await_rest() {
   if (!program.says(" on " + interface + ";") || !Ear{interface}.at_rest()) {

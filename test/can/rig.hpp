@@ -72,9 +72,9 @@ class Ear {
 /// fantail node.
 class Node {
  public:
-  /// `flash` is a file; empty: a new one that goes with the object.
+  /// `flash` is a file; empty: a new one that goes with the object. `settings`: of --set.
   explicit Node(const std::string& interface, const std::string& scenario = "bench_healthy",
-                const std::string& flash = "");
+                const std::string& flash = "", const std::vector<std::string>& settings = {});
 
   /// Waits until the rocket has stood still for long enough.
   void await_rest();

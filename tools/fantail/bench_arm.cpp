@@ -17,6 +17,8 @@
 #include "link/arm_steps.hpp"
 #include "link/session.hpp"
 #include "replies/sentence.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -52,7 +54,11 @@ void look(link::Place& place, link::AvionicsLink& link) {
   }
 }
 
-void test(const ArmOptions& options, link::ArmSteps& steps) {
+double gyro_zero_deg_s(const link::AvionicsLink& link) {
+  return text::degrees(static_cast<double>(status(link).gyro_bias_rad_s));
+}
+
+void test(const ArmOptions& options, const link::AvionicsLink& link, link::ArmSteps& steps) {
   link::CanardUnderTest moving;
   tell(options, "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.");
   const auto show = [&](const protocol::ArmReply& now) {
@@ -69,7 +75,8 @@ void test(const ArmOptions& options, link::ArmSteps& steps) {
   if (reply.self_test != protocol::SelfTestState::passed) {
     throw RequirementNotMet{"the self-test failed: " + replies::sentence(reply.failure, reply.canard)};
   }
-  tell(options, "  passed");
+  tell(options, fmt::format("  passed; at rest the gyro reads {} deg/s about the long axis, which is taken off",
+                            text::fixed(gyro_zero_deg_s(link), 2)));
 }
 
 // The first action belongs to the hand at the rocket; this program can only wait for it.
@@ -111,7 +118,7 @@ void arm(const ArmOptions& options) {
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);
   link::ArmSteps steps{place, link};
-  test(options, steps);
+  test(options, link, steps);
   await_switch(options, place, link);
   await_consent(options, place, link);
   const protocol::ArmReply answer = steps.ask_for_nonce();
@@ -129,7 +136,10 @@ void arm(const ArmOptions& options) {
     tell(options, "Control has started.");
   }
   if (options.bench.json) {
-    fmt::print("{}\n", json::Value{{"armed", true}, {"control_started", options.start}}.dump());
+    fmt::print("{}\n", json::Value{{"armed", true},
+                                   {"control_started", options.start},
+                                   {"gyro_bias_deg_s", json::rounded(gyro_zero_deg_s(link))}}
+                           .dump());
   }
 }
 
