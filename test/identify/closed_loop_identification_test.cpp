@@ -13,7 +13,6 @@
 #include "identify/identification.hpp"
 #include "identify/model/planted.hpp"
 #include "seed.hpp"
-#include "sim/random.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -131,15 +130,7 @@ TEST_P(ClosedLoopCoverageOfModes, ThePlantedNumbersLieInTheStatedIntervals) {
                            : mode == "observer" ? with_observer(published)
                            : mode == "schedule" ? with_schedule(with_integral(published))
                                                 : published;
-  expect_coverage(loop, [&loop](std::uint64_t seed) {
-    paper::Loop noisy = loop;
-    sim::Random random{seed, 0};
-    for (int tick = 0; tick <= 4000; ++tick) {
-      noisy.measured_off.push_back(
-          {.angle_rad = 0.3 * degree * random.gaussian(), .rate_rad_s = 1.0 * degree * random.gaussian()});
-    }
-    return closed_loop_record(noisy, 4.0, 2);
-  });
+  expect_coverage(loop, [&loop](std::uint64_t seed) { return closed_loop_record(with_noise(loop, seed), 4.0, 2); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, ClosedLoopCoverageOfModes,

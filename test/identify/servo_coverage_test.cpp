@@ -15,7 +15,6 @@
 #include "identify/identification.hpp"
 #include "identify/result/residual_tests.hpp"
 #include "seed.hpp"
-#include "sim/random.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -53,13 +52,7 @@ TEST_P(ServoCoverage, HoldsAlphaAndBetaOrSaysADoubt) {
   int silent = 0;
   int doubted = 0;
   for (int i = 0; i < asked_records(); ++i) {
-    sim::Random random{first_seed + static_cast<std::uint64_t>(i), 0};
-    loop.measured_off.clear();
-    for (int tick = 0; tick <= 4000; ++tick) {
-      loop.measured_off.push_back(
-          {.angle_rad = 0.3 * degree * random.gaussian(), .rate_rad_s = 1.0 * degree * random.gaussian()});
-    }
-    const Record record = closed_loop_record(loop, 4.0, 2);
+    const Record record = closed_loop_record(with_noise(loop, first_seed + static_cast<std::uint64_t>(i)), 4.0, 2);
     Control control = controller_of(loop);
     control.servo_lag_s = told_lag_s;
     // For what was before: the servo held as it is told.

@@ -10,6 +10,7 @@
 #include "core/roll_reference.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
+#include "sim/random.hpp"
 
 namespace fantail::identify::closed_loop {
 
@@ -77,6 +78,16 @@ paper::Loop with_observer(paper::Loop loop) {
 
 paper::Loop with_schedule(paper::Loop loop) {
   loop.gain_schedule = {.speeds_count = 2, .speeds_m_s = {40.0F, 80.0F}, .factors_count = 2, .factors = {2.0F, 0.75F}};
+  return loop;
+}
+
+paper::Loop with_noise(paper::Loop loop, std::uint64_t seed) {
+  sim::Random random{seed, 0};
+  loop.measured_off.clear();
+  for (int tick = 0; tick <= 4000; ++tick) {
+    loop.measured_off.push_back(
+        {.angle_rad = 0.3 * degree * random.gaussian(), .rate_rad_s = 1.0 * degree * random.gaussian()});
+  }
   return loop;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "identify/closed_loop/loop.hpp"
 #include "identify/model/roll_model.hpp"
 #include "paper/flown_record.hpp"
@@ -21,6 +23,9 @@ namespace fantail::identify::closed_loop {
 [[nodiscard]] paper::Loop with_integral(paper::Loop loop);
 [[nodiscard]] paper::Loop with_observer(paper::Loop loop);  ///< that knows the rocket as it is
 [[nodiscard]] paper::Loop with_schedule(paper::Loop loop);
+
+/// Four seconds of noise in what the law measures, once a millisecond: 0.3 deg of the angle, 1 deg/s of the rate.
+[[nodiscard]] paper::Loop with_noise(paper::Loop loop, std::uint64_t seed);
 
 /// What a log of this run would hold, with the columns that the closed loop needs, and no noise.
 [[nodiscard]] model::Record closed_loop_record(const paper::Loop& loop, double to_s, int every_ms);
