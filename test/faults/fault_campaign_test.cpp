@@ -204,7 +204,7 @@ TEST(FaultUnderControl, IsSafeOrAKnownLimit) {
       continue;
     }
     const Findings findings = fly_run(twins, cell, {.seed = 0, .begin_ms = 3000}, 0);
-    EXPECT_TRUE(findings.outcome(cell.expected()) || known_limit(row, cell.phase, twins.scenario.plan) != nullptr)
+    EXPECT_TRUE(findings.outcome(cell.expected()) || known_limit(row, cell.phase, twins.scenario) != nullptr)
         << cell.name() << ": " << findings.what_it_was();
     EXPECT_EQ(findings.breach, "") << cell.name();
   }

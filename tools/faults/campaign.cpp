@@ -13,6 +13,7 @@
 #include "campaign/setup.hpp"
 #include "faults/fingerprint.hpp"
 #include "faults/parts.hpp"
+#include "faults/stop_rule.hpp"
 #include "faults/tasks.hpp"
 #include "text/error.hpp"
 
@@ -61,6 +62,7 @@ Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint6
           .seed = twins.seeds[at.seed],
           .begin_ms = at.begin_ms,
           .outcome = outcome,
+          .is_breach = !findings.breach.empty(),
           .apart_deg = 1e-3 * std::round(1e3 * findings.apart_deg),
           .trim_after_s = findings.trim_after_s,
           .stands_after_s = findings.stands_after_s,
@@ -78,7 +80,7 @@ struct CellLimit {
   int excused_from_ms;
 };
 CellLimit limit_of(const Cell& cell, const Twins& twins) {
-  const KnownLimit* const limit = known_limit(*cell.row, cell.phase, twins.scenario.plan);
+  const KnownLimit* const limit = known_limit(*cell.row, cell.phase, twins.scenario);
   return {.limit = limit,
           .excused_from_ms = limit != nullptr && limit->last_ms > 0 ? end_of(cell.phase, twins) - limit->last_ms
                                                                     : std::numeric_limits<int>::min()};
@@ -192,7 +194,7 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
   }
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     result.cells.push_back(conclude(tasks[i].cell, cells[i], limits[i].limit));
-    result.cells.back().of_rocket = about_rocket(result.cells.back().limit, twins.scenario);
+    result.cells.back().of_rocket = about_stop(result.cells.back(), twins);
   }
   return result;
 }
@@ -216,7 +218,7 @@ Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uin
   alone.run = run_of(twins, cell, at, number, alone.findings);
   const CellLimit limit = limit_of(cell, twins);
   alone.judged = concluded(cell, std::vector{alone.run}, limit.limit, limit.excused_from_ms);
-  alone.judged.of_rocket = about_rocket(alone.judged.limit, twins.scenario);
+  alone.judged.of_rocket = about_stop(alone.judged, twins);
   if (alone.judged.colour == Colour::limit_without_need) {
     alone.judged.colour = Colour::green;  // one run does not say that the cell has no need of it
   }

@@ -34,6 +34,7 @@ struct Run {
   std::uint64_t seed = 0;
   int begin_ms = 0;                  ///< after ignition
   std::optional<Outcome> outcome{};  ///< the first allowed one that it was; empty: none
+  bool is_breach = false;            ///< of what holds for every flight, which no limit excuses
   double apart_deg = 0.0;            ///< Findings
   double trim_after_s = 0.0;         ///< Findings
   double stands_after_s = 0.0;       ///< Findings
@@ -58,7 +59,7 @@ struct CellSum {
   std::uint64_t flights = 0;
   std::uint64_t red = 0;
   std::uint64_t late = 0;                        ///< begun when the limit excuses them
-  std::uint64_t red_early = 0;                   ///< not excused
+  std::uint64_t not_excused = 0;                 ///< red, and begun before that, or a breach
   std::array<std::uint64_t, outcomes> counts{};  ///< of each Outcome, by its bit
   std::optional<Run> worst{};                    ///< a red one before all others; of equals the first
 
@@ -162,10 +163,6 @@ void write_worst(Result& result, const Prepared& prepared, const std::filesystem
 /// A row of a part's file, with a newline, and back; empty for what is no such row.
 [[nodiscard]] std::string row_of(const Run& run);
 [[nodiscard]] std::optional<Run> run_of(std::string_view row);
-
-/// Of the limit of one canard far off: does this rocket keep the rule of its stop, and could it with another? A
-/// sentence; empty: it is another limit.
-[[nodiscard]] std::string about_rocket(const KnownLimit* limit, const sim::Scenario& scenario);
 
 /// What a cell came to.
 [[nodiscard]] CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit);

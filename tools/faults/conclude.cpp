@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include <fmt/core.h>
 
 #include "faults/campaign.hpp"
-#include "text/degrees.hpp"
-#include "text/number.hpp"
 
 namespace fantail::faults {
 namespace {
@@ -63,7 +60,7 @@ void CellSum::add(const Run& run, int excused_from_ms) {
     ++counts[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(*run.outcome)))];
   } else {
     ++red;
-    red_early += is_late ? 0 : 1;
+    not_excused += is_late && !run.is_breach ? 0 : 1;
   }
   if (!worst || is_worse(run, *worst)) {
     worst = run;
@@ -74,7 +71,7 @@ void CellSum::add(const CellSum& later) {
   flights += later.flights;
   red += later.red;
   late += later.late;
-  red_early += later.red_early;
+  not_excused += later.not_excused;
   for (std::size_t i = 0; i < outcomes; ++i) {
     counts[i] += later.counts[i];
   }
@@ -83,41 +80,8 @@ void CellSum::add(const CellSum& later) {
   }
 }
 
-std::string about_rocket(const KnownLimit* limit, const sim::Scenario& scenario) {
-  if (limit == nullptr || limit->device != "servo") {
-    return {};
-  }
-  double offset_rad = 0.0;
-  for (const sim::DisturbanceNode& node : scenario.disturbance) {
-    offset_rad = std::max(offset_rad, std::abs(node.angle_rad));
-  }
-  const auto shown = [](double angle_rad) { return text::brief(text::degrees(angle_rad), 1); };
-  const double limit_rad = static_cast<double>(scenario.plan.controller.canard_limit.radians());
-  const double stop_rad = scenario.vehicle.servo.stop_rad;
-  const double most_rad = 3.0 * limit_rad - 4.0 * offset_rad;  // of the stop
-  if (stop_rad < limit_rad) {
-    return fmt::format(
-        "The rocket that was flown breaks this rule: its stop of {} deg is inside its plan limit of {} deg",
-        shown(stop_rad), shown(limit_rad));
-  }
-  const std::string sum = fmt::format(
-      "4 x {} deg of fin offset + {} deg of stop is {} deg, and 3 x {} deg of plan limit is {} deg", shown(offset_rad),
-      shown(stop_rad), shown(4.0 * offset_rad + stop_rad), shown(limit_rad), shown(3.0 * limit_rad));
-  if (stop_rad < most_rad) {
-    return "The rocket that was flown keeps this rule: " + sum;
-  }
-  return fmt::format(
-      "The rocket that was flown breaks this rule: {}. {}", sum,
-      most_rad > limit_rad
-          ? fmt::format("A stop between {} and {} deg keeps it", shown(limit_rad), shown(most_rad))
-          : fmt::format(
-                "No stop keeps it: one at the plan limit makes {} deg. What does is less fin offset, or a larger "
-                "plan limit with a stop just beyond it",
-                shown(4.0 * offset_rad + limit_rad)));
-}
-
 CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit) {
-  const bool excused = limit != nullptr && sum.late > 0 && sum.red_early == 0;
+  const bool excused = limit != nullptr && sum.late > 0 && sum.not_excused == 0;
   CellResult result{.cell = cell,
                     .flights = sum.flights,
                     .red = sum.red,

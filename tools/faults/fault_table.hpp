@@ -70,8 +70,8 @@ struct KnownLimit {
   int last_ms = 0;  ///< only of a fault that begins so late in its phase; 0: whenever it begins
 };
 [[nodiscard]] std::span<const KnownLimit> known_limits();
-/// Null: none is known.
-[[nodiscard]] const KnownLimit* known_limit(const FaultRow& row, Phase phase, const core::FlightPlan& plan);
+/// Null: none is known for this rocket. Where three canards balance the fourth (StopRule), a servo has none.
+[[nodiscard]] const KnownLimit* known_limit(const FaultRow& row, Phase phase, const sim::Scenario& scenario);
 
 /// Empty: the fault can be flown in this scenario. Else why not.
 [[nodiscard]] std::string why_not(const FaultRow& row, const sim::Scenario& scenario);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "faults/fault_table.hpp"
+#include "faults/stop_rule.hpp"
 
 // Cells that may be red, because nothing in this avionics makes them green. One that stands here and is green is
 // reported, too. docs/faults.md has the same list with figures.
@@ -34,9 +35,7 @@ constexpr std::string_view untested =
     "arming the self-test has already seen it move";
 constexpr std::string_view stop_near =
     "let the linkage stop a canard a little beyond the plan limit, and keep 4 times the fin offset plus that stop "
-    "below 3 times the plan limit, which no stop beyond its plan limit does for the shipped rocket (28.6 of 27 deg): "
-    "there "
-    "the fins must be straighter or the plan limit larger";
+    "below 3 times the plan limit";
 
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
@@ -67,10 +66,13 @@ constexpr auto limits = std::to_array<KnownLimit>({
 
 std::span<const KnownLimit> known_limits() { return limits; }
 
-const KnownLimit* known_limit(const FaultRow& row, Phase phase, const core::FlightPlan& plan) {
+const KnownLimit* known_limit(const FaultRow& row, Phase phase, const sim::Scenario& scenario) {
+  const bool balances = StopRule{scenario}.is_kept();
   const auto found = std::ranges::find_if(limits, [&](const KnownLimit& limit) {
     return limit.device == row.device && (limit.fault.empty() || limit.fault == row.fault) &&
-           (limit.phases & at(phase)) != 0 && (!limit.with_one_gyro || plan.sensors.gyros == core::GyroRule::one);
+           (limit.phases & at(phase)) != 0 &&
+           (!limit.with_one_gyro || scenario.plan.sensors.gyros == core::GyroRule::one) &&
+           !(is_of_one_canard(limit) && balances);
   });
   return found == limits.end() ? nullptr : &*found;
 }

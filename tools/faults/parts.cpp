@@ -59,8 +59,10 @@ bool read(std::string_view text, Number& number) {
 
 std::string row_of(const Run& run) {
   return fmt::format("{},{},{},{},{},{},{},{}\n", run.number, run.seed, run.begin_ms,
-                     run.outcome ? name(*run.outcome) : "none", run.apart_deg, run.trim_after_s, run.stands_after_s,
-                     run.what);
+                     run.outcome     ? name(*run.outcome)
+                     : run.is_breach ? "breach"
+                                     : "none",
+                     run.apart_deg, run.trim_after_s, run.stands_after_s, run.what);
 }
 
 std::optional<Run> run_of(std::string_view row) {
@@ -74,7 +76,8 @@ std::optional<Run> run_of(std::string_view row) {
     row.remove_prefix(comma + 1);
   }
   Run run{.what = std::string{row}};
-  bool known = cells[3] == "none";
+  run.is_breach = cells[3] == "breach";
+  bool known = run.is_breach || cells[3] == "none";
   for (unsigned bit = 0; bit < outcomes; ++bit) {
     const auto outcome = static_cast<Outcome>(1U << bit);
     if (cells[3] == name(outcome)) {
