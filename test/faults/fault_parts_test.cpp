@@ -11,10 +11,8 @@
 
 #include "faults/parts.hpp"
 #include "faults/results.hpp"
-#include "faults/stop_rule.hpp"
 #include "input/scenario_file.hpp"
 #include "text/error.hpp"
-#include "text/number.hpp"
 
 namespace fantail::faults {
 namespace {
@@ -204,7 +202,7 @@ TEST(FaultAlone, IsNotJudgedFurtherWhereTheWholeCellIsNot) {
   const Cell cell = cell_of("servo/all_dead/controlling");
   const faults::Run spun{.outcome = Outcome::anything, .apart_deg = 777.0};
   Result result;
-  result.cells = {concluded(cell, {spun}, nullptr)};
+  result.cells = {concluded(cell, {spun}, {})};
   EXPECT_EQ(result.cells[0].colour, Colour::not_judged);
   EXPECT_FALSE(has_red(result));
   EXPECT_NE(headline(result).find(" Not judged beyond what holds for every flight: 1 cell."), std::string::npos);
@@ -220,8 +218,8 @@ TEST(FaultHeadline, OfAKnownLimitTheBarIsAmberAndTheWorstCellIsNamed) {
                        .what = std::to_string(static_cast<int>(apart_deg)) + " deg off; and more"};
   };
   Result result;
-  result.cells = {concluded(cell_of("servo/hardover/controlling"), {red(645.0)}, &limit),
-                  concluded(cell_of("servo/garbage/controlling"), {red(714.0)}, &limit)};
+  result.cells = {concluded(cell_of("servo/hardover/controlling"), {red(645.0)}, {&limit}),
+                  concluded(cell_of("servo/garbage/controlling"), {red(714.0)}, {&limit})};
   EXPECT_NE(
       headline(result).find(" Not safe, for a limit that is known: 2 cells, at worst servo/garbage/controlling (714 "
                             "deg off)."),
@@ -230,70 +228,11 @@ TEST(FaultHeadline, OfAKnownLimitTheBarIsAmberAndTheWorstCellIsNamed) {
   const std::string amber = report_html(result, "1");
   EXPECT_NE(amber.find("class=\"verdict unsure\""), std::string::npos);
   EXPECT_EQ(amber.find("No red cell"), std::string::npos);
-  result.cells.push_back(concluded(cell_of("servo/dead/controlling"), {red(100.0)}, nullptr));
+  result.cells.push_back(concluded(cell_of("servo/dead/controlling"), {red(100.0)}, {}));
   EXPECT_NE(headline(result).find(" RED: 1 cell, at worst servo/dead/controlling (100 deg off)."), std::string::npos);
   EXPECT_NE(report_html(result, "1").find("class=\"verdict bad\""), std::string::npos);
-  result.cells = {concluded(cell_of("servo/dead/controlling"), {faults::Run{.outcome = Outcome::holds}}, nullptr)};
+  result.cells = {concluded(cell_of("servo/dead/controlling"), {faults::Run{.outcome = Outcome::holds}}, {})};
   EXPECT_NE(report_html(result, "1").find("class=\"verdict good\""), std::string::npos);
-}
-
-sim::Scenario launch_with(const std::vector<std::string>& changes) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario("tasha3_launch2", overrides);
-}
-
-TEST(FaultLimit, SaysHowTheRocketThatWasFlownBreaksTheRuleOfTheStop) {
-  const auto about = [](const std::vector<std::string>& changes) { return StopRule{launch_with(changes)}.sentence(); };
-  EXPECT_EQ(
-      about({}),
-      "The rocket that was flown breaks this rule: 4 x 4.9 deg of fin offset + 25 deg of stop is 44.6 deg, and 3 x 9 "
-      "deg of plan limit is 27 deg. No stop keeps it: one at the plan limit makes 28.6 deg. Less fin offset does, or a "
-      "larger plan limit with a stop just beyond it");
-  EXPECT_NE(about({"controller.canard_limit_deg=12"}).find("breaks this rule: "), std::string::npos);
-  EXPECT_NE(about({"controller.canard_limit_deg=12"}).find("A stop between 12 and 16.4 deg keeps it"),
-            std::string::npos);
-  EXPECT_EQ(about({"servo.stop_deg=5"}),
-            "The rocket that was flown breaks this rule: its stop of 5 deg is inside its plan limit of 9 deg");
-}
-
-// 4 x 4.9 + 12.5 is 32.1 of 36 deg: three canards can balance the fourth, so its moment is no reason.
-TEST(FaultLimit, OfOneCanardExcusesNothingWhereTheOthersBalanceIt) {
-  const Cell cell = cell_of("servo/hardover_back/controlling");
-  EXPECT_NE(known_limit(*cell.row, cell.phase, launch_with({})), nullptr);
-  EXPECT_NE(known_limit(*cell.row, cell.phase, launch_with({"controller.canard_limit_deg=12"})), nullptr);
-  EXPECT_EQ(known_limit(*cell.row, cell.phase, launch_with({"controller.canard_limit_deg=12", "servo.stop_deg=12.5"})),
-            nullptr);
-}
-
-TEST(FaultLimit, ExcusesNoBreachOfWhatHoldsForEveryFlight) {
-  const Cell cell = cell_of("servo/hardover_back/controlling");
-  const KnownLimit* const limit = known_limit(*cell.row, cell.phase, launch_with({}));
-  faults::Run run{.apart_deg = 100.0, .what = "far off"};
-  EXPECT_EQ(concluded(cell, {run}, limit).colour, Colour::known_limit);
-  run.is_breach = true;
-  EXPECT_EQ(concluded(cell, {run}, limit).colour, Colour::red);
-  const auto stored = run_of(row_of(run).substr(0, row_of(run).size() - 1));
-  ASSERT_TRUE(stored);
-  EXPECT_EQ(*stored, run);
-}
-
-// The same flight by the same number, of a campaign whose rocket has that stop.
-TEST(FaultLimit, SaysWhatTheNearestStopMakesOfTheWorstFlight) {
-  const std::string cell = "servo/hardover_back/controlling";
-  Campaign campaign{.scenario = "tasha3_launch2", .every = 400};
-  const Alone far = fly_alone(campaign, cell, 1);
-  ASSERT_EQ(far.judged.colour, Colour::known_limit);
-  campaign.changes = {input::parse_override("servo.stop_deg=9.5")};
-  const Alone near = fly_alone(campaign, cell, 1);
-  EXPECT_TRUE(far.judged.of_rocket.ends_with(". Flown again with a stop at 9.5 deg, the worst flight is " +
-                                             text::fixed(near.run.apart_deg, 1) + " deg apart instead of " +
-                                             text::fixed(far.run.apart_deg, 1) + ": still not safe"))
-      << far.judged.of_rocket;
-  EXPECT_FALSE(near.run.outcome);
-  EXPECT_LT(near.run.apart_deg, far.run.apart_deg);
 }
 
 }  // namespace

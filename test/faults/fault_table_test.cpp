@@ -119,17 +119,17 @@ TEST(FaultCell, IsAsRedAsItsWorstRunAndALimitExcusesIt) {
   const faults::Run spun{.number = 2, .outcome = {}, .apart_deg = 3.0, .what = "it spun"};
   const KnownLimit limit{
       .device = "imu", .fault = "dead", .phases = 1, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
-  EXPECT_EQ(concluded(cell, {}, nullptr).colour, Colour::not_applicable);
-  EXPECT_EQ(concluded(cell, {held, ended}, nullptr).colour, Colour::green);
-  EXPECT_EQ(concluded(cell, {held, ended}, &limit).colour, Colour::limit_without_need);
-  EXPECT_EQ(concluded(cell, {held, spun, ended}, &limit).colour, Colour::known_limit);
+  EXPECT_EQ(concluded(cell, {}, {}).colour, Colour::not_applicable);
+  EXPECT_EQ(concluded(cell, {held, ended}, {}).colour, Colour::green);
+  EXPECT_EQ(concluded(cell, {held, ended}, {&limit}).colour, Colour::limit_without_need);
+  EXPECT_EQ(concluded(cell, {held, spun, ended}, {&limit}).colour, Colour::known_limit);
   const faults::Run later{.number = 3, .begin_ms = 500, .outcome = {}, .what = "it spun"};
-  EXPECT_EQ(concluded(cell, {held, later}, &limit, 500).colour, Colour::known_limit);
-  EXPECT_EQ(concluded(cell, {held, later}, &limit, 501).colour, Colour::red);
-  EXPECT_EQ(concluded(cell, {held, later}, &limit, 501).limit, nullptr);
-  EXPECT_EQ(concluded(cell, {held, ended}, &limit, 501).colour, Colour::green) << "none began so late";
-  EXPECT_EQ(concluded(cell, {held, later}, nullptr, 500).colour, Colour::red);
-  const CellResult red = concluded(cell, {held, spun, ended}, nullptr);
+  EXPECT_EQ(concluded(cell, {held, later}, {&limit, 500}).colour, Colour::known_limit);
+  EXPECT_EQ(concluded(cell, {held, later}, {&limit, 501}).colour, Colour::red);
+  EXPECT_EQ(concluded(cell, {held, later}, {&limit, 501}).limit, nullptr);
+  EXPECT_EQ(concluded(cell, {held, ended}, {&limit, 501}).colour, Colour::green) << "none began so late";
+  EXPECT_EQ(concluded(cell, {held, later}, {nullptr, 500}).colour, Colour::red);
+  const CellResult red = concluded(cell, {held, spun, ended}, {});
   EXPECT_EQ(red.colour, Colour::red);
   EXPECT_EQ(red.red, 1U);
   EXPECT_EQ(red.worst->number, 2U);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -63,6 +62,7 @@ Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint6
           .begin_ms = at.begin_ms,
           .outcome = outcome,
           .is_breach = !findings.breach.empty(),
+          .came_back = !outcome && findings.came_back(cell.expected()),
           .apart_deg = 1e-3 * std::round(1e3 * findings.apart_deg),
           .trim_after_s = findings.trim_after_s,
           .stands_after_s = findings.stands_after_s,
@@ -74,16 +74,12 @@ Run flown(const Twins& twins, const Task& task, std::uint64_t number) {
   return run_of(twins, task.cell, at, number, fly_run(twins, task.cell, at, number));
 }
 
-/// The limit of a cell, and from when on it excuses.
-struct CellLimit {
-  const KnownLimit* limit;
-  int excused_from_ms;
-};
 CellLimit limit_of(const Cell& cell, const Twins& twins) {
-  const KnownLimit* const limit = known_limit(*cell.row, cell.phase, twins.scenario);
-  return {.limit = limit,
-          .excused_from_ms = limit != nullptr && limit->last_ms > 0 ? end_of(cell.phase, twins) - limit->last_ms
-                                                                    : std::numeric_limits<int>::min()};
+  CellLimit of_cell{.limit = known_limit(*cell.row, cell.phase, twins.scenario)};
+  if (of_cell.limit != nullptr && of_cell.limit->last_ms > 0) {
+    of_cell.from_ms = end_of(cell.phase, twins) - of_cell.limit->last_ms;
+  }
+  return of_cell;
 }
 
 bool belongs(const std::vector<Run>& runs, const Twins& twins, const Task& task, const Part& part) {
@@ -170,7 +166,7 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
           store.store(name, *own);
         }
         for (const Run& run : *own) {
-          sums[i].add(run, limits[part.task].excused_from_ms);
+          sums[i].add(run, limits[part.task]);
         }
       },
       [&](std::size_t) {
@@ -217,7 +213,7 @@ Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uin
               .judged = {}};
   alone.run = run_of(twins, cell, at, number, alone.findings);
   const CellLimit limit = limit_of(cell, twins);
-  alone.judged = concluded(cell, std::vector{alone.run}, limit.limit, limit.excused_from_ms);
+  alone.judged = concluded(cell, std::vector{alone.run}, limit);
   alone.judged.of_rocket = about_stop(alone.judged, twins);
   if (alone.judged.colour == Colour::limit_without_need) {
     alone.judged.colour = Colour::green;  // one run does not say that the cell has no need of it

@@ -35,6 +35,7 @@ struct Run {
   int begin_ms = 0;                  ///< after ignition
   std::optional<Outcome> outcome{};  ///< the first allowed one that it was; empty: none
   bool is_breach = false;            ///< of what holds for every flight, which no limit excuses
+  bool came_back = false;            ///< Findings, of a flight that was none
   double apart_deg = 0.0;            ///< Findings
   double trim_after_s = 0.0;         ///< Findings
   double stands_after_s = 0.0;       ///< Findings
@@ -54,17 +55,27 @@ enum class Colour : std::uint8_t {
 };
 [[nodiscard]] const char* name(Colour colour);
 
+/// The limit of a cell, and from when on it excuses.
+struct CellLimit {
+  const KnownLimit* limit = nullptr;
+  int from_ms = std::numeric_limits<int>::min();  ///< after ignition
+
+  [[nodiscard]] bool is_late(const Run& run) const { return run.begin_ms >= from_ms; }
+  [[nodiscard]] bool excuses(const Run& run) const {
+    return limit != nullptr && is_late(run) && !run.is_breach && (limit->excuse != Excuse::comes_back || run.came_back);
+  }
+};
+
 /// Runs of a cell, counted one by one, so that none has to be kept.
 struct CellSum {
   std::uint64_t flights = 0;
   std::uint64_t red = 0;
   std::uint64_t late = 0;                        ///< begun when the limit excuses them
-  std::uint64_t not_excused = 0;                 ///< red, and begun before that, or a breach
+  std::uint64_t not_excused = 0;                 ///< red
   std::array<std::uint64_t, outcomes> counts{};  ///< of each Outcome, by its bit
   std::optional<Run> worst{};                    ///< a red one before all others; of equals the first
 
-  /// The limit, where there is one, excuses those that begin at `excused_from_ms` after ignition or later.
-  void add(const Run& run, int excused_from_ms = std::numeric_limits<int>::min());
+  void add(const Run& run, const CellLimit& limit);
   /// Runs that come after these.
   void add(const CellSum& later);
 };
@@ -166,8 +177,6 @@ void write_worst(Result& result, const Prepared& prepared, const std::filesystem
 
 /// What a cell came to.
 [[nodiscard]] CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit);
-/// The limit excuses those that begin at `excused_from_ms` after ignition or later.
-[[nodiscard]] CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit,
-                                   int excused_from_ms = std::numeric_limits<int>::min());
+[[nodiscard]] CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const CellLimit& limit);
 
 }  // namespace fantail::faults

@@ -52,15 +52,14 @@ const char* name(Colour colour) {
   return "not applicable";
 }
 
-void CellSum::add(const Run& run, int excused_from_ms) {
-  const bool is_late = run.begin_ms >= excused_from_ms;
+void CellSum::add(const Run& run, const CellLimit& limit) {
   ++flights;
-  late += is_late ? 1 : 0;
+  late += limit.is_late(run) ? 1 : 0;
   if (run.outcome) {
     ++counts[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(*run.outcome)))];
   } else {
     ++red;
-    not_excused += is_late && !run.is_breach ? 0 : 1;
+    not_excused += limit.excuses(run) ? 0 : 1;
   }
   if (!worst || is_worse(run, *worst)) {
     worst = run;
@@ -98,17 +97,18 @@ CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limi
   } else if (sum.counts[anything] > 0) {
     result.colour = Colour::not_judged;
   } else {
-    result.colour = excused ? Colour::limit_without_need : Colour::green;
+    // Another rocket of the same table may need the limit of one canard.
+    result.colour = excused && limit->excuse == Excuse::any ? Colour::limit_without_need : Colour::green;
   }
   return result;
 }
 
-CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const KnownLimit* limit, int excused_from_ms) {
+CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const CellLimit& limit) {
   CellSum sum;
   for (const Run& run : runs) {
-    sum.add(run, excused_from_ms);
+    sum.add(run, limit);
   }
-  return conclude(cell, sum, limit);
+  return conclude(cell, sum, limit.limit);
 }
 
 }  // namespace fantail::faults

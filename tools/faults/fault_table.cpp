@@ -134,7 +134,7 @@ constexpr auto others = std::to_array<FaultRow>({
   {"servo", "torn_off", "the air turns the shaft back to zero", gear(sim::FaultKind::canard_dead), harmless, stays_short},
   {"servo", "stuck", "jammed where it stands", broken(Device::servo, Behaviour::stuck), harmless, stays_short},
   {"servo", "hardover", "runs to its positive stop", broken(Device::servo, Behaviour::saturated), harmless, runs_away},
-  {"servo", "hardover_back", "stands at its negative stop", gear(sim::FaultKind::canard_stuck, -25.0), harmless, runs_away},
+  {"servo", "hardover_back", "stands at its negative stop", gear(sim::FaultKind::canard_stuck, -90.0), harmless, runs_away},
   {"servo", "slipping", "loses a third of every movement", gear(sim::FaultKind::canard_slipping), harmless, stays_short},
   {"servo", "repeated", "hears its last pulse again and again", broken(Device::servo, Behaviour::repeated), harmless, stays_short},
   {"servo", "garbage", "hears random pulses of 500 to 2500 us", broken(Device::servo, Behaviour::garbage), harmless, runs_away},

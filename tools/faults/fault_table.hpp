@@ -59,6 +59,13 @@ struct FaultRow {
 /// The devices of the table in its order, each once.
 [[nodiscard]] std::vector<std::string_view> device_names();
 
+/// Of the limits of one canard: what must be true of the rocket and of the flight before one excuses anything.
+enum class Excuse : std::uint8_t {
+  any,         ///< nothing more
+  three_lack,  ///< three canards cannot balance the fourth: StopRule
+  comes_back,  ///< they can, and at the end of control the roll was back
+};
+
 /// Why a cell may be red all the same, and what a team has to do about it.
 struct KnownLimit {
   std::string_view device;
@@ -68,9 +75,10 @@ struct KnownLimit {
   std::string_view why;
   std::string_view what_to_do;
   int last_ms = 0;  ///< only of a fault that begins so late in its phase; 0: whenever it begins
+  Excuse excuse = Excuse::any;
 };
 [[nodiscard]] std::span<const KnownLimit> known_limits();
-/// Null: none is known for this rocket. Where three canards balance the fourth (StopRule), a servo has none.
+/// Null: none is known for this rocket.
 [[nodiscard]] const KnownLimit* known_limit(const FaultRow& row, Phase phase, const sim::Scenario& scenario);
 
 /// Empty: the fault can be flown in this scenario. Else why not.

@@ -169,6 +169,7 @@ void Judge::look_at_roll(const Moment& moment) {
   }
   const double apart_deg = std::abs(moment.true_roll_rad - twin_.true_roll_rad[moments_]) / degree;
   findings_.apart_deg = std::max(findings_.apart_deg, apart_deg);
+  findings_.apart_at_end_deg = apart_deg;
   if (moment.time_s >= fault_.end_s + settle_s_) {
     findings_.apart_settled_deg = std::max(findings_.apart_settled_deg, apart_deg);
   }

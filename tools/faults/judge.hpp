@@ -61,6 +61,7 @@ struct Findings {
   bool lasted = false;     ///< control went on until at most 0.1 s before the twin's ended
   double apart_deg = 0.0;  ///< largest difference from the twin's roll, from the fault on while the twin controls
   double apart_settled_deg = 0.0;  ///< likewise, from settle_s after the end of the fault on
+  double apart_at_end_deg = 0.0;   ///< likewise, in the last moment that the twin controls
   double trim_after_s = 0.0;       ///< from the begin of the fault to the last command off trim; 0: none was
   double stands_after_s = 0.0;     ///< likewise, to when the last shaft that obeys truly stood off trim
   double travel_s = 0.0;           ///< ShaftLimits, which an outcome allows beside its own time
@@ -68,6 +69,10 @@ struct Findings {
   std::string breach{};   ///< of what holds for every flight; empty: none
   double breach_s = 0.0;  ///< after ignition
 
+  /// In the end the roll was within what is allowed all the time.
+  [[nodiscard]] bool came_back(const Expected& expected) const {
+    return lasted && breach.empty() && apart_at_end_deg <= expected.within_deg;
+  }
   [[nodiscard]] bool is(Outcome outcome, const Expected& expected) const;
   /// The first allowed one that it is; empty: none, or a breach.
   [[nodiscard]] std::optional<Outcome> outcome(const Expected& expected) const;

@@ -37,6 +37,10 @@ constexpr std::string_view stop_near =
     "let the linkage stop a canard a little beyond the plan limit, and keep 4 times the fin offset plus that stop "
     "below 3 times the plan limit";
 
+constexpr std::string_view turned =
+    "the failed canard turns the rocket before the other three have answered; they have the moment, and bring it back";
+constexpr std::string_view nearer = "let the linkage stop a canard a little beyond the plan limit: it then turns less";
+
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
     {"imu", "stuck", launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md in the sources), and the simulator has none", fit_a_second},
@@ -52,13 +56,22 @@ constexpr auto limits = std::to_array<KnownLimit>({
     {"accelerometer", "stuck", at(Phase::launched), false, late, look_at_bus},
     {"accelerometer", "silent_2s", before_launch, false, late, look_at_bus},
     {"processor", "stands_45ms", at(Phase::launched), false, "a gap while a launch is being detected begins the detection anew: roll angle, height and speed begin a tenth of a second late, and control ends before apogee, at trim", "do not launch with a board that misses ticks: it counts them on the bus as overruns; after a flight look at the time of detection"},
-    {"servo", "hardover", controlling, false, too_far, stop_near},
-    {"servo", "hardover_back", armed, false, too_far, stop_near},
-    {"servo", "hardover_back", at(Phase::pad), false, untested, stop_near, after_self_test_ms},
-    {"servo", "garbage", at(Phase::pad), false, untested, stop_near, after_self_test_ms},
-    {"servo", "cut_pulse", at(Phase::pad), false, untested, stop_near, after_self_test_ms},
-    {"servo", "garbage", armed, false, too_far, stop_near},
-    {"servo", "cut_pulse", armed, false, too_far, stop_near},
+    {"servo", "hardover", armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {"servo", "hardover", armed, false, turned, nearer, 0, Excuse::comes_back},
+    {"servo", "hardover_back", armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {"servo", "hardover_back", armed, false, turned, nearer, 0, Excuse::comes_back},
+    {"servo", "hardover", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {"servo", "hardover_back", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {"servo", "garbage", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {"servo", "cut_pulse", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {"servo", "garbage", armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {"servo", "garbage", armed, false, turned, nearer, 0, Excuse::comes_back},
+    {"servo", "cut_pulse", armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {"servo", "cut_pulse", armed, false, turned, nearer, 0, Excuse::comes_back},
+    {"servo", "hardover", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
+    {"servo", "hardover_back", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
+    {"servo", "garbage", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
+    {"servo", "cut_pulse", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
 });
 // clang-format on
 
@@ -67,12 +80,12 @@ constexpr auto limits = std::to_array<KnownLimit>({
 std::span<const KnownLimit> known_limits() { return limits; }
 
 const KnownLimit* known_limit(const FaultRow& row, Phase phase, const sim::Scenario& scenario) {
-  const bool balances = StopRule{scenario}.is_kept();
+  const bool balances = StopRule{scenario, row.fault}.is_kept();
   const auto found = std::ranges::find_if(limits, [&](const KnownLimit& limit) {
     return limit.device == row.device && (limit.fault.empty() || limit.fault == row.fault) &&
            (limit.phases & at(phase)) != 0 &&
            (!limit.with_one_gyro || scenario.plan.sensors.gyros == core::GyroRule::one) &&
-           !(is_of_one_canard(limit) && balances);
+           (limit.excuse == Excuse::any || (limit.excuse == Excuse::comes_back) == balances);
   });
   return found == limits.end() ? nullptr : &*found;
 }

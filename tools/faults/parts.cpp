@@ -55,14 +55,15 @@ bool read(std::string_view text, Number& number) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
+const char* word_of(const Run& run) {
+  return run.outcome ? name(*run.outcome) : run.is_breach ? "breach" : run.came_back ? "came_back" : "none";
+}
+
 }  // namespace
 
 std::string row_of(const Run& run) {
-  return fmt::format("{},{},{},{},{},{},{},{}\n", run.number, run.seed, run.begin_ms,
-                     run.outcome     ? name(*run.outcome)
-                     : run.is_breach ? "breach"
-                                     : "none",
-                     run.apart_deg, run.trim_after_s, run.stands_after_s, run.what);
+  return fmt::format("{},{},{},{},{},{},{},{}\n", run.number, run.seed, run.begin_ms, word_of(run), run.apart_deg,
+                     run.trim_after_s, run.stands_after_s, run.what);
 }
 
 std::optional<Run> run_of(std::string_view row) {
@@ -76,8 +77,9 @@ std::optional<Run> run_of(std::string_view row) {
     row.remove_prefix(comma + 1);
   }
   Run run{.what = std::string{row}};
-  run.is_breach = cells[3] == "breach";
-  bool known = run.is_breach || cells[3] == "none";
+  run.is_breach = cells[3] == word_of({.is_breach = true});
+  run.came_back = cells[3] == word_of({.came_back = true});
+  bool known = cells[3] == word_of(run);
   for (unsigned bit = 0; bit < outcomes; ++bit) {
     const auto outcome = static_cast<Outcome>(1U << bit);
     if (cells[3] == name(outcome)) {

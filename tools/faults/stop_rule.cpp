@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 
+#include "sim/canard_aerodynamics.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -15,12 +17,19 @@ namespace {
 
 std::string shown(double angle_rad) { return text::brief(text::degrees(angle_rad), 1); }
 
-double largest_offset_rad(const sim::Scenario& scenario) {
-  double offset_rad = 0.0;
+/// The largest one that turns the rocket as the stop does.
+double offset_with_stop_rad(const sim::Scenario& scenario, std::string_view fault) {
+  double most_rad = -std::numeric_limits<double>::infinity();
   for (const sim::DisturbanceNode& node : scenario.disturbance) {
-    offset_rad = std::max(offset_rad, std::abs(node.angle_rad));
+    for (const sim::CanardMounting& canard : scenario.vehicle.canards) {
+      const double at_positive_stop_rad = canard.reversed ? -node.angle_rad : node.angle_rad;
+      const double with_stop_rad = fault == "hardover"        ? at_positive_stop_rad
+                                   : fault == "hardover_back" ? -at_positive_stop_rad
+                                                              : std::abs(node.angle_rad);
+      most_rad = std::max(most_rad, with_stop_rad);
+    }
   }
-  return offset_rad;
+  return most_rad;
 }
 
 std::string flown_with_nearest_stop(const Cell& cell, const Run& run, const Twins& twins, double stop_rad) {
@@ -28,11 +37,11 @@ std::string flown_with_nearest_stop(const Cell& cell, const Run& run, const Twin
   scenario.seed = run.seed;
   scenario.vehicle.servo.stop_rad = stop_rad;
   try {
-    const Twins nearer = fly_twins(scenario, 1);
-    const Findings found = fly_run(nearer, cell, {.seed = 0, .begin_ms = run.begin_ms}, run.number);
-    return fmt::format(
-        ". Flown again with a stop at {} deg, the worst flight is {:.1f} deg apart instead of {:.1f}: {}",
-        shown(stop_rad), found.apart_deg, run.apart_deg, found.outcome(cell.expected()) ? "safe" : "still not safe");
+    const Twins twin_of_it = fly_twins(scenario, 1);
+    const Findings found = fly_run(twin_of_it, cell, {.seed = 0, .begin_ms = run.begin_ms}, run.number);
+    return fmt::format("Flown again with a stop at {} deg, the worst flight is {:.1f} deg apart instead of {:.1f}: {}",
+                       shown(stop_rad), found.apart_deg, run.apart_deg,
+                       found.outcome(cell.expected()) ? "safe" : "still not safe");
   } catch (const text::Error&) {
     return {};  // with this stop the rocket does not fly without the fault either
   }
@@ -40,10 +49,11 @@ std::string flown_with_nearest_stop(const Cell& cell, const Run& run, const Twin
 
 }  // namespace
 
-StopRule::StopRule(const sim::Scenario& scenario)
-    : offset_rad_{largest_offset_rad(scenario)},
+StopRule::StopRule(const sim::Scenario& scenario, std::string_view fault)
+    : offset_rad_{offset_with_stop_rad(scenario, fault)},
       limit_rad_{static_cast<double>(scenario.plan.controller.canard_limit.radians())},
-      stop_rad_{scenario.vehicle.servo.stop_rad} {}
+      stop_rad_{scenario.vehicle.servo.stop_rad},
+      acts_as_rad_{sim::lift_angle_rad(scenario.vehicle.canard_air, stop_rad_)} {}
 
 double StopRule::nearest_rad() const { return limit_rad_ + text::radians(0.5); }
 
@@ -53,9 +63,11 @@ std::string StopRule::sentence() const {
         "The rocket that was flown breaks this rule: its stop of {} deg is inside its plan limit of {} deg",
         shown(stop_rad_), shown(limit_rad_));
   }
-  const std::string sum = fmt::format(
-      "4 x {} deg of fin offset + {} deg of stop is {} deg, and 3 x {} deg of plan limit is {} deg", shown(offset_rad_),
-      shown(stop_rad_), shown(4.0 * offset_rad_ + stop_rad_), shown(limit_rad_), shown(3.0 * limit_rad_));
+  const std::string stop = acts_as_rad_ < stop_rad_ ? fmt::format("{} deg of stall", shown(acts_as_rad_))
+                                                    : fmt::format("{} deg of stop", shown(stop_rad_));
+  const std::string sum =
+      fmt::format("4 x {} deg of fin offset + {} is {} deg, and 3 x {} deg of plan limit is {} deg", shown(offset_rad_),
+                  stop, shown(4.0 * offset_rad_ + acts_as_rad_), shown(limit_rad_), shown(3.0 * limit_rad_));
   return fmt::format(
       "The rocket that was flown breaks this rule: {}. {}", sum,
       farthest_rad() > limit_rad_
@@ -65,16 +77,17 @@ std::string StopRule::sentence() const {
                         shown(4.0 * offset_rad_ + limit_rad_)));
 }
 
-bool is_of_one_canard(const KnownLimit& limit) { return limit.device == "servo"; }
-
 std::string about_stop(const CellResult& cell, const Twins& twins) {
-  if (cell.limit == nullptr || !is_of_one_canard(*cell.limit)) {
+  if (cell.limit == nullptr || cell.limit->excuse == Excuse::any) {
     return {};
   }
-  const StopRule rule{twins.scenario};
-  const bool is_tried = cell.colour == Colour::known_limit && rule.stop_rad() > rule.nearest_rad();
-  return rule.sentence() +
-         (is_tried ? flown_with_nearest_stop(cell.cell, *cell.worst, twins, rule.nearest_rad()) : std::string{});
+  const StopRule rule{twins.scenario, cell.cell.row->fault};
+  const std::string of_rocket = rule.is_kept() ? std::string{} : rule.sentence();
+  if (cell.colour != Colour::known_limit || rule.stop_rad() <= rule.nearest_rad()) {
+    return of_rocket;
+  }
+  const std::string tried = flown_with_nearest_stop(cell.cell, *cell.worst, twins, rule.nearest_rad());
+  return of_rocket + (of_rocket.empty() || tried.empty() ? "" : ". ") + tried;
 }
 
 }  // namespace fantail::faults

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "faults/campaign.hpp"
 #include "faults/fault_table.hpp"
@@ -10,13 +11,15 @@
 
 namespace fantail::faults {
 
-/// Can three canards balance the fins and the fourth at its stop? They do while 4 fin offsets and the stop are less
-/// than 3 plan limits, and the stop is not inside the limit.
+/// Can three canards balance the fins and the fourth at its stop? They can while 4 fin offsets and the stop, where both
+/// turn the same way, are less than 3 plan limits, and the stop is not inside the limit. A canard that stalls counts as
+/// at its stall.
 class StopRule {
  public:
-  explicit StopRule(const sim::Scenario& scenario);
+  /// `fault`, of a servo: at which stop the canard is; one that is at none may come to either.
+  StopRule(const sim::Scenario& scenario, std::string_view fault);
 
-  [[nodiscard]] bool is_kept() const { return stop_rad_ >= limit_rad_ && stop_rad_ < farthest_rad(); }
+  [[nodiscard]] bool is_kept() const { return stop_rad_ >= limit_rad_ && acts_as_rad_ < farthest_rad(); }
   /// Of a rocket that breaks it, and whether another stop would keep it.
   [[nodiscard]] std::string sentence() const;
   /// The nearest stop that a linkage can have: half a degree beyond the plan limit.
@@ -26,16 +29,14 @@ class StopRule {
  private:
   [[nodiscard]] double farthest_rad() const { return 3.0 * limit_rad_ - 4.0 * offset_rad_; }
 
-  double offset_rad_;  ///< of the fins, at most
+  double offset_rad_;  ///< of the fins, at most; below zero: against the stop
   double limit_rad_;
   double stop_rad_;
+  double acts_as_rad_;  ///< the stop, or the stall before it
 };
 
-/// A limit of one canard far off, which depends on this rule.
-[[nodiscard]] bool is_of_one_canard(const KnownLimit& limit);
-
-/// Of a cell that such a limit excuses: the rule's sentence, and what became of its worst flight when that was flown
-/// again with the nearest stop. Empty: of any other cell.
+/// Of a cell with a limit of one canard: the rule's sentence where it is broken, and what became of the worst red
+/// flight when that was flown again with the nearest stop. Empty: of any other cell.
 [[nodiscard]] std::string about_stop(const CellResult& cell, const Twins& twins);
 
 }  // namespace fantail::faults
