@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -105,6 +106,21 @@ TEST_F(FaultCampaign, ARunAloneIsTheRunOfTheCampaign) {
   const Alone alone = fly_alone(campaign, "arm_switch/open/launched", worst.number);
   EXPECT_EQ(alone.findings.outcome(alone.expected), worst.outcome);
   EXPECT_NEAR(alone.findings.apart_deg, worst.apart_deg, 0.0005);
+}
+
+// 30 ms are shorter than what disarms, and a contact that never settles was never closed.
+TEST(FaultCampaignOfSwitches, OneThatChattersDisarmsNoRocketAndArmsNone) {
+  Campaign campaign = resets();
+  campaign.fault = "chatters";
+  const auto outcome = [&](const char* phase, std::uint64_t run) {
+    campaign.phase = phase;
+    const Alone alone = fly_alone(campaign, fmt::format("arm_switch/chatters/{}", phase), run);
+    EXPECT_EQ(alone.judged.colour, Colour::green) << phase << ' ' << run;
+    return alone.findings.outcome(alone.expected);
+  };
+  EXPECT_EQ(outcome("pad", 0), Outcome::not_armed);
+  EXPECT_EQ(outcome("armed", 0), Outcome::holds);
+  EXPECT_EQ(outcome("launched", 0), Outcome::holds);
 }
 
 TEST(FaultOnsets, OfAPhaseWithoutThreeStepsAreAllOfThemAndThePageSaysNoMore) {

@@ -171,7 +171,7 @@ constexpr auto others = std::to_array<FaultRow>({
 
   {"arm_switch", "open", "opens", broken(Device::arm_switch, Behaviour::dead), {unfit, never, not_seen_or_holds, holds_on, stays}},
   {"arm_switch", "stuck", "stays as it stands", broken(Device::arm_switch, Behaviour::stuck), harmless},
-  {"arm_switch", "chatters", "open for 30 ms of 60", again(Device::arm_switch, Behaviour::dead, 0.03, 0.03), {any_of(not_armed, no_control, holds), never, not_seen_or_holds, holds_on, stays}},
+  {"arm_switch", "chatters", "open for 30 ms of 60", again(Device::arm_switch, Behaviour::dead, 0.03, 0.03), harmless},
   {"arm_switch", "open_50ms", "open for 50 ms", for_s(Device::arm_switch, 0.05), {any_of(not_armed, no_control, holds), never, not_seen_or_holds, holds_on, stays}},
 
   {"memory", "flight_law", "one bit of the flight law flips", broken(Device::memory, Behaviour::law_bit_flipped), {whatever, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays}},
