@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -73,7 +72,7 @@ class SvgPlot {
 
   template <typename... T>
   void add(fmt::format_string<T...> format, T&&... values) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<T>(values)...);
+    text_ += fmt::format(format, std::forward<T>(values)...);
   }
 
   void begin(std::string_view kind, std::string_view label, double width, double height);
