@@ -183,6 +183,12 @@ TEST(Parse, SaysWhereTextIsNoJson) {
   EXPECT_NE(message_of([] { return parse("[1,\n 2 3]"); }).find("line 2, column 4"), std::string::npos);
 }
 
+TEST(Parse, RepeatsLittleOfWhatIsNoJson) {
+  for (const std::string& text : {'"' + std::string(100'000, 'a'), std::string(100'000, '9')}) {
+    EXPECT_LE(message_of([&] { return parse(text); }).size(), 300U);
+  }
+}
+
 TEST(Parse, OfTwoMembersWithOneNameTheLastCounts) { EXPECT_EQ(parse(R"({"a":1,"a":2})").dump(), R"({"a":2})"); }
 
 TEST(Parse, RefusesANestWithoutEnd) {

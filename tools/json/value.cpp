@@ -212,7 +212,7 @@ Value parse(std::string_view text) {
   try {
     return Nlohmann::to(Theirs::parse(text));
   } catch (const Theirs::exception& error) {
-    throw Error{error.what()};
+    throw Error{std::string{error.what()}.substr(0, 300)};  // it repeats what it has read, to the end of the file
   }
 }
 
