@@ -10,8 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include <unistd.h>
-
 #include "airframe/openrocket/read.hpp"
 #include "chosen_input.hpp"
 #include "core/flight_plan_fields.hpp"
@@ -21,34 +19,26 @@
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
+#include "input_file.hpp"
 
 namespace fantail::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The readers take files: in memory where there is such a folder.
-fs::path file(std::string_view bytes, const char* ending) {
-  static const fs::path folder = [] {
-    const fs::path place = fs::is_directory("/dev/shm") ? fs::path{"/dev/shm"} : fs::temp_directory_path();
-    const fs::path made = place / ("fantail_fuzz_" + std::to_string(::getpid()));
-    fs::create_directories(made);
-    return made;
-  }();
-  fs::path path = folder / (std::string{"x"} + ending);
-  std::ofstream{path, std::ios::binary}.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return path;
-}
-
 // The first byte chooses what the rest is.
 void read(std::uint8_t choice, std::string_view bytes) {
   switch (choice % 5) {
-    case 0: require(!core::validate(input::read_plan(input::Document::load(file(bytes, ".toml").string())))); return;
-    case 1: require(input::read_vehicle(input::Document::load(file(bytes, ".toml").string())).mass_kg > 0.0); return;
-    case 2: require(!core::validate(input::load_scenario(file(bytes, ".toml").string(), {}).plan)); return;
-    case 3: require(input::load_rasp(file(bytes, ".eng")).curve.impulse_n_s() > 0.0); return;
+    case 0:
+      require(!core::validate(input::read_plan(input::Document::load(input_file(bytes, "x.toml").string()))));
+      return;
+    case 1:
+      require(input::read_vehicle(input::Document::load(input_file(bytes, "x.toml").string())).mass_kg > 0.0);
+      return;
+    case 2: require(!core::validate(input::load_scenario(input_file(bytes, "x.toml").string(), {}).plan)); return;
+    case 3: require(input::load_rasp(input_file(bytes, "x.eng")).curve.impulse_n_s() > 0.0); return;
     default: {
-      const auto design = airframe::openrocket::read_design(file(bytes, ".ork"));
+      const auto design = airframe::openrocket::read_design(input_file(bytes, "x.ork"));
       require(std::ranges::all_of(design.not_used, is_sentence) && std::ranges::all_of(design.assumed, is_sentence));
     }
   }

@@ -6,35 +6,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include "campaign/stored_parts.hpp"
 #include "chosen_input.hpp"
 #include "flight/flight.hpp"
 #include "identify/result/validation_findings.hpp"
+#include "input_file.hpp"
 #include "json/value.hpp"
 #include "report/summary_json.hpp"
 
 namespace fantail::fuzz {
 namespace {
 
-namespace fs = std::filesystem;
-
-fs::path file(const std::string& bytes) {
-  static const fs::path folder = [] {
-    const fs::path place = fs::is_directory("/dev/shm") ? fs::path{"/dev/shm"} : fs::temp_directory_path();
-    const fs::path made = place / ("fantail_json_fuzz_" + std::to_string(::getpid()));
-    fs::create_directories(made);
-    return made;
-  }();
-  const fs::path path = folder / "x.json";
-  std::ofstream{path, std::ios::binary}.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return path;
-}
+std::filesystem::path file(const std::string& bytes) { return input_file(bytes, "x.json"); }
 
 void parse(const std::string& bytes) {
   try {
