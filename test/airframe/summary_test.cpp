@@ -11,6 +11,7 @@
 #include "input/document.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
+#include "json/value.hpp"
 
 namespace fantail::airframe {
 namespace {
@@ -72,6 +73,36 @@ TEST(Stability, IsUnsureWhereTheMethodsErrorReachesTheCentreOfGravityAndRefusedB
   EXPECT_NE(with_gravity_at(0.98).sentence.find("Not sure to be stable"), std::string::npos);
   EXPECT_NE(with_gravity_at(1.02).sentence.find("Not sure to be stable"), std::string::npos);
   EXPECT_EQ(with_gravity_at(1.04).stability, Stability::unstable);
+}
+
+// Where they differ beyond the method's error, nobody may read the shape's margin alone. Of the file it is
+// (0.5 - 0.9) / 0.08 = -5 calibres, with 0.99 m 1.12 at lift-off, with 1.12 m 2.75.
+TEST(Stability, OfTheFilesOwnCentreOfPressureIsInTheHeadlineWhereTheShapeContradicts) {
+  sim::Vehicle rocket = vehicle("tasha3_launch2");
+  const auto with_pressure_at = [&](double position_m) {
+    rocket.airframe->centre_of_pressure_m = position_m;
+    return summarize(rocket);
+  };
+  const Summary in_front = with_pressure_at(0.5);
+  EXPECT_EQ(in_front.stability, Stability::unstable);
+  EXPECT_TRUE(
+      in_front.sentence.starts_with("Unstable, and doubtful: by the file's centre of pressure, which flights "
+                                    "use, the static margin is -5.00 calibres at lift-off"))
+      << in_front.sentence;
+  EXPECT_NE(html(rocket, in_front).find("class=\"verdict bad"), std::string::npos);
+  EXPECT_EQ(json::parse(json(rocket, in_front))["stability"], "unstable");
+  const Summary far_behind = with_pressure_at(1.12);
+  EXPECT_EQ(far_behind.stability, Stability::doubtful);
+  EXPECT_TRUE(far_behind.sentence.starts_with("Doubtful: ")) << far_behind.sentence;
+  EXPECT_NE(far_behind.sentence.find("2.75 calibres at lift-off"), std::string::npos) << far_behind.sentence;
+  EXPECT_NE(html(rocket, far_behind).find("class=\"verdict unsure"), std::string::npos);
+  EXPECT_EQ(with_pressure_at(0.99).stability, Stability::stable);
+  rocket.airframe->at_liftoff.centre_of_gravity_m = 1.1;  // behind all that the shape gives
+  const Summary by_shape = with_pressure_at(1.3);
+  EXPECT_EQ(by_shape.stability, Stability::unstable);
+  EXPECT_TRUE(by_shape.sentence.starts_with("Unstable, and doubtful: ")) << by_shape.sentence;
+  const Summary by_both = with_pressure_at(0.5);
+  EXPECT_TRUE(by_both.sentence.starts_with("Unstable: ")) << by_both.sentence;
 }
 
 TEST(Stability, IsNotJudgedWithoutACentreOfGravity) {

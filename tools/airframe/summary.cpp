@@ -175,6 +175,32 @@ void judge(Summary& summary, const sim::Vehicle& vehicle) {
   }
 }
 
+/// What flights use and what its shape gives are of one rocket: a margin of the shape alone must not be the verdict.
+void judge_by_file(Summary& summary, const sim::Vehicle& vehicle) {
+  const Estimate& shape = summary.build_up.centre_of_pressure_m;
+  if (!vehicle.airframe ||
+      (vehicle.airframe->centre_of_pressure_m >= shape.low && vehicle.airframe->centre_of_pressure_m <= shape.high)) {
+    return;
+  }
+  const sim::Airframe& file = *vehicle.airframe;
+  const bool is_at_liftoff = file.at_liftoff.centre_of_gravity_m >= file.after_burnout.centre_of_gravity_m;
+  const double margin_m = sim::static_margin_m(file, is_at_liftoff ? file.at_liftoff : file.after_burnout);
+  const bool shape_is_unstable = summary.stability == Stability::unstable;
+  const bool file_is_unstable = margin_m <= 0.0;
+  const char* const word = shape_is_unstable && file_is_unstable   ? "Unstable"
+                           : shape_is_unstable || file_is_unstable ? "Unstable, and doubtful"
+                                                                   : "Doubtful";
+  const double gravity_m = file.centre_of_pressure_m - margin_m;
+  const double calibre_m = vehicle.geometry->diameter_m;
+  summary.stability = shape_is_unstable || file_is_unstable ? Stability::unstable : Stability::doubtful;
+  summary.sentence = fmt::format(
+      "{}: by the file's centre of pressure, which flights use, the static margin is {} calibres {}; by the shape it "
+      "is {} ({} to {}). Measure the centre of pressure, or correct the file.",
+      word, fixed(margin_m / calibre_m, 2), is_at_liftoff ? "at lift-off" : "after burn-out",
+      fixed((shape.value - gravity_m) / calibre_m, 2), fixed((shape.low - gravity_m) / calibre_m, 2),
+      fixed((shape.high - gravity_m) / calibre_m, 2));
+}
+
 /// One rocket has one diameter and one length.
 void compare_sizes(Summary& summary, const sim::Vehicle& vehicle) {
   constexpr double a_millimetre_m = 0.001;
@@ -226,6 +252,7 @@ Summary summarize(const sim::Vehicle& vehicle) {
   add_body(summary, vehicle);
   add_masses(summary, vehicle);
   judge(summary, vehicle);
+  judge_by_file(summary, vehicle);
   compare_with_design(summary, vehicle);
   add_roll(summary, vehicle);
   compare(summary);
