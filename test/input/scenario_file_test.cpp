@@ -198,5 +198,19 @@ TEST(WrongTrim, IsRefusedBeyondTheStop) {
             std::string::npos);
 }
 
+TEST(Stability, SaysWhereTheCentreOfPressureOfARocketThatIsNotStableIs) {
+  const auto warnings = [](const std::string& position_m) {
+    const std::vector<Override> changes{parse_override("airframe.centre_of_gravity_after_burnout_m=0.8"),
+                                        parse_override("airframe.centre_of_pressure_m=" + position_m)};
+    return load_scenario("tasha3_launch2", changes).warnings;
+  };
+  EXPECT_EQ(warnings("0.901"), std::vector<std::string>{});
+  EXPECT_EQ(warnings("0.9"), std::vector<std::string>{"The rocket is not stable at lift-off: its centre of pressure is "
+                                                      "at its centre of gravity."});
+  EXPECT_EQ(warnings("0.88"), std::vector<std::string>{"The rocket is unstable at lift-off: its centre of pressure is "
+                                                       "20 mm in front of its centre of gravity."});
+  EXPECT_EQ(warnings("0.7").size(), 2U);
+}
+
 }  // namespace
 }  // namespace fantail::input

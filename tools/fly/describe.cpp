@@ -14,11 +14,21 @@
 namespace fantail::fly {
 namespace {
 
+// Less than this is little, by the usual rule of thumb.
+constexpr double usual_margin_calibres = 1.0;
+
+bool has_little_margin(const sim::Airframe& airframe) {
+  return std::min(static_margin_m(airframe, airframe.at_liftoff), static_margin_m(airframe, airframe.after_burnout)) <
+         usual_margin_calibres * airframe.diameter_m;
+}
+
 std::string static_margins(const sim::Airframe& airframe) {
   const double full_m = static_margin_m(airframe, airframe.at_liftoff);
   const double empty_m = static_margin_m(airframe, airframe.after_burnout);
+  const auto rounded = [](double value) { return std::round(value) + 0.0; };  // without a minus in front of a zero
   return fmt::format("Static margin: {:.0f} mm ({:.1f} calibres) at lift-off, {:.0f} mm ({:.1f}) after burn-out.",
-                     1e3 * full_m, full_m / airframe.diameter_m, 1e3 * empty_m, empty_m / airframe.diameter_m);
+                     rounded(1e3 * full_m), 0.1 * rounded(10.0 * full_m / airframe.diameter_m), rounded(1e3 * empty_m),
+                     0.1 * rounded(10.0 * empty_m / airframe.diameter_m));
 }
 
 /// The sentences of vehicle and scenario are anybody's words: nobody can tell which of them are about the path.
@@ -88,6 +98,10 @@ flight::Flight describe(const sim::Scenario& scenario) {
     flight.wind = {.speed_m_s = scenario.wind.speed_m_s,
                    .from_rad = scenario.wind.from_rad,
                    .height_m = scenario.wind.reference_height_m};
+  }
+  if (scenario.motion == sim::FlightMotion::straight && !scenario.path && !flight.tunnel && scenario.vehicle.airframe &&
+      has_little_margin(*scenario.vehicle.airframe)) {
+    flight.notes.push_back(static_margins(*scenario.vehicle.airframe));
   }
   for (const sim::Fault& fault : scenario.faults) {
     flight.notes.push_back(fault_text(fault, scenario));

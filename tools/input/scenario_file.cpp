@@ -65,18 +65,26 @@ void check_surroundings(const Document& document, const sim::Scenario& scenario)
 }
 
 void warn_of_instability(sim::Scenario& scenario) {
+  constexpr double no_distance_m = 1e-6;
   const sim::Airframe& airframe = *scenario.vehicle.airframe;
   for (const auto& [mass, when] :
        {std::pair{airframe.at_liftoff, "at lift-off"}, {airframe.after_burnout, "after burn-out"}}) {
-    if (const double margin_m = static_margin_m(airframe, mass); margin_m <= 0.0) {
+    const double margin_m = static_margin_m(airframe, mass);
+    if (margin_m <= -no_distance_m) {
       scenario.warnings.push_back("The rocket is unstable " + std::string{when} + ": its centre of pressure is " +
                                   about(-1e3 * margin_m) + " mm in front of its centre of gravity.");
+    } else if (margin_m <= 0.0) {
+      scenario.warnings.push_back("The rocket is not stable " + std::string{when} +
+                                  ": its centre of pressure is at its centre of gravity.");
     }
   }
 }
 
 // What is not simulated along a straight line must not look as if it were.
 void check_motion(const Document& document, const Document& vehicle, sim::Scenario& scenario) {
+  if (scenario.vehicle.airframe && scenario.surroundings == sim::Surroundings::flight) {
+    warn_of_instability(scenario);
+  }
   if (scenario.motion == sim::FlightMotion::six_dof) {
     const Section flight{document, "flight"};
     if (scenario.surroundings != sim::Surroundings::flight) {
@@ -86,7 +94,6 @@ void check_motion(const Document& document, const Document& vehicle, sim::Scenar
       flight.refuse("motion", "= \"six_dof\" needs the section [airframe], which the vehicle does not have");
     }
     check_balance(vehicle, scenario.vehicle);
-    warn_of_instability(scenario);
     return;
   }
   const auto refuse = [&](const char* name, std::initializer_list<const char*> keys) {
