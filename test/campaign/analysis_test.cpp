@@ -123,6 +123,15 @@ TEST(CampaignReport, BeginsWithTheRunsThatAreFasterThanTheModelHoldsForWhateverI
     run.figures[top_mach_column] = 0.79;
   }
   EXPECT_FALSE(headline(report).starts_with("Outside"));
+  for (FlownRun& run : report.flown.runs) {
+    run.figures[top_mach_column + 1] = run.run < 7 ? -0.25 : 0.1;
+    run.figures[top_mach_column + 2] = run.run < 9 ? 15.1 : 14.9;
+  }
+  EXPECT_TRUE(headline(report).starts_with(
+      "Outside the model: 7 of 60 runs are not stable, with a static margin down to -0.25 calibres; 9 of 60 runs meet "
+      "the air at more than 15 deg, with an angle of attack of up to 15.1 deg under control. "))
+      << headline(report);
+  EXPECT_NE(report_json(report).find("\"runs_outside_model\": 9"), std::string::npos);
 }
 
 TEST(CampaignReport, CountsRunsWithoutAFlightAsNotMetAndNamesThem) {

@@ -54,7 +54,9 @@ TEST(Question, SaysWhatIsAllowed) {
   EXPECT_NE(refusal("outcome=good").find("\"outcome=good\" is not a question; allowed: outcome=held, outcome=not_held"),
             std::string::npos)
       << refusal("outcome=good");
-  EXPECT_NE(refusal("apogee>=3").find("apogee_m, rest_error_deg, top_mach with >= or <= and a number"),
+  EXPECT_NE(refusal("apogee>=3")
+                .find("apogee_m, rest_error_deg, top_mach, static_margin_calibres, angle_of_attack_deg with >= or <= "
+                      "and a number"),
             std::string::npos);
   for (const char* text : {"", "apogee_m", "apogee_m=3", "apogee_m>3", "apogee_m>=", "apogee_m>=nan", "apogee_m>=3m"}) {
     EXPECT_NE(refusal(text).find("is not a question; allowed: "), std::string::npos) << text;

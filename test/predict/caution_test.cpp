@@ -50,7 +50,7 @@ TEST(Caution, FasterThanTheModelHoldsForIsNotJudgedAndNoGo) {
   p.outside_model = 200;
   for (predict::Run& run : p.runs) {
     run.outcome = report::Outcome::outside_model;
-    run.top_mach = 1.27;
+    run.extremes.top_mach = 1.27;
   }
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
@@ -60,6 +60,72 @@ TEST(Caution, FasterThanTheModelHoldsForIsNotJudgedAndNoGo) {
       "roll ends there.");
   EXPECT_EQ(judgement_of(d, "model"), Judgement::not_judged);
   EXPECT_EQ(judgement_of(d, "held"), Judgement::not_judged);
+}
+
+// An unstable rocket has no pitch frequency, so that nothing is near a resonance: it must not look better for that.
+TEST(Caution, ARocketThatIsNotStableIsNotJudgedAndNoGo) {
+  Prediction p = all_held();
+  p.held = share(0, 200);
+  p.outside_model = 200;
+  for (predict::Run& run : p.runs) {
+    run.outcome = report::Outcome::outside_model;
+    run.extremes.static_margin_calibres = -5.0;
+  }
+  const Decision d = decide(p, {});
+  EXPECT_FALSE(d.go);
+  EXPECT_EQ(d.text,
+            "No go: outside the model: 200 of 200 runs are not stable, with a static margin down to -5.00 calibres, "
+            "and the simulation of roll ends there.");
+  EXPECT_EQ(judgement_of(d, "model"), Judgement::not_judged);
+  EXPECT_EQ(judgement_of(d, "held"), Judgement::not_judged);
+}
+
+// The wind of a run is drawn: one that blows hard counts as one that is not held, as any other loss.
+TEST(Caution, AFewRunsInAirFromTheSideAreACautionAndManyNoGo) {
+  Prediction p = all_held();
+  const auto blown = [&p](std::size_t runs) {
+    for (std::size_t i = 0; i < runs; ++i) {
+      p.runs[i].outcome = report::Outcome::outside_model;
+      p.runs[i].extremes.angle_of_attack_rad = text::radians(20.3);
+    }
+    p.outside_model = runs;
+    p.held = share(200 - runs, 200);
+    return decide(p, {});
+  };
+  const Decision few = blown(2);
+  EXPECT_EQ(few.heading(), "Go with caution");
+  EXPECT_TRUE(
+      few.text.ends_with("; but outside the model: 2 of 200 runs meet the air at more than 15 deg, with an "
+                         "angle of attack of up to 20.3 deg under control, and the simulation of roll ends "
+                         "there."))
+      << few.text;
+  EXPECT_FALSE(blown(60).go);
+  EXPECT_EQ(judgement_of(blown(60), "model"), Judgement::not_judged);
+}
+
+TEST(Caution, AGoWithLittleStaticMarginSaysSoInItsHeadline) {
+  Prediction p = all_held();
+  for (predict::Run& run : p.runs) {
+    run.extremes.static_margin_calibres = 0.25;
+  }
+  const Decision d = decide(p, {});
+  EXPECT_EQ(d.heading(), "Go with caution");
+  EXPECT_TRUE(d.text.ends_with("; but the static margin is down to 0.25 calibres, and 1 is usual.")) << d.text;
+  for (predict::Run& run : p.runs) {
+    run.extremes.static_margin_calibres = 1.0;
+  }
+  EXPECT_EQ(decide(p, {}).heading(), "Go");
+}
+
+TEST(Caution, AGoOfARocketWithoutAirframeSaysWhatIsUnknown) {
+  Prediction p = all_held();
+  p.flown.vehicle.airframe.reset();
+  const Decision d = decide(p, {});
+  EXPECT_EQ(d.heading(), "Go with caution");
+  EXPECT_TRUE(
+      d.text.ends_with("; but static margin and roll resonance are unknown, because the vehicle has no "
+                       "[airframe]."))
+      << d.text;
 }
 
 TEST(Caution, AGoNearRollResonanceSaysSoInItsHeadline) {

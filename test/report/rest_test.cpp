@@ -98,7 +98,7 @@ TEST(Rest, ATimeThatIsLittleBesideThatUnderControlIsSaid) {
 
 TEST(Rest, FasterThanTheModelHoldsForIsAmberAndInTheHeadline) {
   SyntheticFlight synthetic;
-  synthetic.flight.top_mach = 1.27;
+  synthetic.flight.extremes.top_mach = 1.27;
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::outside_model);
   EXPECT_EQ(tone(v), page::Tone::unsure);
@@ -107,13 +107,56 @@ TEST(Rest, FasterThanTheModelHoldsForIsAmberAndInTheHeadline) {
                          "Steady, 10.0 deg from the command: roll stayed"))
       << v.text;
   EXPECT_EQ(summary_json_of(synthetic.flight)["top_mach"], 1.27);
-  synthetic.flight.top_mach = 0.8;
+  synthetic.flight.extremes.top_mach = 0.8;
   EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
   // What is red for another reason stays so, and says it all the same.
-  synthetic.flight.top_mach = 0.81;
+  synthetic.flight.extremes.top_mach = 0.81;
   synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
   EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::not_held);
   EXPECT_TRUE(verdict_of(synthetic.flight).text.starts_with("Outside the model: up to Mach 0.81"));
+}
+
+TEST(Rest, ARocketThatIsNotStableIsAmberAndInTheHeadline) {
+  SyntheticFlight synthetic;
+  synthetic.flight.extremes.static_margin_calibres = -5.0;
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::outside_model);
+  EXPECT_EQ(tone(v), page::Tone::unsure);
+  EXPECT_TRUE(
+      v.text.starts_with("Outside the model: not stable, with a static margin down to -5.00 calibres, and the "
+                         "simulation of roll holds for a stable rocket. Steady, 10.0 deg"))
+      << v.text;
+  EXPECT_EQ(summary_json_of(synthetic.flight)["static_margin_calibres"], -5.0);
+  synthetic.flight.extremes.static_margin_calibres = -0.001;
+  EXPECT_NE(verdict_of(synthetic.flight).text.find("down to 0.00 calibres"), std::string::npos);
+  synthetic.flight.extremes.static_margin_calibres = 0.0;
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::outside_model);
+  synthetic.flight.extremes.static_margin_calibres = 0.01;
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
+  // Red for another reason, it says so all the same.
+  synthetic.flight.extremes.static_margin_calibres = -5.0;
+  synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::not_held);
+  EXPECT_TRUE(verdict_of(synthetic.flight).text.starts_with("Outside the model: not stable"));
+}
+
+TEST(Rest, AirThatMeetsTheRocketBeyondItsStallUnderControlIsAmberAndInTheHeadline) {
+  SyntheticFlight synthetic;
+  synthetic.flight.extremes.angle_of_attack_rad = text::radians(20.3);
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::outside_model);
+  EXPECT_TRUE(
+      v.text.starts_with("Outside the model: with an angle of attack of up to 20.3 deg under control, and the "
+                         "simulation of roll holds to 15 deg. Steady, 10.0 deg"))
+      << v.text;
+  EXPECT_EQ(summary_json_of(synthetic.flight)["angle_of_attack_deg"], 20.3);
+  synthetic.flight.extremes.angle_of_attack_rad = text::radians(14.9);
+  EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::held);
+  synthetic.flight.extremes = {
+      .top_mach = 1.27, .static_margin_calibres = -5.0, .angle_of_attack_rad = text::radians(20.0)};
+  EXPECT_TRUE(verdict_of(synthetic.flight)
+                  .text.starts_with("Outside the model: up to Mach 1.27, and the simulation of roll holds to Mach 0.8; "
+                                    "not stable, with"));
 }
 
 TEST(Rest, EveryOutcomeHasAWordForFilesAndOneForReaders) {

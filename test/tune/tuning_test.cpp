@@ -79,5 +79,15 @@ TEST(Tuning, WithoutAirIsRefused) {
   EXPECT_THROW((void)tune(input::load_scenario("gimbal", {}), {}, look_away), text::Error);
 }
 
+TEST(Tuning, OfARocketThatIsNotStableSaysSoFirst) {
+  Tuning tuning;
+  EXPECT_EQ(model_sentence(tuning), "");
+  tuning.pairs.resize(2);
+  tuning.pairs[1].after.extremes.static_margin_calibres = -5.0;
+  EXPECT_EQ(model_sentence(tuning),
+            "Outside the model: not stable, with a static margin down to -5.00 calibres, and the simulation of roll "
+            "holds for a stable rocket.");
+}
+
 }  // namespace
 }  // namespace fantail::tune

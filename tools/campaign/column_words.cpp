@@ -20,6 +20,7 @@ std::string take_unit(std::string& name) {
   // One that ends as another does stands before it.
   constexpr auto units = std::to_array<std::pair<std::string_view, std::string_view>>({
       {"_n_m_per_rad", "N m/rad"},
+      {"_calibres", "calibres"},
       {"_kg_m3", "kg/m3"},
       {"_kg_m2", "kg m2"},
       {"_n_m_s", "N m s"},

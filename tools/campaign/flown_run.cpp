@@ -34,7 +34,9 @@ void take_figures(FlownRun& flown, const JudgedFlight& judged) {
                    figures.max_speed_m_s,
                    figures.apogee_m,
                    degrees(figures.rest_error_rad),
-                   judged.flight.top_mach};
+                   judged.flight.extremes.top_mach,
+                   judged.flight.extremes.static_margin_calibres,
+                   degrees(judged.flight.extremes.angle_of_attack_rad)};
   for (std::size_t i = 0; i < flown.figures.size(); ++i) {
     if (flown.figures[i] && !std::isfinite(*flown.figures[i])) {
       flown.outcome = "not_finite";
@@ -77,6 +79,15 @@ bool is_outcome(std::string_view word) {
 }
 
 }  // namespace
+
+flight::Extremes extremes_of(const FlownRun& run) {
+  flight::Extremes extremes{.top_mach = run.figures[top_mach_column],
+                            .static_margin_calibres = run.figures[top_mach_column + 1]};
+  if (const auto& attack_deg = run.figures[top_mach_column + 2]) {
+    extremes.angle_of_attack_rad = text::radians(*attack_deg);
+  }
+  return extremes;
+}
 
 FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_t master_seed, std::uint64_t run) {
   Draw draw = drawer.draw(run);

@@ -15,11 +15,12 @@
 namespace fantail::campaign {
 
 /// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
-inline constexpr std::array<std::string_view, 9> figure_columns{
+inline constexpr std::array<std::string_view, 11> figure_columns{
     "largest_hold_error_deg", "saturated_share", "authority_margin_deg", "control_time_s", "control_start_height_m",
-    "top_speed_m_s",          "apogee_m",        "rest_error_deg",       "top_mach"};
-/// The place of the last of them.
-inline constexpr std::size_t top_mach_column = figure_columns.size() - 1;
+    "top_speed_m_s",          "apogee_m",        "rest_error_deg",       "top_mach",       "static_margin_calibres",
+    "angle_of_attack_deg"};
+/// The place of the first of the last three, which are flight::Extremes.
+inline constexpr std::size_t top_mach_column = figure_columns.size() - 3;
 
 /// One flight of a campaign, as it stands in a row.
 struct FlownRun {
@@ -35,6 +36,8 @@ struct FlownRun {
 
   friend bool operator==(const FlownRun&, const FlownRun&) = default;
 };
+
+[[nodiscard]] flight::Extremes extremes_of(const FlownRun& run);
 
 /// Flies one run of a campaign. `files` are those of its scenario; they are left with what this run drew, and every run
 /// of a campaign replaces the same values. What the files refuse makes no exception but a run that says so. Throws

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "campaign/results.hpp"
-#include "flight/flight.hpp"
+#include "flight/model_end.hpp"
 #include "text/number.hpp"
 #include "text/table.hpp"
 
@@ -60,27 +60,22 @@ void add_count(std::vector<std::string>& all, const Report& report, std::string_
   }
 }
 
+std::vector<flight::Extremes> extremes_of_all(const Report& report) {
+  std::vector<flight::Extremes> all;
+  std::ranges::transform(report.flown.runs, std::back_inserter(all), extremes_of);
+  return all;
+}
+
 /// Empty where no run is.
 std::string outside_the_model(const Report& report) {
-  const std::size_t count = runs_outside_the_model(report);
-  if (count == 0) {
-    return {};
-  }
-  double top_mach = 0.0;
-  for (const FlownRun& run : report.flown.runs) {
-    top_mach = std::max(top_mach, run.figures[top_mach_column].value_or(0.0));
-  }
-  return fmt::format("Outside the model: {} of {} are faster than Mach {}, up to Mach {}. ", count,
-                     runs(report.flown.runs.size()), text::brief(flight::model_ends_at_mach, 2),
-                     text::fixed(top_mach, 2));
+  const std::string which = flight::which_are_beyond(extremes_of_all(report));
+  return which.empty() ? "" : fmt::format("Outside the model: {}. ", which);
 }
 
 }  // namespace
 
 std::size_t runs_outside_the_model(const Report& report) {
-  return static_cast<std::size_t>(std::ranges::count_if(report.flown.runs, [](const FlownRun& run) {
-    return run.figures[top_mach_column].value_or(0.0) > flight::model_ends_at_mach;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(extremes_of_all(report), flight::is_beyond_model));
 }
 
 std::string headline(const Report& report) {

@@ -149,16 +149,16 @@ sim::Vehicle write(const std::filesystem::path& folder, const std::vector<text::
   }
 }
 
-/// What a first flight of the new rocket shows that it is too fast for; empty: nothing, or it cannot be flown yet.
+/// How far a first flight of the new rocket is beyond the model; empty: nowhere, or it cannot be flown yet.
 std::string beyond_the_model(const std::filesystem::path& scenario) {
   try {
     const flight::Flight flown =
         fly::fly_without_rows(input::load_scenario(scenario.string(), {}), [](const auto&, const auto&) {});
-    if (flown.top_mach.value_or(0.0) > flight::model_ends_at_mach) {
-      return fmt::format(
-          "Outside the model: its first flight reaches Mach {:.2f}, and the simulation of roll holds to Mach {:g}. No "
-          "verdict on its roll will be green; a weaker motor or more mass keeps it slower.\n",
-          *flown.top_mach, flight::model_ends_at_mach);
+    if (const std::string beyond = flight::how_far_beyond(flown.extremes); !beyond.empty()) {
+      return fmt::format("Outside the model: in its first flight {}. No verdict on its roll will be green{}.\n", beyond,
+                         flight::is_beyond(flight::ModelEnd::mach, flown.extremes)
+                             ? "; a weaker motor or more mass keeps it slower"
+                             : "");
     }
   } catch (const text::Error&) {
     // fly says what is wrong with it

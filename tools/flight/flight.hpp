@@ -14,6 +14,7 @@
 #include "core/tick_record.hpp"
 #include "flight/before_burnout.hpp"
 #include "flight/free_roll.hpp"
+#include "flight/model_end.hpp"
 #include "flight/path.hpp"
 #include "flight/turning.hpp"
 
@@ -115,9 +116,6 @@ struct Unmeasured {
   std::optional<double> speed_bound_from_s{};  ///< from here on the estimates of height and speed are lower bounds
 };
 
-/// Above this nothing in the simulation of roll holds: its coefficients are for slower air.
-inline constexpr double model_ends_at_mach = 0.8;
-
 /// How far the roll loop is from oscillating at one air speed; see stability::Margins.
 struct LoopMargin {
   double speed_m_s = 0.0;
@@ -198,7 +196,7 @@ struct Flight {
   /// Empty: the vehicle does not say where its canards are.
   std::optional<double> side_moment_m3;
   double rest_limit_rad = 10.0 * std::numbers::pi / 180.0;  ///< farther from R than this the roll may not rest
-  std::optional<double> top_mach;                           ///< of a simulated one, not in the tunnel
+  Extremes extremes{};                                      ///< of a simulated one, not in the tunnel
   std::vector<Row> rows;
   Clock clock{};                               ///< that set_time_zero() has put all times by
   std::optional<double> last_tick_s{};         ///< that note_tick() was given

@@ -235,7 +235,7 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   }
   flight::set_time_zero(flight, zero_s);
   flight.loop_margins = loop_margins(scenario, watches.speeds.take());
-  flight.top_mach = flight.tunnel ? std::nullopt : std::optional{watches.limits.top_mach()};
+  flight.extremes = flight.tunnel ? flight::Extremes{} : watches.limits.extremes(flight);
   for (std::string& sentence : watches.limits.gone_beyond(flight)) {
     flight.notes.push_back(std::move(sentence));
   }

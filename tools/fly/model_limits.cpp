@@ -16,8 +16,6 @@ namespace {
 
 constexpr double largest_constant_mach = 0.7;
 static_assert(flight::model_ends_at_mach == sim::highest_mach_of_prandtl_glauert);
-// Where a vehicle does not say it, canards stall at about 15 degrees to the flow, of which the plan's limit is a part.
-constexpr double usual_stall_rad = 15.0 * sim::radians_per_degree;
 
 double degrees(double radians) { return radians / sim::radians_per_degree; }
 
@@ -105,13 +103,14 @@ std::optional<std::string> strong_motor(const sim::Scenario& scenario, double la
                      scenario.vehicle.accelerometer.full_scale_m_s2 / sim::gravity_m_s2);
 }
 
-/// Where the rocket was at least as fast as at the end of its guide, from there to apogee.
-const flight::PathPoint* largest_angle_of_attack(const flight::Flight& flight, const flight::PathPoint& exit) {
+/// Where the rocket was at least as fast as at a beginning, from there to an end.
+const flight::PathPoint* largest_angle_of_attack(const flight::Flight& flight, const flight::PathPoint& begin,
+                                                 const std::optional<double>& end_s) {
   const auto speed_m_s = [](const flight::PathPoint& p) { return std::hypot(p.north_m_s, p.east_m_s, p.up_m_s); };
-  const flight::PathPoint* largest = &exit;
+  const flight::PathPoint* largest = &begin;
   for (const flight::PathPoint& point : flight.path) {
-    const bool counts = point.time_s >= exit.time_s && point.time_s <= flight.events.apogee_s.value_or(point.time_s) &&
-                        speed_m_s(point) >= speed_m_s(exit);
+    const bool counts = point.time_s >= begin.time_s && point.time_s <= end_s.value_or(point.time_s) &&
+                        speed_m_s(point) >= speed_m_s(begin);
     largest = counts && point.angle_of_attack_rad > largest->angle_of_attack_rad ? &point : largest;
   }
   return largest;
@@ -127,7 +126,7 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
   std::string text;
   double angle_rad = std::atan2(scenario.wind.speed_m_s, *exit_speed_m_s);
   if (const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s)) {
-    const flight::PathPoint* largest = largest_angle_of_attack(flight, *point);
+    const flight::PathPoint* largest = largest_angle_of_attack(flight, *point, flight.events.apogee_s);
     angle_rad = largest->angle_of_attack_rad;
     text = fmt::format("The air meets the rocket at {:.0f} deg at the end of its guide",
                        degrees(point->angle_of_attack_rad));
@@ -140,7 +139,7 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
         "deg",
         scenario.wind.speed_m_s, *exit_speed_m_s, degrees(angle_rad));
   }
-  const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(usual_stall_rad);
+  const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(flight::model_ends_at_attack_rad);
   const double limit_rad = flight::canard_limit_rad(scenario.plan);
   return angle_rad <= linear_angle_rad - limit_rad
              ? text + "."
@@ -151,12 +150,35 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
                           degrees(limit_rad), degrees(linear_angle_rad));
 }
 
+/// The centre of gravity moves to one side while the motor burns, so that the least margin is at one of its ends.
+std::optional<double> least_margin_calibres(const std::optional<sim::Airframe>& airframe) {
+  return airframe ? std::optional{std::min(static_margin_m(*airframe, airframe->at_liftoff),
+                                           static_margin_m(*airframe, airframe->after_burnout)) /
+                                  airframe->diameter_m}
+                  : std::nullopt;
+}
+
+/// As wind_at_canards(), under control.
+std::optional<double> attack_under_control_rad(const sim::Scenario& scenario, const flight::Flight& flight,
+                                               const std::optional<double>& start_speed_m_s) {
+  if (scenario.path || !start_speed_m_s || !flight.events.control_start_s) {
+    return std::nullopt;
+  }
+  if (const flight::PathPoint* start = flight::point_at(flight.path, *flight.events.control_start_s)) {
+    const std::optional<double>& end_s = flight.events.control_end_s;
+    return largest_angle_of_attack(flight, *start, end_s ? end_s : flight.events.apogee_s)->angle_of_attack_rad;
+  }
+  const double wind_m_s = scenario.wind.speed_m_s;
+  return wind_m_s > 0.0 ? std::optional{std::atan2(wind_m_s, *start_speed_m_s)} : std::nullopt;
+}
+
 }  // namespace
 
 void ModelLimits::add(const flight::Row& row, const flight::Flight& so_far) {
   const double height_m = row.truth->height_m;
   const double speed_m_s = row.truth->speed_m_s;
   if (row.phase == core::Phase::controlling) {
+    start_speed_m_s_ = start_speed_m_s_.value_or(speed_m_s);
     const double density_kg_m3 =
         so_far.tunnel ? scenario_.tunnel.density_kg_m3 : scenario_.atmosphere.density_kg_m3(height_m);
     largest_dynamic_pressure_pa_ = std::max(largest_dynamic_pressure_pa_, 0.5 * density_kg_m3 * speed_m_s * speed_m_s);
@@ -169,6 +191,12 @@ void ModelLimits::add(const flight::Row& row, const flight::Flight& so_far) {
   if (so_far.events.guide_clear_s && !exit_speed_m_s_) {
     exit_speed_m_s_ = speed_m_s;
   }
+}
+
+flight::Extremes ModelLimits::extremes(const flight::Flight& flight) const {
+  return {.top_mach = top_mach_,
+          .static_margin_calibres = least_margin_calibres(scenario_.vehicle.airframe),
+          .angle_of_attack_rad = attack_under_control_rad(scenario_, flight, start_speed_m_s_)};
 }
 
 std::vector<std::string> ModelLimits::gone_beyond(const flight::Flight& flight) const {

@@ -22,8 +22,8 @@ class ModelLimits {
   /// Each row, in order, and the flight as it is known by then.
   void add(const flight::Row& row, const flight::Flight& so_far);
 
-  /// Of the air along the axis, in any row.
-  [[nodiscard]] double top_mach() const { return top_mach_; }
+  /// Of a flight, not in the tunnel, whose rows have been added; its Mach number is that of the air along the axis.
+  [[nodiscard]] flight::Extremes extremes(const flight::Flight& flight) const;
 
   /// Of a flight whose rows have been added, a sentence each.
   [[nodiscard]] std::vector<std::string> gone_beyond(const flight::Flight& flight) const;
@@ -34,7 +34,8 @@ class ModelLimits {
   double top_mach_ = 0.0;
   double speed_at_top_mach_m_s_ = 0.0;
   double largest_specific_force_m_s2_ = 0.0;
-  std::optional<double> exit_speed_m_s_{};  ///< at the end of the guide
+  std::optional<double> exit_speed_m_s_{};   ///< at the end of the guide
+  std::optional<double> start_speed_m_s_{};  ///< of control
 };
 
 }  // namespace fantail::fly

@@ -271,12 +271,15 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds, cons
   if (const auto tilt = tilt_limit(prediction)) {
     d.criteria.push_back(*tilt);
   }
-  if (const auto model = within_model(prediction)) {
+  const auto model = within_model(prediction);
+  const bool is_caution = model && d.criteria[1].judgement == Judgement::met && is_outside_by_wind_alone(prediction);
+  if (model && !is_caution) {
     d.criteria.insert(d.criteria.begin(), *model);
   }
   d.go = std::ranges::all_of(d.criteria, [](const Criterion& c) { return c.judgement == Judgement::met; });
-  if (const std::string resonance = resonance_caution(prediction); d.go && !resonance.empty()) {
-    d.cautions.push_back(resonance);
+  if (d.go) {
+    d.cautions = {is_caution ? model->clause : "", stability_caution(prediction), resonance_caution(prediction)};
+    std::erase(d.cautions, "");
   }
   d.text = fmt::format("{}: {}{}.", d.heading(), joined(d.criteria, d.go),
                        d.cautions.empty() ? "" : fmt::format("; but {}", fmt::join(d.cautions, "; ")));

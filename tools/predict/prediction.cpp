@@ -68,7 +68,7 @@ void count(Prediction& p) {
   p.not_judged = came_to(report::Outcome::not_judged);
   p.without_control = number([](const Run& run) { return !run.speed_at_control_start_m_s; });
   p.held = share(came_to(report::Outcome::held), p.runs.size());
-  p.outside_model = number([](const Run& run) { return run.top_mach > flight::model_ends_at_mach; });
+  p.outside_model = number([](const Run& run) { return flight::is_beyond_model(run.extremes); });
 }
 
 Band band(const std::vector<Run>& runs) {

@@ -71,7 +71,7 @@ struct Prediction {
   Share held{};       ///< of all runs: what cannot be judged was not seen to hold
   std::size_t not_judged = 0;
   std::size_t without_control = 0;
-  std::size_t outside_model = 0;  ///< runs that are faster than the simulation of roll holds for, whatever they came to
+  std::size_t outside_model = 0;  ///< runs that the simulation of roll does not hold for, whatever they came to
   Quantiles top_speed_m_s{};
   std::optional<Quantiles> wind_m_s{};  ///< at its reference height; in six degrees of freedom, as the next two
   std::optional<Quantiles> apogee_m{};

@@ -139,7 +139,7 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
   run.largest_hold_error_rad = figures.largest_hold_error_rad;
   run.saturated_share = figures.saturated_fraction;
   run.top_speed_m_s = figures.max_speed_m_s.value_or(0.0);
-  run.top_mach = flight.top_mach.value_or(0.0);
+  run.extremes = flight.extremes;
   run.apogee_m = figures.apogee_m;
   if (run.authority_margin_rad < 0.0) {
     const double offset_rad = track.offset_at_top_speed_rad();

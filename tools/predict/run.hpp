@@ -36,7 +36,7 @@ struct Run {
   std::optional<double> settle_reference_rad{};  ///< R then
   std::optional<double> speed_at_control_start_m_s{};
   double top_speed_m_s = 0.0;
-  double top_mach = 0.0;
+  flight::Extremes extremes{};
   std::optional<double> apogee_m{};
   std::optional<sim::WindParameters> wind{};  ///< in six degrees of freedom, as the next
   std::optional<double> drift_m{};            ///< at apogee, over ground from the foot of the guide

@@ -202,7 +202,11 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   read_canard_verdicts(flight, member(summary, "canard_verdicts"));
   flight.why_not_armed = text(summary, "why_not_armed");
   flight.trajectory_end_s = number(summary, "trajectory_end_s");
-  flight.top_mach = number(summary, "top_mach");
+  flight.extremes = {.top_mach = number(summary, "top_mach"),
+                     .static_margin_calibres = number(summary, "static_margin_calibres")};
+  if (const auto attack_deg = number(summary, "angle_of_attack_deg")) {
+    flight.extremes.angle_of_attack_rad = text::radians(*attack_deg);
+  }
   flight.rest_limit_rad =
       text::radians(number(summary, "rest_limit_deg").value_or(text::degrees(flight.rest_limit_rad)));
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));

@@ -247,12 +247,12 @@ void say_how_far_it_reaches(Verdict& v, const std::string& end) {
 
 /// What a simulation does not hold for takes the green from a verdict, whatever it is, and stands before it.
 void say_what_is_outside_the_model(Verdict& v, const flight::Flight& flight) {
-  if (flight.top_mach.value_or(0.0) <= flight::model_ends_at_mach) {
+  const std::string beyond = flight::how_far_beyond(flight.extremes);
+  if (beyond.empty()) {
     return;
   }
   v.outcome = is_steady(v.outcome) ? Outcome::outside_model : v.outcome;
-  v.text = fmt::format("Outside the model: up to Mach {}, and the simulation of roll holds to Mach {}. {}",
-                       text::fixed(*flight.top_mach, 2), text::brief(flight::model_ends_at_mach, 2), v.text);
+  v.text = fmt::format("Outside the model: {}. {}", beyond, v.text);
 }
 
 Verdict on_roll(const flight::Flight& flight, const Figures& figures) {

@@ -21,7 +21,7 @@ enum class Outcome : std::uint8_t {
   held,           ///< the largest hold error is at most 10 deg, from the second after control start to apogee, and the
                   ///< roll rests within the limit that is stated for it (Flight::rest_limit_rad) of its reference
   off_command,    ///< as steady, but resting farther from its reference than that
-  outside_model,  ///< as steady, but faster than the model of the simulation holds for
+  outside_model,  ///< as steady, but the flight is beyond a flight::ModelEnd
   not_held,       ///< the hold error is more, before or after the end of control, or the canards ended at a limit
                   ///< smaller than the fin offset, or the rocket turned faster than the gyro's range
   oscillates,  ///< within 10 deg, but the canards keep swinging with nothing that excites them, or the linear loop is
@@ -37,7 +37,7 @@ inline constexpr std::array outcomes{Outcome::held,        Outcome::not_held,   
                                      Outcome::cut_short,   Outcome::not_judged,    Outcome::no_control,
                                      Outcome::off_command, Outcome::outside_model, Outcome::ascent_failed};
 
-/// Held as far as steadiness goes: wherever it rests, and at whatever speed.
+/// Held as far as steadiness goes: wherever it rests, and whether or not the model holds.
 [[nodiscard]] constexpr bool is_steady(Outcome outcome) {
   return outcome == Outcome::held || outcome == Outcome::off_command || outcome == Outcome::outside_model;
 }

@@ -98,7 +98,7 @@ Flown flown(const sim::Scenario& scenario) {
   return {.errors = roll_errors(control, judged.flight.clock),
           .outcome = judged.verdict.outcome,
           .saturated_share = judged.figures.saturated_fraction.value_or(0.0),
-          .top_mach = judged.flight.top_mach.value_or(0.0)};
+          .extremes = judged.flight.extremes};
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ Sum sum(const std::vector<Pair>& pairs, Flown Pair::* of) {
     all.steady += report::is_steady(flown.outcome) ? 1 : 0;
     all.off_command += flown.outcome == report::Outcome::off_command ? 1 : 0;
     all.outside_model += flown.outcome == report::Outcome::outside_model ? 1 : 0;
-    all.top_mach = std::max(all.top_mach, flown.top_mach);
+    all.extremes = flight::worst_of({all.extremes, flown.extremes});
     all.not_judged += flown.outcome == report::Outcome::not_judged ? 1 : 0;
     all.is_settled = all.is_settled && flown.errors.settled;
     if (const auto error = compared(flown)) {

@@ -36,7 +36,7 @@ struct Flown {
   RollErrors errors{};
   report::Outcome outcome = report::Outcome::no_control;
   double saturated_share = 0.0;  ///< of the time under control
-  double top_mach = 0.0;
+  flight::Extremes extremes{};
 };
 
 /// One rocket of the spread by both plans.
@@ -60,11 +60,11 @@ struct Pair {
 struct Sum {
   std::size_t flights = 0;
   std::size_t held = 0;
-  std::size_t steady = 0;         ///< held, wherever each rests and at whatever speed
+  std::size_t steady = 0;         ///< held, wherever each rests and whether or not the model holds
   std::size_t off_command = 0;    ///< of them
   std::size_t outside_model = 0;  ///< of them
   std::size_t not_judged = 0;
-  double top_mach = 0.0;                ///< of all
+  flight::Extremes extremes{};          ///< the worst of all
   bool is_settled = false;              ///< the errors are those of settled roll, in every flight
   std::optional<double> mean_rad{};     ///< of the flights' means; empty: some flight was not under control
   std::optional<double> largest_rad{};  ///< of all

@@ -12,7 +12,7 @@ namespace fantail::tune {
 
 /// "0.5, 0.05 s, integral gain 0.5 1/s and a schedule".
 [[nodiscard]] std::string law_words(const core::FlightPlan& plan);
-/// That the flights are faster than the simulation of roll holds for; empty where they are not.
+/// That the simulation of roll does not hold for the flights; empty where it does.
 [[nodiscard]] std::string model_sentence(const Tuning& tuning);
 /// What the linear loop has by both plans.
 [[nodiscard]] std::string loop_sentence(const Tuning& tuning);

@@ -98,10 +98,8 @@ std::string loop_sentence(const Tuning& t) {
 }
 
 std::string model_sentence(const Tuning& t) {
-  return t.top_mach() > flight::model_ends_at_mach
-             ? fmt::format("Outside the model: up to Mach {}, and the simulation of roll holds to Mach {}.",
-                           fixed(t.top_mach(), 2), brief(flight::model_ends_at_mach, 2))
-             : "";
+  const std::string beyond = flight::how_far_beyond(t.extremes());
+  return beyond.empty() ? "" : fmt::format("Outside the model: {}.", beyond);
 }
 
 std::string flights_sentence(const Tuning& t) {

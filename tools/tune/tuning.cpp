@@ -252,8 +252,8 @@ bool Tuning::is_proposed() const {
   return after && new_plan.steady >= old_plan.steady && new_plan.held >= old_plan.held;
 }
 
-double Tuning::top_mach() const {
-  return std::max({before.flight.top_mach.value_or(0.0), flown_before().top_mach, flown_after().top_mach});
+flight::Extremes Tuning::extremes() const {
+  return flight::worst_of({before.flight.extremes, flown_before().extremes, flown_after().extremes});
 }
 
 bool Tuning::is_better() const {

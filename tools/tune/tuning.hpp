@@ -58,8 +58,8 @@ struct Tuning {
   /// No flight that the old plan holds, or keeps steady elsewhere, is lost in number, so the new plan may be handed
   /// out.
   [[nodiscard]] bool is_proposed() const;
-  /// The largest of any flight.
-  [[nodiscard]] double top_mach() const;
+  /// The worst of any flight.
+  [[nodiscard]] flight::Extremes extremes() const;
   /// The flights were nearer to their reference, by more than chance would make them.
   [[nodiscard]] bool is_better() const;
 };
