@@ -2,6 +2,8 @@
 // How control ended, or why it never began, as the verdict says it.
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +37,34 @@ TEST(ControlEnd, EveryOtherWayToNoControlIsNamed) {
   SyntheticFlight deaf;
   deaf.never_controlled(0.3, core::Phase::armed, core::PhaseReason::gyro_failed_before_control);
   EXPECT_EQ(verdict_of(deaf.flight).text, "No control: the gyro failed before control (at 0.30 s).");
+}
+
+// A first, weak push uses up the detection; until the rocket has rested the real one is not looked for.
+TEST(ControlEnd, OfALaunchThatWasNotDetectedTheFirstCauseIsNamed) {
+  using core::Phase;
+  using core::PhaseReason;
+  SyntheticFlight synthetic;
+  synthetic.flight.plan.guide.clearance_time = core::from_seconds(1.5F);
+  synthetic.never_controlled(4.73, Phase::finished, PhaseReason::flew_without_launch);
+  const auto after = [&synthetic](std::vector<flight::PhaseChange> changes) {
+    changes.push_back({4.73, Phase::finished, PhaseReason::flew_without_launch});
+    synthetic.flight.phase_changes = std::move(changes);
+    return verdict_of(synthetic.flight).text;
+  };
+  const flight::PhaseChange armed{-9.0, Phase::armed, PhaseReason::armed_by_switch_and_command};
+  const flight::PhaseChange launched{0.13, Phase::launched, PhaseReason::launch_detected};
+  const flight::PhaseChange back{1.62, Phase::armed, PhaseReason::guide_not_cleared_in_time};
+  const std::string flew = "; at 4.73 s the rocket reported that it had flown.";
+  const std::string chuff =
+      "No control: what looked like a launch did not clear the guide within 1.5 s (at 1.62 s)" + flew;
+  EXPECT_EQ(after({armed, launched, back}), chuff);
+  EXPECT_EQ(after({launched, back}), chuff) << "as a log has it that begins with the push";
+  EXPECT_EQ(after({armed}), "No control: no launch was detected" + flew);
+  EXPECT_EQ(after({}), "No control: no launch was detected" + flew);
+  EXPECT_EQ(after({armed, {-2.0, Phase::armed, PhaseReason::moved_without_launch}}),
+            "No control: no launch was detected: the rocket had moved and had to rest first, from -2.00 s on" + flew);
+  EXPECT_EQ(after({armed, launched, back, {3.0, Phase::armed, PhaseReason::rested}}),
+            "No control: no launch was detected after the rocket had rested at 3.00 s" + flew);
 }
 
 TEST(ControlEnd, OfATableThatHasNoControlOnlyItsRowsAreTold) {

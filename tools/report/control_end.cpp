@@ -28,35 +28,47 @@ std::string no_control_in_rows(const flight::Flight& flight) {
                      flight::display_name(last.phase));
 }
 
-std::string why_no_control(const flight::Flight& flight) {
-  if (flight.phase_changes.empty()) {
-    return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
-  }
-  const flight::PhaseChange& last = flight.phase_changes.back();
-  const std::string when = text::fixed(last.time_s, 2) + " s";
-  if (was_lost(flight)) {
-    return flight.outages.back().cause.empty()
-               ? fmt::format("the processor stood still from {} s on", text::fixed(flight.outages.back().from_s, 2))
-               : fmt::format("the processor was reset before it, and the flight was not resumed (at {})", when);
-  }
-  if (!last.reason) {
+std::string at(const flight::PhaseChange& change) { return text::fixed(change.time_s, 2) + " s"; }
+
+/// Of a flight that came no farther than this change.
+std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange& change) {
+  const std::string when = at(change);
+  if (!change.reason) {
     return "the log does not say why";
   }
-  switch (*last.reason) {
+  switch (*change.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
       return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
-    case core::PhaseReason::rested: return "no launch was detected";
+    case core::PhaseReason::rested: return "no launch was detected after the rocket had rested at " + when;
     case core::PhaseReason::moved_without_launch:
       return "no launch was detected: the rocket had moved and had to rest first, from " + when + " on";
-    case core::PhaseReason::flew_without_launch:
-      return "no launch was detected, and from " + when + " on the rocket knew that it had missed one";
     case core::PhaseReason::launch_detected:
       return "the run ended before the guide was clear; launch was detected at " + when;
     case core::PhaseReason::guide_not_cleared_in_time:
       return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
                          text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
-    default: return fmt::format("{} (at {})", flight::display_name(*last.reason), when);
+    default: return fmt::format("{} (at {})", flight::display_name(*change.reason), when);
   }
+}
+
+std::string why_no_control(const flight::Flight& flight) {
+  if (flight.phase_changes.empty()) {
+    return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
+  }
+  const flight::PhaseChange& last = flight.phase_changes.back();
+  if (was_lost(flight)) {
+    return flight.outages.back().cause.empty()
+               ? fmt::format("the processor stood still from {} s on", text::fixed(flight.outages.back().from_s, 2))
+               : fmt::format("the processor was reset before it, and the flight was not resumed (at {})", at(last));
+  }
+  if (last.reason != core::PhaseReason::flew_without_launch) {
+    return why_not_from(flight, last);
+  }
+  // That it flew ends what began before: what it was armed or had to rest for says why the launch was not detected.
+  const std::size_t count = flight.phase_changes.size();
+  return fmt::format("{}; at {} the rocket reported that it had flown",
+                     count > 1 ? why_not_from(flight, flight.phase_changes[count - 2]) : "no launch was detected",
+                     at(last));
 }
 
 std::string plan_time(const flight::Flight& flight) {
