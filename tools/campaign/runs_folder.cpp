@@ -133,7 +133,8 @@ RunsFolder::RunsFolder(fs::path folder, const Identity& identity, std::vector<Sp
       close(lock_);
     }
     if (why == EWOULDBLOCK) {
-      refuse(folder_.string() + ": another campaign is at work in this folder");
+      refuse(folder_.string() +
+             ": another campaign is at work in this folder; wait for its end, or take another one with --out");
     }
     throw text::OutputError{folder_.string() + ": " + std::strerror(why)};
   }
