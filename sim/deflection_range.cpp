@@ -63,13 +63,17 @@ double shaft_rad(const Scenario& scenario, const Servos& servos, std::size_t can
   return std::clamp(angle_rad, -servo.stop_rad, servo.stop_rad);
 }
 
+double deflection_rad(const Scenario& scenario, const Servos& servos, std::size_t canard, double command_rad) {
+  const CanardMounting& mounting = scenario.vehicle.canards[canard];
+  const double from_trim_rad =
+      lift_angle_rad(scenario.vehicle.canard_air, shaft_rad(scenario, servos, canard, command_rad) - mounting.trim_rad);
+  return mounting.reversed ? -from_trim_rad : from_trim_rad;
+}
+
 double deflection_rad(const Scenario& scenario, const Servos& servos, double command_rad) {
   double sum_rad = 0.0;
   for (std::size_t i = 0; i < canards; ++i) {
-    const CanardMounting& mounting = scenario.vehicle.canards[i];
-    const double from_trim_rad =
-        lift_angle_rad(scenario.vehicle.canard_air, shaft_rad(scenario, servos, i, command_rad) - mounting.trim_rad);
-    sum_rad += mounting.reversed ? -from_trim_rad : from_trim_rad;
+    sum_rad += deflection_rad(scenario, servos, i, command_rad);
   }
   return sum_rad / static_cast<double>(canards);
 }
@@ -97,6 +101,11 @@ CanardResponse canard_response(const Scenario& scenario) {
   CanardResponse response;
   response.effectiveness =
       (deflection_rad(scenario, servos, small_rad) - deflection_rad(scenario, servos, -small_rad)) / (2.0 * small_rad);
+  for (std::size_t i = 0; i < canards; ++i) {
+    response.of_each[i] =
+        (deflection_rad(scenario, servos, i, small_rad) - deflection_rad(scenario, servos, i, -small_rad)) /
+        (2.0 * small_rad);
+  }
   double follow = 0.0;
   double slow = 0.0;
   for (std::size_t i = 0; i < canards; ++i) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
+#include "core/flight_plan.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::sim {
@@ -19,6 +22,8 @@ struct CanardResponse {
   /// Deflection per command, the fins' answer apart; 1: all healthy, or up to two that do not move and a plan that lets
   /// the others do their work; below zero: most turn the other way.
   double effectiveness = 1.0;
+  /// Of each canard alone, whoever does its work: 1 healthy, 0 does not move, -1 turns against the command.
+  std::array<double, core::canard_count> of_each{};
   double slow_share = 0.0;  ///< of those that follow: with slow_times the lag
 };
 [[nodiscard]] CanardResponse canard_response(const Scenario& scenario);

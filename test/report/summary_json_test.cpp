@@ -33,6 +33,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContract) {
   EXPECT_EQ(summary["outcome"], "held");
   EXPECT_EQ(summary["authority_margin_deg"], 4.0);
   EXPECT_EQ(summary["left_by_fins"], 1.0);
+  EXPECT_EQ(summary["why_uncontrollable"], "");
   EXPECT_EQ(summary["phase_changes"][1]["reason"], "launch_detected");
 }
 

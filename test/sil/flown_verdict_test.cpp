@@ -226,6 +226,27 @@ TEST(FlownVerdict, PrandtlGlauertPromisesNothingAboveMach08) {
   EXPECT_TRUE(notes("0.9", factor, "nor of the drag"));
 }
 
+// Without any offset the canards turn the rocket faster and faster; with two of four they cancel.
+TEST(FlownVerdict, CanardsThatAPlanTurnsTheWrongWayAreTheCauseAndNotTheFinOffset) {
+  sim::Scenario scenario = launch2({"excitation.form=none", "disturbance.angles_deg=[0]"});
+  scenario.plan.canards.each[0].direction = core::Direction::reversed;
+  scenario.plan.canards.each[1].direction = core::Direction::reversed;
+  const Judged cancelled = fly(scenario);
+  EXPECT_NE(cancelled.verdict.outcome, Outcome::held) << cancelled.verdict.text;
+  EXPECT_TRUE(cancelled.says("canards 1 and 2 turn the rocket against the roll command")) << cancelled.verdict.text;
+  scenario.plan.canards.each[2].direction = core::Direction::reversed;
+  scenario.plan.canards.each[3].direction = core::Direction::reversed;
+  const Judged flown = fly(scenario);
+  EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
+  EXPECT_TRUE(flown.verdict.text.starts_with(
+      "Roll not held: all canards turn the rocket against the roll command (direction differs between plan and "
+      "vehicle); in the mean "))
+      << flown.verdict.text;
+  for (const Judged* each : {&cancelled, &flown}) {
+    EXPECT_FALSE(each->says("fin offset")) << each->verdict.text;
+  }
+}
+
 TEST(FlownVerdict, FinsThatReverseTheRollAreSaidAndNothingIsHeld) {
   const Judged flown = fly(launch2({"aerodynamics.canard_wash=1.3", "aerodynamics.canard_wash_distance_m=0.9"}));
   EXPECT_TRUE(flown.notes("canards that turn one way roll the rocket the other way"));

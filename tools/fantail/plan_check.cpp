@@ -11,11 +11,13 @@
 #include "fantail/command_line.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
+#include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
 #include "protocol/plan_block.hpp"
+#include "stability/canard_sense.hpp"
 #include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -117,6 +119,11 @@ LoopCheck check_loop(const Subject& subject) {
   if (!range) {
     return {.sentence = fmt::format("in {} control never begins, so the loop was not checked", scenario.name),
             .warns = true};
+  }
+  if (const std::string why = stability::why_uncontrollable(scenario);
+      !why.empty() && flight::has_gains(subject.plan)) {
+    throw text::Error{text::ErrorKind::bad_configuration, fmt::format("{}: {}: with the rocket of {} {}", subject.file,
+                                                                      gains(subject.plan), scenario.name, why)};
   }
   LoopCheck found{.range = range, .margins = stability::margins_in_range(scenario, *range)};
   const std::string where = in_words(*range);

@@ -224,13 +224,13 @@ bool only_bounds_speed(const Row& row, const Flight& flight) {
   return from_s && row.time_s >= *from_s;
 }
 
-bool has_gains(const Row& row, const core::FlightPlan& plan, bool speed_is_lower_bound) {
+bool knows_gains(const Row& row, const core::FlightPlan& plan, bool speed_is_lower_bound) {
   return plan.gain_schedule.speeds_count == 0 || speed_is_lower_bound || std::isfinite(row.speed_m_s);
 }
 
 std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& plan, double left_by_fins,
                                      bool speed_is_lower_bound) {
-  if (!has_gains(row, plan, speed_is_lower_bound)) {
+  if (!knows_gains(row, plan, speed_is_lower_bound)) {
     return std::nullopt;
   }
   const auto speed_m_s = static_cast<float>(std::isfinite(row.speed_m_s) ? row.speed_m_s : 0.0);
@@ -247,10 +247,14 @@ std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& pla
 
 }  // namespace
 
+bool has_gains(const core::FlightPlan& plan) {
+  return plan.controller.proportional_gain > 0.0F || plan.controller.derivative_gain_s > 0.0F || rejects_offset(plan);
+}
+
 bool rejects_offset(const core::FlightPlan& plan) { return plan.offset.rejection != core::OffsetRejection::none; }
 
 bool gains_are_known(const Row& row, const Flight& flight) {
-  return flight.known.plan && has_gains(row, flight.plan, only_bounds_speed(row, flight));
+  return flight.known.plan && knows_gains(row, flight.plan, only_bounds_speed(row, flight));
 }
 
 std::optional<double> settle_point_rad(const Row& row, const core::FlightPlan& plan) {

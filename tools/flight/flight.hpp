@@ -191,6 +191,7 @@ struct Flight {
   std::vector<Outage> outages;
   std::vector<LoopMargin> loop_margins;     ///< at some speeds under control, the worst among them; empty: not computed
   std::optional<CanardReach> canard_reach;  ///< of the simulated canards; empty: nobody knows
+  std::string why_uncontrollable;           ///< as stability has it; empty: the canards obey the law, or nobody knows
   double left_by_fins = 1.0;                ///< of a roll torque of the canards, in the end; see sim::FinWash
   /// Of one canard that is turned by a radian: its moment about the centre of gravity after burn-out, over 1/2 rho v^2.
   /// Empty: the vehicle does not say where its canards are.
@@ -240,6 +241,9 @@ void set_time_zero(Flight& flight, double zero_s);
 /// How much farther all canards could go, or come back, than the deflection that balances this offset; the smaller of
 /// the two. Below zero: they cannot balance it. Canards that are broken or trimmed may reach to one side only.
 [[nodiscard]] double authority_margin_rad(const Flight& flight, double offset_rad);
+
+/// Does the law do anything about the roll?
+[[nodiscard]] bool has_gains(const core::FlightPlan& plan);
 
 /// Does the law take an estimate of the fin offset off its command, so that it comes to rest at its reference?
 [[nodiscard]] bool rejects_offset(const core::FlightPlan& plan);

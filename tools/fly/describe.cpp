@@ -10,6 +10,7 @@
 #include "airframe/model/build_up.hpp"
 #include "fly/fault_text.hpp"
 #include "sim/deflection_range.hpp"
+#include "stability/canard_sense.hpp"
 
 namespace fantail::fly {
 namespace {
@@ -82,6 +83,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.rest_limit_rad = scenario.rest_limit_rad;
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
+  flight.why_uncontrollable = stability::why_uncontrollable(scenario);
   flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {

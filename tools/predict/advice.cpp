@@ -14,6 +14,7 @@
 #include "predict/sentences.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "sim/servo.hpp"
+#include "stability/canard_sense.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -118,11 +119,10 @@ Trial with_a_held_reference(const Prediction& p, std::size_t count, sim::Scenari
 }  // namespace
 
 LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
-  const double left = left_by_fins(p);
-  if (left <= 0.0) {
-    return {"No canard limit would balance the offset: the fins take back all of the canards' roll torque, or more.",
-            {}};
+  if (const std::string why = stability::why_uncontrollable(p.flown); !why.empty()) {
+    return {fmt::format("No canard limit would balance the offset: {}.", why), {}};
   }
+  const double left = left_by_fins(p);
   if (share(p.runs.size(), p.runs.size()).low < asked) {
     return {fmt::format("{} are too few to advise a canard limit: even if it were enough in all of them, that would "
                         "not prove {}.",

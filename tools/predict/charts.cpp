@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -85,15 +87,19 @@ page::Chart offset_chart(const Prediction& p) {
     share.y.push_back(100.0 * static_cast<double>(within) / static_cast<double>(p.runs.size()));
   }
   const double limit_deg = degrees(p.reach.angle_rad);
+  std::vector<page::Level> levels;
+  if (limit_deg >= 0.0) {  // below, they reach no offset of any size
+    levels.push_back({.value = limit_deg,
+                      .label = p.reach.set_by.empty() ? "canard limit" : p.reach.set_by,
+                      .upright = true,
+                      .role = Role::limit});
+  }
   return {.label = "Share of the runs whose fin offset is not larger than a size, and the canard limit",
           .x_label = "size of the fin offset / deg",
           .y_label = "runs with at most that / %",
           .width = page::half_page,
           .series = {share},
-          .levels = {{.value = limit_deg,
-                      .label = p.reach.set_by.empty() ? "canard limit" : p.reach.set_by,
-                      .upright = true,
-                      .role = Role::limit}},
+          .levels = std::move(levels),
           .x_range = page::Range{0.0, 1.1 * std::max(limit_deg, share.x.back())},
           .y_range = page::Range{0.0, 100.0}};
 }

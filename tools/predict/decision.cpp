@@ -16,7 +16,7 @@
 #include "predict/model_end.hpp"
 #include "predict/sentences.hpp"
 #include "predict/wind_advice.hpp"
-#include "sim/canard_aerodynamics.hpp"
+#include "stability/canard_sense.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -63,6 +63,10 @@ Criterion authority(const Prediction& p, double threshold) {
                   p.reach.text(), of_the_runs(within ? share.value : 1.0 - share.value));
   if (too_few_runs(share, threshold)) {
     c.clause += more_runs(share, threshold);
+  }
+  if (std::string why = stability::why_uncontrollable(p.flown); !why.empty()) {
+    c.clause = std::move(why);
+    c.judgement = Judgement::not_met;
   }
   return c;
 }
@@ -175,10 +179,9 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
     return c;
   }
   if (!p.worst_speed) {
-    const bool reversed = sim::left_by_fins(p.flown.vehicle.canard_air) <= 0.0;
-    c.found = reversed ? "the canards cannot turn the rocket their way" : "the loop has no gain";
-    c.clause = reversed ? "the fins take back all of the canards' roll torque, or more"
-                        : "the gains are too small to hold anything";
+    const bool obeys = stability::why_uncontrollable(p.flown).empty();
+    c.found = obeys ? "the loop has no gain" : "the canards do not turn the rocket by the roll command";
+    c.clause = obeys ? "the gains are too small to hold anything" : "";
     c.judgement = Judgement::not_met;
     return c;
   }

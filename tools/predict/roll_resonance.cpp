@@ -56,7 +56,7 @@ std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const
     at_most.push_back(found.most_frequency_1_m / rate_1_m_rad);
     const double offset_rad = std::abs(run.airframe.offset_end_rad);  // the one that stays
     const double free = roll_rate_1_m(run.airframe, offset_rad);
-    const double driven = roll_rate_1_m(run.airframe, offset_rad + std::max(canard_reach_rad, 0.0));
+    const double driven = roll_rate_1_m(run.airframe, offset_rad + canard_reach_rad);
     const bool comes_near = free > (1.0 - near_resonance) * found.least_frequency_1_m;
     const bool is_past = free > (1.0 + near_resonance) * found.most_frequency_1_m;
     found.near += comes_near && !is_past ? 1 : 0;

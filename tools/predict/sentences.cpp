@@ -130,7 +130,7 @@ std::string changes_sentence(const Prediction& p) {
 }
 
 std::string resonance_warning(const Prediction& p) {
-  return p.resonance ? warning(*p.resonance, p.reach.angle_rad) : "";
+  return p.resonance ? warning(*p.resonance, std::abs(p.reach.angle_rad)) : "";
 }
 
 std::string resonance_caution(const Prediction& p) {
@@ -140,7 +140,7 @@ std::string resonance_caution(const Prediction& p) {
 std::vector<std::string> not_in_verdict(const Prediction& p) {
   std::vector<std::string> all = p.flight_notes;
   if (p.resonance && p.resonance->with_canards > 0) {
-    all.insert(all.begin(), in_short(*p.resonance, p.reach.angle_rad));
+    all.insert(all.begin(), in_short(*p.resonance, std::abs(p.reach.angle_rad)));
   }
   return all;
 }

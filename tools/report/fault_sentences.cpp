@@ -2,6 +2,7 @@
 #include "report/fault_sentences.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <span>
@@ -84,6 +85,27 @@ std::string canard_faults(const flight::Flight& flight) {
                         recovers ? ", healthy in between" : "", ends_healthy ? ", then healthy" : "");
   }
   return text;
+}
+
+std::string not_following(const flight::Flight& flight) {
+  std::array<bool, core::canard_count> is_off{};
+  for (const auto& [time_s, canard, verdict] : flight.canard_verdict_changes) {
+    if (time_s <= flight.events.control_end_s.value_or(time_s)) {
+      is_off[canard] = verdict == core::CanardVerdict::stalled || verdict == core::CanardVerdict::slipping ||
+                       (is_off[canard] && verdict != core::CanardVerdict::healthy);
+    }
+  }
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < is_off.size(); ++i) {
+    if (is_off[i]) {
+      text += fmt::format("{}{}", count++ == 0 ? "" : ", ", i + 1);
+    }
+  }
+  if (count > 1) {
+    return fmt::format("canards {} do not follow their commands", text);
+  }
+  return count == 1 ? fmt::format("canard {} does not follow its command", text) : text;
 }
 
 }  // namespace fantail::report

@@ -18,4 +18,8 @@ namespace fantail::report {
 /// The first finding of the monitor about each canard, how long it lasted, and what became of it.
 [[nodiscard]] std::string canard_faults(const flight::Flight& flight);
 
+/// A clause without that space, "canard 1 does not follow its command": stalled or slipping for its monitor, when
+/// control ended; empty: none.
+[[nodiscard]] std::string not_following(const flight::Flight& flight);
+
 }  // namespace fantail::report

@@ -225,6 +225,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
                    .height_m = number(wind, "height_m").value_or(0.0)};
   }
   flight.side_moment_m3 = number(summary, "canard_side_moment_m3");
+  flight.why_uncontrollable = text(summary, "why_uncontrollable");
   flight.left_by_fins = number(summary, "left_by_fins").value_or(flight.left_by_fins);
   const Json& imposed = member(summary, "imposed_roll");
   if (const auto time_s = number(imposed, "time_s")) {

@@ -187,6 +187,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"canard_side_moment_m3", flight.side_moment_m3},
                   {"loop_margins", loop_margins(flight)},
                   {"canard_reach_deg", canard_reach(flight)},
+                  {"why_uncontrollable", flight.why_uncontrollable},
                   {"left_by_fins", rounded(flight.left_by_fins)},
                   {"unmeasured", unmeasured(flight.unmeasured)},
                   {"wind", wind(flight)},

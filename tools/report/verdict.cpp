@@ -88,8 +88,8 @@ std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
 
 /// Where a rocket hardly rolls at all, it stays near every angle; nothing held it there. Empty: the loop can settle.
 std::string why_nothing_settles(const flight::Flight& flight, const Figures& f) {
-  if (!flight.airframe || flight.left_by_fins <= 0.0) {
-    return {};  // not simulated, or a roll that comes to rest nowhere
+  if (!flight.airframe) {
+    return {};  // not simulated
   }
   if (flight.loop_margins.empty()) {
     return "the canards do not turn the rocket enough for the loop to have a gain of one";
@@ -107,28 +107,6 @@ std::string why_nothing_settles(const flight::Flight& flight, const Figures& f) 
                    "the canards turn the rocket so little that the loop would need {} s or more to settle, and "
                    "control lasted {} s",
                    text::fixed(1.0 / fastest_rad_s, 0), text::fixed(*f.control_time_s, 1));
-}
-
-/// "canard 1 does not follow its command": stalled or slipping for its monitor, when control ended; empty: none.
-std::string not_following(const flight::Flight& flight) {
-  std::array<bool, core::canard_count> is_off{};
-  for (const auto& [time_s, canard, verdict] : flight.canard_verdict_changes) {
-    if (time_s <= flight.events.control_end_s.value_or(time_s)) {
-      is_off[canard] = verdict == core::CanardVerdict::stalled || verdict == core::CanardVerdict::slipping ||
-                       (is_off[canard] && verdict != core::CanardVerdict::healthy);
-    }
-  }
-  std::string text;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < is_off.size(); ++i) {
-    if (is_off[i]) {
-      text += fmt::format("{}{}", count++ == 0 ? "" : ", ", i + 1);
-    }
-  }
-  if (count > 1) {
-    return fmt::format("canards {} do not follow their commands", text);
-  }
-  return count == 1 ? fmt::format("canard {} does not follow its command", text) : text;
 }
 
 /// "; judged for 1.2 s of 9.9 s under control" where that is less than half; else empty.
@@ -151,7 +129,25 @@ Verdict steady(const flight::Flight& flight, const Figures& f, const std::string
                                how_long_judged(f), rest))};
 }
 
+/// Where the canards do not do what the law commands, neither the offset nor the gains decide, and there is no angle at
+/// which it settles.
+Verdict uncontrollable(const flight::Flight& flight, const Figures& f) {
+  const bool is_lost =
+      (f.at_limit_since_s && f.offset_beyond_limit) || f.largest_hold_error_rad.value_or(0.0) > held_error_rad;
+  const std::string mean =
+      is_lost && f.mean_reference_error_rad
+          ? fmt::format("in the mean {} from the command, ", degrees_text(*f.mean_reference_error_rad))
+          : "";
+  const std::string cause =
+      fmt::format("roll not {}: {}; {}{}", is_lost ? "held" : "judged", flight.why_uncontrollable, mean, saturation(f));
+  const std::string at_end = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(flight, f))) : "";
+  return {is_lost ? Outcome::not_held : Outcome::not_judged, sentence(cause) + at_end};
+}
+
 Verdict judge_control(const flight::Flight& flight, const Figures& f) {
+  if (!flight.why_uncontrollable.empty() && !f.in_still_air && flight::has_gains(flight.plan)) {
+    return uncontrollable(flight, f);
+  }
   const std::string rest = saturation_and_margin(f);
   if (f.at_limit_since_s && f.offset_beyond_limit) {
     const std::string off = not_following(flight);
