@@ -58,6 +58,27 @@ TEST(Tuning, IsTheSameInTextJsonAndPage) {
   EXPECT_NE(tuning_html(t, "x.toml").find("Flights over the spread"), std::string::npos);
 }
 
+TEST(Tuning, SaysOfWhichFlightsTheNewPlanHasFewer) {
+  Tuning t = second_launch();
+  for (Pair& pair : t.pairs) {
+    pair.before.outcome = report::Outcome::off_command;
+    pair.after.outcome = report::Outcome::not_held;
+  }
+  t.pairs.front().after.outcome = report::Outcome::off_command;
+  EXPECT_FALSE(t.is_proposed());
+  EXPECT_TRUE(flights_sentence(t).ends_with(
+      "Of 6 flights the new plan keeps 1 steady, each where its own law settles, and the old one 6: it is not "
+      "proposed."))
+      << flights_sentence(t);
+  for (Pair& pair : t.pairs) {
+    pair.after.outcome = report::Outcome::off_command;
+  }
+  EXPECT_TRUE(t.is_proposed());
+  t.pairs.front().before.outcome = report::Outcome::held;
+  EXPECT_TRUE(flights_sentence(t).ends_with("Of 6 flights the new plan holds 0 and the old one 1: it is not proposed."))
+      << flights_sentence(t);
+}
+
 // 7.3 degrees of offset, and a limit of 6.
 TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
   const Tuning t = tune(input::load_scenario("tasha3_launch1", {}), {.flights = 2}, look_away);
@@ -73,6 +94,22 @@ TEST(Tuning, SaysWhatTheShortestSettlingTimeIs) {
       tune(input::load_scenario("tunnel_steps", {}), {.settling_s = 0.1, .spread = 1.0, .flights = 1}, look_away);
   EXPECT_FALSE(t.is_proposed());
   EXPECT_NE(t.why_none.find("settles in 0.1 s"), std::string::npos) << t.why_none;
+  EXPECT_NE(t.why_none.find("no law with integral action that was tried"), std::string::npos) << t.why_none;
+}
+
+TEST(Tuning, OfCanardsThatTurnTheWrongWayIsRefused) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  for (core::CanardPlan& canard : scenario.plan.canards.each) {
+    canard.direction = core::Direction::reversed;
+  }
+  try {
+    (void)tune(scenario, {.flights = 1}, look_away);
+    ADD_FAILURE() << "was not refused";
+  } catch (const text::Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "tasha3_launch2: all canards turn the rocket against the roll command (direction differs "
+                 "between plan and vehicle), so no gains can be tuned");
+  }
 }
 
 TEST(Tuning, WithoutAirIsRefused) {

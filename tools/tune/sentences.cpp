@@ -102,11 +102,27 @@ std::string model_sentence(const Tuning& t) {
   return beyond.empty() ? "" : fmt::format("Outside the model: {}.", beyond);
 }
 
+namespace {
+
+/// Of a plan that is not proposed: of flights that were steady, or else of held ones, it has fewer.
+std::string lost(const Sum& before, const Sum& after) {
+  return after.steady < before.steady
+             ? fmt::format(
+                   "Of {} flights the new plan keeps {} steady, each where its own law settles, and the old one {}: it "
+                   "is not proposed.",
+                   after.flights, after.steady, before.steady)
+             : fmt::format("Of {} flights the new plan holds {} and the old one {}: it is not proposed.", after.flights,
+                           after.held, before.held);
+}
+
+}  // namespace
+
 std::string flights_sentence(const Tuning& t) {
   const Sum before = t.flown_before();
   const Sum after = t.flown_after();
   if (!before.mean_rad || !after.mean_rad) {
-    return "Not every flight came under control, so the plans are not compared.";
+    return "Not every flight came under control, so the plans are not compared." +
+           (t.is_proposed() ? std::string{} : fmt::format(" {}", lost(before, after)));
   }
   const bool settled = before.is_settled && after.is_settled;
   const std::string what = settled ? "outside of the first second of control and after each step"
@@ -116,9 +132,7 @@ std::string flights_sentence(const Tuning& t) {
       "its reference, with the old one {}. ",
       rockets(after.flights), what, error(after), error(before));
   if (!t.is_proposed()) {
-    return text +
-           "The new plan loses flights that the old one holds, each counted from where its own law settles: it is not "
-           "proposed.";
+    return text + lost(before, after);
   }
   const double ratio = *after.mean_rad / *before.mean_rad;
   if (ratio < 0.98) {

@@ -10,6 +10,7 @@
 #include "fly/fly_scenario.hpp"
 #include "predict/canard_reach.hpp"
 #include "sim/canard_aerodynamics.hpp"
+#include "stability/canard_sense.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -96,23 +97,26 @@ void say_why_not_found(Tuning& t, const Found& found) {
   const std::string asked = fmt::format("a phase margin of {} degrees at every speed from {} to {} m/s",
                                         brief(degrees(t.request.phase_margin_rad), 1),
                                         fixed(t.speeds.range.lowest_m_s, 0), fixed(t.speeds.range.highest_m_s, 0));
+  const char* const law = t.request.rejection == core::OffsetRejection::integral   ? "law with integral action"
+                          : t.request.rejection == core::OffsetRejection::observer ? "law with an observer"
+                                                                                   : "law without offset rejection";
   const std::string given = fmt::format("with damping and torque within a factor of {} and a servo lag of {} ms",
                                         brief(t.request.spread, 2), brief(1e3 * t.servo_lag_s, 1));
   if (!found.phase_margin_is_there) {
     t.why_none = fmt::format(
-        "No gains were found that do it: {} no law that was tried has {}. The most that was found, at the worst "
+        "No gains were found that do it: {} no {} that was tried has {}. The most that was found, at the worst "
         "speed of {} m/s, is {} degrees{}. Tried: {}.",
-        given, asked, fixed(found.most.speed_m_s, 0), floored(degrees(found.most.phase_margin_rad)),
+        given, law, asked, fixed(found.most.speed_m_s, 0), floored(degrees(found.most.phase_margin_rad)),
         t.request.schedule ? ", without a schedule" : "", found.tried);
   } else if (!found.gain_margin_is_there) {
     t.why_none = fmt::format(
-        "No gains were found that do it: {} no law that was tried has both {} and a gain margin of two. Tried: {}.",
-        given, asked, found.tried);
+        "No gains were found that do it: {} no {} that was tried has both {} and a gain margin of two. Tried: {}.",
+        given, law, asked, found.tried);
   } else {
     t.why_none = fmt::format(
-        "No gains were found that do it: {} no law that was tried and has {} settles in {} s after a step of the "
+        "No gains were found that do it: {} no {} that was tried and has {} settles in {} s after a step of the "
         "reference from the median speed of {} m/s on; {}. Tried: {}.",
-        given, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
+        given, law, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
         found.shortest_settling_s ? fmt::format("the shortest time found is {} s", fixed(*found.shortest_settling_s, 2))
                                   : fmt::format("none does in {} s", brief(3.0 * t.request.settling_s, 2)),
         found.tried);
@@ -271,6 +275,10 @@ Tuning tune(const sim::Scenario& scenario, const Request& request, const Look& l
                       scenario.name +
                           ": environment.surroundings is \"gimbal\", where no air turns the rocket; "
                           "allowed: \"flight\" or \"tunnel\""};
+  }
+  if (const std::string why = stability::why_uncontrollable(scenario); !why.empty()) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("{}: {}, so no gains can be tuned", scenario.name, why)};
   }
   Tuning t = begun(scenario, request);
   if (std::abs(t.largest_offset_rad) >= t.reach_rad) {
