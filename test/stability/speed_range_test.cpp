@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "stability/speed_range.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "fly/loop_margins.hpp"
 #include "input/scenario_file.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
@@ -40,6 +42,20 @@ TEST(SpeedRange, ALoopThatIsUnstableOnlyBetweenTheEndsIsFound) {
   EXPECT_LT(found.least->phase_margin_rad, found.first_without->phase_margin_rad);
   EXPECT_GT(*phase_margin_rad(loop_at_speed(scenario, found.first_without->speed_m_s - 0.6)), 0.0);
   EXPECT_FALSE(margins_in_range(with_schedule(1.0F, 1.0F, 1.0F), {20.0, 80.0}).first_without);
+}
+
+// The gain goes with v^2 (1.16 - 0.00533 v) between the rows, so it is largest near 145 m/s, where no row is.
+TEST(SpeedRange, AFlightFindsTheSameWorstSpeedAsACheckOfItsPlan) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.plan.gain_schedule = {
+      .speeds_count = 2, .speeds_m_s = {30.0F, 180.0F}, .factors_count = 2, .factors = {20.0F, 4.0F}};
+  const SpeedRange range{60.0, 187.3};
+  const MarginAtSpeed checked = margins_in_range(scenario, range).least.value();
+  const auto flown = fly::loop_margins(scenario, {range.lowest_m_s, 90.0, range.highest_m_s});
+  const auto worst = std::ranges::min_element(flown, {}, &flight::LoopMargin::phase_margin_rad);
+  EXPECT_EQ(worst->speed_m_s, checked.speed_m_s);
+  EXPECT_EQ(worst->phase_margin_rad, checked.phase_margin_rad);
+  EXPECT_NEAR(checked.speed_m_s, 145.0, 20.0);
 }
 
 }  // namespace

@@ -25,16 +25,8 @@ std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, std:
                                                     found->crossover_rad_s}}
                  : std::nullopt;
   };
-  double worst_m_s = lowest_m_s;
-  std::optional<double> least_rad;
-  constexpr int steps = 32;
-  for (const double speed_m_s : stability::speeds_between(scenario.plan, {lowest_m_s, top_m_s}, steps)) {
-    const auto found_rad = stability::phase_margin_rad(stability::loop_at_speed(scenario, speed_m_s));
-    if (found_rad && (!least_rad || *found_rad < *least_rad)) {
-      worst_m_s = speed_m_s;
-      least_rad = found_rad;
-    }
-  }
+  const auto worst = stability::margins_in_range(scenario, {lowest_m_s, top_m_s}).least;
+  const double worst_m_s = worst ? worst->speed_m_s : lowest_m_s;
   std::vector<flight::LoopMargin> all;
   for (const double speed_m_s : {lowest_m_s, median_m_s, top_m_s, worst_m_s}) {
     const auto found = at(speed_m_s);
