@@ -263,8 +263,9 @@ TEST_F(ACampaign, IsRefusedWhileAnotherIsAtWorkInItsFolder) {
   asked.runs = 40;
   std::string said;
   fly("busy", 1, [&](std::uint64_t) { said = said.empty() ? refusal("busy") : said; });
-  EXPECT_EQ(said, (folder / "busy").string() +
-                      ": another campaign is at work in this folder; wait for its end, or take another one with --out");
+  EXPECT_EQ(said,
+            (folder / "busy").string() +
+                ": another campaign is at work in this folder; wait for its end, or take another folder with --out");
 }
 
 TEST_F(ACampaign, OfNoRunsOrWithoutASpreadIsRefused) {

@@ -134,7 +134,7 @@ RunsFolder::RunsFolder(fs::path folder, const Identity& identity, std::vector<Sp
     }
     if (why == EWOULDBLOCK) {
       refuse(folder_.string() +
-             ": another campaign is at work in this folder; wait for its end, or take another one with --out");
+             ": another campaign is at work in this folder; wait for its end, or take another folder with --out");
     }
     throw text::OutputError{folder_.string() + ": " + std::strerror(why)};
   }
