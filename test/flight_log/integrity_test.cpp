@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "flight_log/integrity.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include <gtest/gtest.h>
 
 #include "flight_log/made_flight.hpp"
@@ -27,7 +30,28 @@ TEST(Integrity, ALogThatWasCutOffIsIntactAsFarAsItGoesAndSaysSo) {
   EXPECT_TRUE(intact(file));
   EXPECT_FALSE(has_end(file.flights[0]));
   EXPECT_TRUE(says(integrity_text(file.flights[0]), "51 records, none missing; the recording breaks off"));
-  EXPECT_TRUE(says(foreign_bytes_text(file), "at the end, where the last record was cut off"));
+  EXPECT_TRUE(says(foreign_bytes_text(file), "at the end of a flight, where its last record was cut off"));
+}
+
+TEST(Integrity, DamageOfMoreThanTheLastRecordIsNoCutOff) {
+  MadeFlight made = make_flight({.ended = false});
+  const std::size_t from = made.frame_ends.rbegin()[20] + 20;
+  std::fill(made.bytes.begin() + static_cast<std::ptrdiff_t>(from), made.bytes.end(), std::byte{0});
+  const LogFile file = parse_log(made.bytes, "");
+  EXPECT_FALSE(intact(file));
+  EXPECT_FALSE(says(foreign_bytes_text(file), "cut off"));
+}
+
+// Each was switched off while it wrote.
+TEST(Integrity, ARecordThatWasCutOffBeforeAnotherFlightIsNoDamage) {
+  const MadeFlight made = make_flight();
+  std::vector<std::byte> bytes{made.bytes.begin(),
+                               made.bytes.begin() + static_cast<std::ptrdiff_t>(made.frame_ends[50] + 20)};
+  bytes.resize(8'192, std::byte{0xFF});
+  std::ranges::copy(make_flight({.flight = 2}).bytes, std::back_inserter(bytes));
+  const LogFile file = parse_log(bytes, "");
+  ASSERT_EQ(file.flights.size(), 2U);
+  EXPECT_TRUE(intact(file));
 }
 
 // Of a simulated rocket nobody cuts the power.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "link/log_flights.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "link/made_record.hpp"
+#include "protocol/log_notes.hpp"
 
 namespace fantail::link {
 namespace {
@@ -68,8 +70,27 @@ TEST(LogFlights, WhatAPowerCutLeftBelongsToTheFlightBeforeIt) {
   const auto flights = split_flights(record);
   ASSERT_EQ(flights.size(), 2U);
   EXPECT_EQ(flights[0].end, end);
-  EXPECT_EQ(flights[0].damaged_bytes, 17U);
+  EXPECT_EQ(flights[0].cut_off_bytes, 17U);
+  EXPECT_TRUE(flights[0].intact()) << "a record that was never finished is no damage";
   EXPECT_TRUE(flights[1].intact());
+}
+
+TEST(LogFlights, DamageBeforeTheLastRecordIsNoneThatWasCutOff) {
+  Bytes record = flight(0, 100);
+  std::fill(record.end() - 500, record.end(), std::byte{});
+  const auto flights = split_flights(record);
+  ASSERT_EQ(flights.size(), 1U);
+  EXPECT_EQ(flights[0].cut_off_bytes, 0U);
+  EXPECT_GE(flights[0].damaged_bytes, 500U);
+}
+
+TEST(LogFlights, WhatTheRecorderLeftOutIsNotMissing) {
+  Bytes record = flight(0, 10);
+  const auto dropped = pack(protocol::LogEvent{.kind = protocol::LogEventKind::records_dropped, .number = 5});
+  append(record, protocol::frame({.type = 4, .length = dropped.size(), .sequence = 17}, dropped));
+  const auto flights = split_flights(record);
+  ASSERT_EQ(flights.size(), 1U);
+  EXPECT_EQ(flights[0].missing_records, 1U);
 }
 
 TEST(LogFlights, AFlightWithoutItsFirstHeaderIsToldFromTheOneBeforeByItsNumbers) {

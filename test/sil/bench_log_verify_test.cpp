@@ -2,6 +2,7 @@
 // What was downloaded is verified whole before anybody relies on it: the file on the PC, the bus and the flash can each
 // be at fault, and only the last of them is damage of the record.
 #include <algorithm>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -40,13 +41,20 @@ class LogVerify : public testing::Test {
     std::ranges::fill(place.flash.cells().subspan(record_begin + at, size), std::byte{0});
   }
   /// As `bench log` does it: goes on with `there`, and verifies.
-  LogCheck log(const Bytes& there, link::LogReader& with) {
+  LogCheck log(
+      const Bytes& there, link::LogReader& with, std::uint32_t* fetched_again = nullptr,
+      const std::function<void()>& between = [] {}) {
     LogPart part{path};
     part.start_anew();
     part.append(there);
     const link::LogStretch stretch{.offset = 0, .size = with.info().used_bytes};
     resumed = link::download(with, stretch, part, [](std::uint32_t) {});
-    const LogCheck check = link::verify(with, stretch, part, resumed, [](std::uint32_t) {});
+    between();
+    const LogCheck check = link::verify(with, stretch, part, resumed, [&](std::uint32_t bytes) {
+      if (fetched_again != nullptr) {
+        *fetched_again = bytes;
+      }
+    });
     copy = part.read(0, stretch.size);
     return check;
   }
@@ -136,6 +144,35 @@ TEST_F(LogVerify, DamageInTheFlashIsSaidSoAfterTwoFetchesThatAgree) {
     EXPECT_EQ(check.mended_bytes, 0U);
     EXPECT_TRUE(std::ranges::equal(copy, place.flash.cells().subspan(record_begin, copy.size())));
   }
+}
+
+// By switching off: of the last record of each flight so many bytes were written.
+TEST_F(LogVerify, ALastRecordThatWasCutOffIsNoDamageAndWasReadAlikeTwice) {
+  const auto cells = place.flash.cells().subspan(record_begin);
+  const std::size_t end = link::split_flights(record)[1].end;
+  std::ranges::fill(cells.subspan(second_begin - 40, 40), std::byte{0xFF});
+  std::ranges::fill(cells.subspan(end - 40, 40), std::byte{0xFF});
+  std::uint32_t fetched = 0;
+  const LogCheck check = log({}, reader, &fetched);
+  EXPECT_TRUE(check.intact);
+  EXPECT_TRUE(check.agrees());
+  EXPECT_EQ(fetched, record.size()) << "whole, once more: it might have been cut off on its way";
+  damage_flash(8'000, 512);
+  EXPECT_FALSE(log({}).intact) << "damage elsewhere";
+}
+
+// What is missing of the last record came as erased flash the first time.
+TEST_F(LogVerify, ADownloadWhoseEndCameAsErasedFlashIsNoRecordThatWasCutOff) {
+  const std::size_t end = link::split_flights(record)[1].end;
+  const Bytes whole = record;
+  std::ranges::fill(place.flash.cells().subspan(record_begin + end - 400, 400), std::byte{0xFF});
+  std::uint32_t fetched = 0;
+  const LogCheck check = log({}, reader, &fetched, [&] {
+    std::ranges::copy(whole, place.flash.cells().begin() + record_begin);
+  });
+  EXPECT_TRUE(check.intact);
+  EXPECT_GT(check.mended_bytes, 300U);
+  EXPECT_EQ(copy, whole);
 }
 
 // A flash, or its wire, that gives other bytes each time: the CRC-32C of the answer is that of what was read.

@@ -62,6 +62,19 @@ link::LogStretch stretch_of(LogVisit& visit) {
   return flights[number - 1].stretch;
 }
 
+std::string integrity_words(const link::RecordedFlight& flight, bool agrees) {
+  if (!flight.intact()) {
+    return fmt::format("{}: {} records missing, {} damaged bytes",
+                       agrees ? "damaged in the flash, by two fetches that agree" : "damaged, and not read alike twice",
+                       flight.missing_records, flight.damaged_bytes);
+  }
+  if (flight.cut_off_bytes == 0) {
+    return "intact";
+  }
+  return fmt::format("{}: its last record was cut off after {} bytes",
+                     agrees ? "intact, by two fetches that agree" : "not read alike twice", flight.cut_off_bytes);
+}
+
 void say_file(LogVisit& visit, const FlightFile& file) {
   const link::RecordedFlight& flight = file.flight;
   const std::string path = (fs::path{visit.options.out} / file.name).string();
@@ -70,11 +83,7 @@ void say_file(LogVisit& visit, const FlightFile& file) {
   } else {
     visit.tell("{}  {:.1f} s, {:.2f} MB, {}\n", path, flight.duration_s(),
                static_cast<double>(flight.end - flight.begin) / mega,
-               flight.intact() ? "intact"
-                               : fmt::format("{}: {} records missing, {} damaged bytes",
-                                             visit.check.agrees() ? "damaged in the flash, by two fetches that agree"
-                                                                  : "damaged, and not read alike twice",
-                                             flight.missing_records, flight.damaged_bytes));
+               integrity_words(flight, visit.check.agrees()));
   }
   const Json json{{"file", path},
                   {"bytes", flight.end - flight.begin},
@@ -84,6 +93,7 @@ void say_file(LogVisit& visit, const FlightFile& file) {
                   {"records", flight.records},
                   {"missing_records", flight.missing_records},
                   {"damaged_bytes", flight.damaged_bytes},
+                  {"cut_off_bytes", flight.cut_off_bytes},
                   {"intact", flight.records > 0 && flight.intact()}};
   visit.json["files"].push_back(json);
 }

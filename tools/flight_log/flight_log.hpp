@@ -94,7 +94,7 @@ struct LogFile {
   std::size_t bytes = 0;
   std::size_t foreign_bytes = 0;     ///< in no intact record, and not erased flash
   std::size_t foreign_places = 0;    ///< between two intact records, before the first or after the last
-  std::size_t cut_off_bytes = 0;     ///< of the foreign ones, those after the last intact record and before a reset
+  std::size_t cut_off_bytes = 0;     ///< of the foreign ones, those of the last record of a flight, which was cut off
   std::vector<Flight> flights;       ///< in the order of the file; none when it holds no intact record
   std::size_t records_left_out = 0;  ///< what follows the flight number most_flights
 };

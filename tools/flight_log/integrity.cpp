@@ -92,9 +92,7 @@ std::string foreign_bytes_text(const LogFile& file) {
   std::string text = fmt::format("{} in {} {} outside the intact records", counted(file.foreign_bytes, "byte"),
                                  counted(file.foreign_places, "place"), file.foreign_bytes == 1 ? "lies" : "lie");
   if (file.cut_off_bytes > 0) {
-    const bool has_resets = std::ranges::any_of(file.flights, &Flight::goes_on);
-    text += fmt::format("; {} of them at the end{}, where the last record was cut off", file.cut_off_bytes,
-                        has_resets ? " or before a reset" : "");
+    text += fmt::format("; {} of them at the end of a flight, where its last record was cut off", file.cut_off_bytes);
   }
   return text;
 }

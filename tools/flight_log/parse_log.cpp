@@ -14,6 +14,7 @@
 #include "protocol/little_endian.hpp"
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
+#include "protocol/log_losses.hpp"
 #include "protocol/log_schema.hpp"
 #include "protocol/plan_block.hpp"
 #include "text/printable.hpp"
@@ -68,7 +69,7 @@ class FlightBuilder {
   [[nodiscard]] Flight take();
 
  private:
-  void note_place(const protocol::LogFrameHead& head);
+  void note_place(const protocol::LogFrame& frame);
   void add_header(const protocol::LogFrame& frame);
   void add_checkpoint(const protocol::LogFrame& frame);
   void add_event(const protocol::LogFrame& frame);
@@ -95,7 +96,7 @@ bool FlightBuilder::begins_another(const protocol::LogFrame& frame) const {
 }
 
 void FlightBuilder::add(const protocol::LogFrame& frame) {
-  note_place(frame.head);
+  note_place(frame);
   switch (static_cast<LogRecord>(frame.head.type)) {
     case LogRecord::header: add_header(frame); return;
     case LogRecord::checkpoint: add_checkpoint(frame); return;
@@ -111,14 +112,15 @@ void FlightBuilder::add(const protocol::LogFrame& frame) {
   flight_.unknown_records += 1;
 }
 
-void FlightBuilder::note_place(const protocol::LogFrameHead& head) {
+void FlightBuilder::note_place(const protocol::LogFrame& frame) {
+  const protocol::LogFrameHead& head = frame.head;
   const std::uint32_t expected = last_sequence_ ? *last_sequence_ + 1 : 0;
   if (head.sequence != expected) {
     flight_.gaps.push_back({.first_missing = expected,
                             .count = head.sequence - expected,
                             .before = last_sequence_ ? flight_.last_time : head.time,
                             .after = head.time,
-                            .dropped = 0});
+                            .dropped = protocol::dropped_before(frame, head.sequence - expected)});
   }
   if (!last_sequence_) {
     flight_.first_time = head.time;
@@ -168,12 +170,6 @@ void FlightBuilder::add_event(const protocol::LogFrame& frame) {
     return;
   }
   flight_.events.push_back(*event);
-  if (event->kind == protocol::LogEventKind::records_dropped && !flight_.gaps.empty()) {
-    Gap& gap = flight_.gaps.back();
-    if (gap.first_missing + gap.count == frame.head.sequence) {
-      gap.dropped = std::min(event->number, gap.count);
-    }
-  }
 }
 
 void FlightBuilder::add_checkpoint(const protocol::LogFrame& frame) {
@@ -249,7 +245,12 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
   FlightBuilder builder;
   bool begun = false;
   std::size_t foreign_before = 0;
-  std::vector<std::size_t> behind;  // each flight but the last, so many foreign bytes
+  std::optional<protocol::LogFrame> last;
+  std::size_t last_end = 0;
+  const auto end_flight = [&](std::size_t limit) {
+    const std::size_t foreign = reader.foreign_bytes() - foreign_before;
+    file.cut_off_bytes += protocol::is_cut_off(last, bytes.subspan(last_end, limit - last_end)) ? foreign : 0;
+  };
   const auto keep = [&file](Flight flight) {
     flight.number = file.flights.size() + 1;
     if (!file.flights.empty()) {
@@ -258,15 +259,16 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
     file.flights.push_back(std::move(flight));
   };
   while (const auto frame = reader.next()) {
-    const std::size_t foreign_here = reader.foreign_bytes() - foreign_before;
-    file.foreign_places += foreign_here > 0 ? 1 : 0;
-    foreign_before = reader.foreign_bytes();
     if (builder.begins_another(*frame)) {
+      end_flight(frame->position);
       keep(builder.take());
-      behind.push_back(foreign_here);
       builder = {};
       begun = false;
     }
+    file.foreign_places += reader.foreign_bytes() > foreign_before ? 1 : 0;
+    foreign_before = reader.foreign_bytes();
+    last = frame;
+    last_end = reader.position();
     if (file.flights.size() == most_flights) {
       file.records_left_out += 1;
       continue;
@@ -277,12 +279,9 @@ LogFile parse_log(std::span<const std::byte> bytes, std::string name) {
   if (begun) {
     keep(builder.take());
   }
+  end_flight(bytes.size());
   file.foreign_bytes = reader.foreign_bytes();
-  file.cut_off_bytes = file.foreign_bytes - foreign_before;
-  file.foreign_places += file.cut_off_bytes > 0 ? 1 : 0;
-  for (std::size_t i = 0; i < std::min(behind.size(), file.flights.size()); ++i) {
-    file.cut_off_bytes += file.flights[i].goes_on ? behind[i] : 0;
-  }
+  file.foreign_places += file.foreign_bytes > foreign_before ? 1 : 0;
   return file;
 }
 

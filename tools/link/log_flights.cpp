@@ -5,6 +5,7 @@
 
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
+#include "protocol/log_losses.hpp"
 
 namespace fantail::link {
 namespace {
@@ -18,14 +19,19 @@ std::optional<protocol::LogHeader> header_of(const protocol::LogFrame& frame) {
 /// Takes the frames of a record in their order.
 class Splitter {
  public:
+  explicit Splitter(std::span<const std::byte> record) : record_{record} {}
+
   void take(const protocol::LogFrame& frame, std::size_t foreign_before) {
     const auto header = header_of(frame);
     const bool other = header && numbered_ && number_ != header->flight;
     const bool first = flights_.empty();
-    if (!first) {
-      flights_.back().damaged_bytes += foreign_before;  // what a power cut left lies behind its flight
+    const bool begins = first || frame.head.sequence < next_sequence_ || other;
+    if (!first && begins) {
+      end_flight(frame.position, foreign_before);
+    } else if (!first) {
+      flights_.back().damaged_bytes += foreign_before;
     }
-    if (first || frame.head.sequence < next_sequence_ || other) {
+    if (begins) {
       flights_.push_back({.begin = first ? 0 : frame.position, .first_time = frame.head.time});
       numbered_ = false;
       next_sequence_ = 0;
@@ -38,17 +44,28 @@ class Splitter {
       flight.power_up = header->power_up;
     }
     // A flight's first frame carries 0, and what was lost before it was its own.
-    flight.missing_records += frame.head.sequence - next_sequence_;
+    const std::uint32_t missing = frame.head.sequence - next_sequence_;
+    flight.missing_records += missing - protocol::dropped_before(frame, missing);
     flight.damaged_bytes += first ? foreign_before : 0;
     next_sequence_ = frame.head.sequence + 1;
     flight.records += 1;
     flight.last_time = frame.head.time;
     flight.end = frame.position + protocol::log_frame_overhead + frame.payload.size();
+    last_ = frame;
+  }
+
+  /// What lies between its last intact frame and here belongs to the newest flight.
+  void end_flight(std::size_t limit, std::size_t foreign) {
+    RecordedFlight& flight = flights_.back();
+    const bool cut_off = protocol::is_cut_off(last_, record_.subspan(flight.end, limit - flight.end));
+    (cut_off ? flight.cut_off_bytes : flight.damaged_bytes) += foreign;
   }
 
   [[nodiscard]] std::vector<RecordedFlight>& flights() { return flights_; }
 
  private:
+  std::span<const std::byte> record_;
+  std::optional<protocol::LogFrame> last_;
   std::vector<RecordedFlight> flights_;
   bool numbered_ = false;  ///< the flight's header has been seen
   std::uint32_t number_ = 0;
@@ -59,7 +76,7 @@ class Splitter {
 
 std::vector<RecordedFlight> split_flights(std::span<const std::byte> record) {
   protocol::LogFrameReader reader{record};
-  Splitter splitter;
+  Splitter splitter{record};
   std::size_t foreign = 0;
   while (const auto frame = reader.next()) {
     splitter.take(*frame, reader.foreign_bytes() - foreign);
@@ -67,7 +84,7 @@ std::vector<RecordedFlight> split_flights(std::span<const std::byte> record) {
   }
   std::vector<RecordedFlight>& flights = splitter.flights();
   if (!flights.empty()) {
-    flights.back().damaged_bytes += reader.foreign_bytes() - foreign;
+    splitter.end_flight(record.size(), reader.foreign_bytes() - foreign);
   }
   // Damaged bytes behind a flight's last intact record stay with it.
   for (std::size_t i = 0; i < flights.size(); ++i) {

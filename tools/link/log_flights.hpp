@@ -21,8 +21,9 @@ struct RecordedFlight {
   core::Microseconds first_time{};
   core::Microseconds last_time{};
   std::size_t records = 0;          ///< intact ones
-  std::size_t missing_records = 0;  ///< by their numbers
+  std::size_t missing_records = 0;  ///< by their numbers, without those that the recorder itself left out
   std::size_t damaged_bytes = 0;    ///< that belong to no intact record and are not erased flash
+  std::size_t cut_off_bytes = 0;    ///< of its last record, which a power cut left unfinished; they are no damage
 
   [[nodiscard]] double duration_s() const { return 1e-6 * static_cast<double>((last_time - first_time).count()); }
   [[nodiscard]] bool intact() const { return missing_records == 0 && damaged_bytes == 0; }

@@ -31,10 +31,15 @@ std::vector<LogStretch> uncovered(std::span<const std::byte> record, std::uint32
   return gaps;
 }
 
-bool is_intact(std::span<const std::byte> record) {
+bool all_of_flights(std::span<const std::byte> record, bool (*holds)(const RecordedFlight&)) {
   const auto flights = split_flights(record);
-  return !flights.empty() && std::ranges::all_of(flights, [](const RecordedFlight& one) { return one.intact(); });
+  return !flights.empty() && std::ranges::all_of(flights, holds);
 }
+
+bool is_intact(const RecordedFlight& flight) { return flight.intact(); }
+
+// A record that was not cut off in the flash may have been on its way.
+bool is_whole(const RecordedFlight& flight) { return flight.intact() && flight.cut_off_bytes == 0; }
 
 std::uint32_t differing(const Bytes& one, const Bytes& other) {
   std::uint32_t count = 0;
@@ -90,10 +95,10 @@ LogCheck verify(LogReader& reader, const LogStretch& stretch, LogPart& part, std
   for (const LogStretch& gap : uncovered(part.read(0, stretch.size), resumed_bytes)) {
     check.fetch_again(gap);
   }
-  if (!is_intact(part.read(0, stretch.size))) {
+  if (!all_of_flights(part.read(0, stretch.size), is_whole)) {
     check.fetch_again({.offset = 0, .size = stretch.size});
   }
-  check.found.intact = is_intact(part.read(0, stretch.size));
+  check.found.intact = all_of_flights(part.read(0, stretch.size), is_intact);
   return check.found;
 }
 
