@@ -167,9 +167,8 @@ TEST_F(LogVerify, ADownloadWhoseEndCameAsErasedFlashIsNoRecordThatWasCutOff) {
   const Bytes whole = record;
   std::ranges::fill(place.flash.cells().subspan(record_begin + end - 400, 400), std::byte{0xFF});
   std::uint32_t fetched = 0;
-  const LogCheck check = log({}, reader, &fetched, [&] {
-    std::ranges::copy(whole, place.flash.cells().begin() + record_begin);
-  });
+  const LogCheck check =
+      log({}, reader, &fetched, [&] { std::ranges::copy(whole, place.flash.cells().begin() + record_begin); });
   EXPECT_TRUE(check.intact);
   EXPECT_GT(check.mended_bytes, 300U);
   EXPECT_EQ(copy, whole);

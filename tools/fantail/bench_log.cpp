@@ -82,8 +82,7 @@ void say_file(LogVisit& visit, const FlightFile& file) {
     visit.tell("{}  {} bytes, and no intact record in them\n", path, flight.end - flight.begin);
   } else {
     visit.tell("{}  {:.1f} s, {:.2f} MB, {}\n", path, flight.duration_s(),
-               static_cast<double>(flight.end - flight.begin) / mega,
-               integrity_words(flight, visit.check.agrees()));
+               static_cast<double>(flight.end - flight.begin) / mega, integrity_words(flight, visit.check.agrees()));
   }
   const Json json{{"file", path},
                   {"bytes", flight.end - flight.begin},
