@@ -67,7 +67,7 @@ std::string event(std::uint64_t time_us, const std::string& channel, const std::
 }
 
 /// What a log of these bytes has, a line an event; a few bytes come at a time, as from a pipe.
-std::string read_log(const std::string& bytes, std::size_t at_a_time) {
+std::string read_log(const std::string& bytes, std::size_t at_a_time, std::uint64_t* foreign = nullptr) {
   std::size_t used = 0;
   LcmLog log{[&](std::span<char> to) {
     const std::size_t count = std::min({at_a_time, to.size(), bytes.size() - used});
@@ -79,6 +79,9 @@ std::string read_log(const std::string& bytes, std::size_t at_a_time) {
   while (const auto next = log.next()) {
     all += std::to_string(next->time_us) + ' ' + next->channel + ' ' + text_of(next->bytes) + '\n';
   }
+  if (foreign != nullptr) {
+    *foreign = log.foreign_bytes();
+  }
   return all;
 }
 
@@ -88,6 +91,20 @@ TEST(LcmLog, HasItsEventsInTheirOrderHoweverItComes) {
   for (const std::size_t at_a_time : {std::size_t{1}, std::size_t{7}, log.size()}) {
     EXPECT_EQ(read_log(log, at_a_time), "7 FANTAIL_STATE abc\n9 CAMERA \n8 FANTAIL_EVENT d\n");
   }
+}
+
+TEST(LcmLog, CountsTheBytesThatBelongToNoWholeEvent) {
+  const std::string one = event(1, "FANTAIL_STATE", "a") + event(2, "CAMERA", std::string(500, 'c'));
+  const std::string two = event(2, "FANTAIL_STATE", "b");
+  std::uint64_t foreign = 0;
+  for (std::size_t size = 0; size < two.size(); ++size) {
+    (void)read_log(one + two.substr(0, size), 5, &foreign);
+    EXPECT_EQ(foreign, size);
+  }
+  (void)read_log(one + "dust\xED\xA1" + two, 5, &foreign);
+  EXPECT_EQ(foreign, 6U);
+  (void)read_log(one.substr(0, one.size() - 1), 5, &foreign);
+  EXPECT_EQ(foreign, 28U + 6 + 499) << "on a channel of somebody else";
 }
 
 TEST(LcmLog, PassesOverWhatIsDamagedAndEndsWhereItIsCutOff) {

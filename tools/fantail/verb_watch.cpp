@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
@@ -14,6 +17,7 @@
 #include "hal/linux/clock.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/subscription.hpp"
+#include "text/error.hpp"
 #include "text/shell_word.hpp"
 
 namespace fantail::tool {
@@ -74,6 +78,12 @@ void watch(const WatchOptions& options) {
   screen.reset();
   if (const std::string shown = page.finish(); !shown.empty()) {
     say("page: " + shown + "\n");
+  }
+  if (const std::uint64_t bytes = subscription.foreign_bytes(); bytes > 0) {
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: {} bytes belong to no whole event: the log was cut off or is damaged; its whole "
+                                  "events were shown",
+                                  options.url, bytes)};
   }
 }
 

@@ -9,6 +9,7 @@ namespace {
 constexpr std::uint32_t short_message = 0x4C43'3032;  // "LC02"
 constexpr std::size_t header_size = 8;                // that word, and a number of the sender's
 constexpr std::size_t longest_channel = 63;
+constexpr std::size_t event_head_size = 28;
 constexpr std::uint32_t log_event = 0xEDA1'DA01;
 constexpr std::size_t portion_size = std::size_t{1} << 16U;
 
@@ -59,6 +60,7 @@ std::optional<LcmLog::Event> LcmLog::next() {
     if (!(is_ours ? take(event.bytes, *size) : skip(*size))) {
       return std::nullopt;
     }
+    whole_ += event_head_size + *channel_size + *size;
     return event;
   }
   return std::nullopt;
@@ -70,7 +72,11 @@ std::optional<std::uint8_t> LcmLog::byte() {
     portion_.resize(read_(portion_));
     used_ = 0;
   }
-  return used_ < portion_.size() ? std::optional{static_cast<std::uint8_t>(portion_[used_++])} : std::nullopt;
+  if (used_ == portion_.size()) {
+    return std::nullopt;
+  }
+  passed_ += 1;
+  return static_cast<std::uint8_t>(portion_[used_++]);
 }
 
 std::optional<std::uint64_t> LcmLog::number(std::size_t bytes) {

@@ -46,6 +46,9 @@ class LcmLog {
   /// Empty at the end.
   [[nodiscard]] std::optional<Event> next();
 
+  /// Bytes so far that belong to no whole event; at the end of a log that was cut off, those of its last one.
+  [[nodiscard]] std::uint64_t foreign_bytes() const { return passed_ - whole_; }
+
  private:
   [[nodiscard]] std::optional<std::uint8_t> byte();
   [[nodiscard]] std::optional<std::uint64_t> number(std::size_t bytes);
@@ -57,6 +60,8 @@ class LcmLog {
   Read read_;
   std::vector<char> portion_;
   std::size_t used_ = 0;  ///< of the portion
+  std::uint64_t passed_ = 0;
+  std::uint64_t whole_ = 0;  ///< of them, those of the events that were given
 };
 
 }  // namespace fantail::telemetry

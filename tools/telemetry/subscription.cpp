@@ -25,7 +25,7 @@ class Subscription::Log {
       : file_{url.path()}, speed_{url.speed()}, log_{[this](std::span<char> to) { return file_.read(to); }} {
     next_ = log_.next();
     if (!next_) {
-      throw TelemetryError{url.text() + ": not an LCM log, or an empty one"};
+      throw TelemetryError{url.text() + ": no whole event is in it; is it an LCM log, and all of it?"};
     }
   }
 
@@ -48,6 +48,8 @@ class Subscription::Log {
     }
     return next_.has_value();
   }
+
+  [[nodiscard]] std::uint64_t foreign_bytes() const { return log_.foreign_bytes(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -97,5 +99,7 @@ bool Subscription::listen(const Take& take) {
   network_->hand_over(take);
   return true;
 }
+
+std::uint64_t Subscription::foreign_bytes() const { return log_ ? log_->foreign_bytes() : 0; }
 
 }  // namespace fantail::telemetry

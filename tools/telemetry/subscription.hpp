@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -29,6 +30,9 @@ class Subscription {
 
   /// Hands over all that has come. False: the log has ended.
   bool listen(const Take& take);
+
+  /// Of a log, so far: bytes that belong to no whole event.
+  [[nodiscard]] std::uint64_t foreign_bytes() const;
 
  private:
   class Network;
