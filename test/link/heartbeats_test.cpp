@@ -2,6 +2,8 @@
 // One rocket sends a heartbeat every 100 ms of its own time; what cannot be so is two of them.
 #include "link/heartbeats.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -116,6 +118,65 @@ TEST(Heartbeats, OfTwoRocketsAreToldAfterALongGapToo) {
     hear(ear, 10'044 + 100 * i, 1);
   }
   EXPECT_TRUE(ear.two_rockets());
+}
+
+// As it was once heard: both of them came in a burst, of nodes on a busy PC, and then at their own pace. A clock that
+// goes back by 100 ms has not been switched on again 15 s ago, whoever stood still meanwhile.
+TEST(Heartbeats, OfTwoRocketsAreToldAfterABurstByTheFirstThatGoesBack) {
+  for (const std::size_t from : {0U, 4U, 10U, 20U, 21U}) {
+    constexpr std::array<std::uint32_t, 27> heard_ms{
+        11'144, 10'544, 11'744, 12'444, 13'344, 14'144, 14'544, 14'244, 14'344, 14'444, 14'644, 14'744, 14'544, 14'844,
+        14'644, 14'944, 14'744, 15'044, 14'844, 15'144, 14'944, 15'044, 15'244, 15'144, 15'244, 15'344, 15'444};
+    Heartbeats ear;
+    bool went_back = false;
+    for (std::size_t i = from; i < heard_ms.size(); ++i) {
+      went_back = went_back || (i > from && heard_ms.at(i) < heard_ms.at(i - 1));
+      (void)ear.hear(heard_ms.at(i), i > from ? std::optional{130} : std::nullopt);
+      EXPECT_EQ(ear.two_rockets().has_value(), went_back) << from << ": " << i;
+    }
+  }
+}
+
+// Frames of two rockets that alternate, behind any burst of one, heard in any portions.
+TEST(Heartbeats, OfTwoRocketsAreToldWithinFiveBehindABurstOfOne) {
+  core::RandomStream random{test::seed()};
+  for (int trial = 0; trial < 2'000; ++trial) {
+    Heartbeats ear;
+    auto one_ms = static_cast<std::uint64_t>(random.whole(60'000, 16'000'000));
+    auto other_ms = static_cast<std::uint64_t>(random.whole(60'000, 16'000'000));
+    for (int i = random.whole(0, 40); i > 0; --i, one_ms += 100) {
+      (void)ear.hear(static_cast<std::uint32_t>(one_ms), random.whole(0, 2'000));
+    }
+    ASSERT_FALSE(ear.two_rockets()) << trial;
+    for (int i = 0; i < 3; ++i, one_ms += 100, other_ms += 100) {
+      (void)ear.hear(static_cast<std::uint32_t>(other_ms), 60);
+      (void)ear.hear(static_cast<std::uint32_t>(one_ms), 60);
+    }
+    EXPECT_TRUE(ear.two_rockets()) << trial << ": " << one_ms << ", " << other_ms;
+  }
+}
+
+// Heard late, early, in portions, after a PC that stood still; off for any time, and on again.
+TEST(Heartbeats, OfARocketThatIsSwitchedOffAndOnAreOfOneRocketWheneverTheyAreRead) {
+  core::RandomStream random{test::seed()};
+  for (int trial = 0; trial < 2'000; ++trial) {
+    Heartbeats ear;
+    std::int64_t sent_ms = 0;
+    std::int64_t listened_ms = 0;
+    std::int64_t no_older_ms = 0;
+    for (int start = 0; start < 3; ++start) {
+      sent_ms += random.whole(0, 5'000);
+      std::int64_t uptime_ms = 44;
+      for (int i = random.whole(1, 60); i > 0; --i, sent_ms += 100, uptime_ms += 100) {
+        const std::int64_t stall_ms = random.chance(0.1) ? random.whole(0, 30'000) : 0;
+        const std::int64_t read_ms = std::max(listened_ms, sent_ms) + stall_ms;
+        (void)ear.hear(static_cast<std::uint32_t>(uptime_ms), read_ms - no_older_ms);
+        no_older_ms = std::min(sent_ms, listened_ms);
+        listened_ms = read_ms;
+      }
+    }
+    EXPECT_FALSE(ear.two_rockets()) << trial << ": " << ear.two_rockets().value_or("");
+  }
 }
 
 // Of each rocket some are lost; the order in which two come does not matter.

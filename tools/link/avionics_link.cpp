@@ -29,6 +29,7 @@ bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
   for (int i = 0; i < most_frames; ++i) {
     const auto frame = bus_.receive();
     if (!frame) {
+      emptied_ = now;
       return false;
     }
     if (frame->extended || frame->remote) {
@@ -54,9 +55,7 @@ bool AvionicsLink::listen(hal::Microseconds now, int most_frames) {
       }
       log_data_.push_back(*data);
     } else if (const auto* heartbeat = std::get_if<protocol::HeartbeatReport>(&*decoded.message)) {
-      if (heartbeats_.hear(heartbeat->uptime_ms) && last_command_) {
-        uncounted_ms_ = *heartbeats_.uptime_ms() - last_command_->total();
-      }
+      take(*heartbeat, now);
     } else if (const auto* board = std::get_if<protocol::BoardReport>(&*decoded.message)) {
       take(*board);
     } else if (std::holds_alternative<protocol::StatusReport>(*decoded.message)) {
@@ -71,6 +70,17 @@ template <typename Message>
 void AvionicsLink::keep(const Message& message, hal::Microseconds now) {
   std::get<std::optional<Heard<Message>>>(heard_) =
       Heard<Message>{.message = message, .time = now, .count = count<Message>() + 1};
+}
+
+void AvionicsLink::take(const protocol::HeartbeatReport& report, hal::Microseconds now) {
+  std::optional<std::int64_t> since_last_ms;
+  if (heartbeat_no_older_) {
+    since_last_ms = (now - *heartbeat_no_older_).count() / 1'000;
+  }
+  heartbeat_no_older_ = emptied_;
+  if (heartbeats_.hear(report.uptime_ms, since_last_ms) && last_command_) {
+    uncounted_ms_ = *heartbeats_.uptime_ms() - last_command_->total();
+  }
 }
 
 void AvionicsLink::take(const protocol::CommandReport& report, std::uint8_t counter) {

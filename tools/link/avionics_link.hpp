@@ -157,6 +157,7 @@ class AvionicsLink {
   void take(const protocol::CommandReport& report, std::uint8_t counter);
   void take(const protocol::EncoderReport& report, std::uint8_t counter);
   void take(const protocol::BoardReport& report);
+  void take(const protocol::HeartbeatReport& report, hal::Microseconds now);
   void unwrap(std::optional<FrameNumber>& last, std::uint8_t counter);
 
   hal::CanBus& bus_;
@@ -165,6 +166,8 @@ class AvionicsLink {
   std::optional<Timeout> silence_;
   bool silent_ = false;
   Heartbeats heartbeats_;
+  std::optional<hal::Microseconds> emptied_{};             ///< when there was last nothing more to listen to
+  std::optional<hal::Microseconds> heartbeat_no_older_{};  ///< the newest one came no earlier
   FrameOrder command_order_;
   std::optional<protocol::BoardReport> board_;
   std::optional<FrameNumber> last_command_;

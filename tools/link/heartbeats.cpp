@@ -17,6 +17,9 @@ constexpr std::int64_t longest_step_ms = 410;
 constexpr int most_too_soon = 1;
 // Heartbeats: of a clock that has been silent for so many nothing is concluded any more.
 constexpr std::int64_t forgotten_after = 20;
+// A rocket that was switched on again has been on for no longer than since its last heartbeat before that, and the time
+// that an adapter keeps a frame.
+constexpr std::int64_t longest_way_ms = 1'000;
 
 }  // namespace
 
@@ -42,7 +45,11 @@ Heartbeats::Clock* Heartbeats::clock_of(std::uint32_t uptime_ms) {
   return nearest;
 }
 
-bool Heartbeats::hear(std::uint32_t uptime_ms) {
+bool Heartbeats::hear(std::uint32_t uptime_ms, std::optional<std::int64_t> since_last_ms) {
+  if (newest_ && since_last_ms && newest_->is_back(uptime_ms) && uptime_ms > *since_last_ms + longest_way_ms) {
+    found(newest_->total(), uptime_ms);
+  }
+  newest_.emplace(uptime_ms);
   std::erase_if(clocks_, [this](const Clock& clock) { return count_ - clock.last > forgotten_after; });
   Clock* const clock = clock_of(uptime_ms);
   if (clock == nullptr && is_too_soon(uptime_ms)) {

@@ -17,8 +17,9 @@ using UptimeCounter = WrappingCounter<1 << 24>;
 /// sent them, because a report does not say who did.
 class Heartbeats {
  public:
-  /// The next heartbeat. False: it does not go on from one before it, so it says nothing of the clock that is followed.
-  bool hear(std::uint32_t uptime_ms);
+  /// The next heartbeat, and how long ago at most the one before it came, where that is known. False: it does not go on
+  /// from one before it, so it says nothing of the clock that is followed.
+  bool hear(std::uint32_t uptime_ms, std::optional<std::int64_t> since_last_ms = std::nullopt);
 
   /// Of the clock that is followed: it does not wrap. A clock that has begun anew is followed from its second heartbeat
   /// on. Empty before the first heartbeat.
@@ -26,8 +27,8 @@ class Heartbeats {
     return followed_ ? std::optional{followed_->total()} : std::nullopt;
   }
 
-  /// A sentence about two clocks: between two heartbeats of one came another's, or they come too often. Empty while
-  /// there is one alone. It stays.
+  /// A sentence about two clocks: between two heartbeats of one came another's, they come too often, or one is of a
+  /// clock that went back and has run for longer since than there was time. Empty while there is one alone. It stays.
   [[nodiscard]] const std::optional<std::string>& two_rockets() const { return two_rockets_; }
 
  private:
@@ -44,6 +45,7 @@ class Heartbeats {
 
   std::vector<Clock> clocks_;  ///< heard lately; the newest is the last
   std::optional<UptimeCounter> followed_;
+  std::optional<UptimeCounter> newest_;  ///< whose ever it is
   std::int64_t count_ = 0;
   int too_soon_ = 0;
   std::int64_t last_too_soon_ = 0;

@@ -28,6 +28,9 @@ constexpr Microseconds answer_time{5'000'000};
 constexpr Microseconds look_time{15'000'000};
 // An erase of one sector may take 400 ms.
 constexpr Microseconds erase_time{3'000'000};
+// Of one rocket alone: two seconds, and on a busy PC longer. Of a second one some would have come between them.
+constexpr std::uint64_t heartbeats_before_erase = 20;
+constexpr Microseconds time_to_be_sure{15'000'000};
 
 std::string name(LogAction what) { return what == LogAction::plan ? "plan" : "flight record"; }
 
@@ -168,7 +171,20 @@ bool LogReader::take_data(std::vector<std::byte>& bytes) {
   return any;
 }
 
+// A second rocket would have heard the session begin, too, and obey it.
+void LogReader::expect_one_rocket(Session& session) {
+  Timeout timeout{time_to_be_sure, place_.now()};
+  const std::uint64_t enough = link_.count<protocol::HeartbeatReport>() + heartbeats_before_erase;
+  while (link_.count<protocol::HeartbeatReport>() < enough) {
+    session.wait();
+    if (timeout.expired(place_.now())) {
+      throw LinkError{"too few heartbeats came to be sure that one rocket alone is on the bus; nothing is erased"};
+    }
+  }
+}
+
 void LogReader::erase(Session& session, const std::function<void(std::uint32_t)>& progress) {
+  expect_one_rocket(session);
   ask(LogAction::erase, session.number(), 0);
   Microseconds asked = place_.now();
   Timeout any_answer{answer_time, asked};

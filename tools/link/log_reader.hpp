@@ -35,13 +35,15 @@ class LogReader {
   /// The block of the plan in force, as long as its header says it is; it is not looked into further.
   [[nodiscard]] std::vector<std::byte> plan_block();
 
-  /// Erases the record. `progress` is told the bytes that are left. Throws LinkError when the session ends.
+  /// Erases the record, once so many heartbeats of one rocket alone came that there is no second. `progress` is told
+  /// the bytes that are left. Throws LinkError when the session ends; TwoRockets.
   void erase(Session& session, const std::function<void(std::uint32_t)>& progress);
 
   /// Chunks that had to be asked for again.
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
 
  private:
+  void expect_one_rocket(Session& session);
   void ask(protocol::LogAction action, std::uint32_t offset, std::uint16_t size);
   [[nodiscard]] std::vector<std::byte> read(protocol::LogAction what, std::uint32_t offset, std::uint32_t size);
   [[nodiscard]] std::optional<protocol::LogReply> answer() const;
