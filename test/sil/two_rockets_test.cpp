@@ -106,6 +106,42 @@ TEST_F(TwoRockets, OneThatComesWhileCanardsMoveEndsTheExerciseAndBlamesNoPc) {
   }
 }
 
+/// A busy PC: when the bench has asked for its first session, nobody runs for 0.3 s.
+class StallingPlace final : public link::Place {
+ public:
+  explicit StallingPlace(BenchAtWorld& inner) : inner_{inner}, ear_{inner.wire} {}
+  [[nodiscard]] hal::CanBus& bus() override { return inner_.bus(); }
+  [[nodiscard]] hal::Microseconds now() const override { return inner_.now(); }
+  void wait(hal::Microseconds at_most) override {
+    inner_.wait(at_most);
+    while (const auto frame = ear_.receive()) {
+      if (frame->id < 0x100U && !asked_) {
+        asked_ = true;
+        inner_.wait(300 * millisecond);
+        return;
+      }
+    }
+  }
+
+ private:
+  BenchAtWorld& inner_;
+  hal::sim::CanBus ear_;
+  bool asked_ = false;
+};
+
+TEST_F(TwoRockets, ASessionThatEndsAsSoonAsItHasOpenedIsNotCalledRefused) {
+  StallingPlace stalling{place};
+  EXPECT_EQ(complaint([&] { link::Session session(stalling, link, 5); }),
+            "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, suspended or too "
+            "busy, sent no heartbeat for 0.3 s");
+}
+
+TEST_F(TwoRockets, OneThatComesWhileThePcStandsStillIsNamedBeforeThePc) {
+  StallingPlace stalling{place};
+  join_after(150, 1);
+  expect_told([&] { link::Session session(stalling, link, 5); });
+}
+
 TEST_F(TwoRockets, OneThatComesDuringTheSelfTestEndsArming) {
   link::ArmSteps steps{place, link};
   join_after(4'000, 10'000);

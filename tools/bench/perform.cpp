@@ -21,9 +21,6 @@ double latest_s(const Exercise& exercise, double done_s) {
   return stretch.part == Part::sine ? std::max(stretch.end_s, done_s + longest_stride_s) : done_s + longest_stride_s;
 }
 
-// A second rocket on the bus spoils a recording before its clock tells that it is there.
-constexpr hal::Microseconds time_to_tell{500'000};
-
 link::Recording record(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
                        const std::function<void(double)>& progress,
                        const std::function<void(const link::Tick&)>& seen) {
@@ -65,12 +62,8 @@ link::Recording perform(const Exercise& exercise, link::Session& session, link::
     return record(exercise, session, link, progress, seen);
   } catch (const Unmeasured&) {
     session.request({});  // all to their trims
-    try {
-      session.wait(time_to_tell);
-    } catch (const link::TwoRockets&) {
-      throw;
-    } catch (const link::LinkError&) {  // NOLINT(bugprone-empty-catch): what came first is said
-    }
+    // A second rocket on the bus spoils a recording before its clock tells that it is there.
+    session.look_for_second_rocket();
     throw;
   }
 }

@@ -71,8 +71,10 @@ std::string integrity_words(const link::RecordedFlight& flight, bool agrees) {
   if (flight.cut_off_bytes == 0) {
     return "intact";
   }
-  return fmt::format("{}: its last record was cut off after {} bytes",
-                     agrees ? "intact, by two fetches that agree" : "not read alike twice", flight.cut_off_bytes);
+  return agrees ? fmt::format(
+                      "intact, by two fetches that agree; of its last record, which was cut off, {} bytes are there",
+                      flight.cut_off_bytes)
+                : "not read alike twice";
 }
 
 void say_file(LogVisit& visit, const FlightFile& file) {
@@ -84,16 +86,17 @@ void say_file(LogVisit& visit, const FlightFile& file) {
     visit.tell("{}  {:.1f} s, {:.2f} MB, {}\n", path, flight.duration_s(),
                static_cast<double>(flight.end - flight.begin) / mega, integrity_words(flight, visit.check.agrees()));
   }
-  const Json json{{"file", path},
-                  {"bytes", flight.end - flight.begin},
-                  {"duration_s", flight.duration_s()},
-                  {"vehicle", flight.vehicle},
-                  {"power_up", flight.power_up},
-                  {"records", flight.records},
-                  {"missing_records", flight.missing_records},
-                  {"damaged_bytes", flight.damaged_bytes},
-                  {"cut_off_bytes", flight.cut_off_bytes},
-                  {"intact", flight.records > 0 && flight.intact()}};
+  const Json json{
+      {"file", path},
+      {"bytes", flight.end - flight.begin},
+      {"duration_s", flight.duration_s()},
+      {"vehicle", flight.vehicle},
+      {"power_up", flight.power_up},
+      {"records", flight.records},
+      {"missing_records", flight.missing_records},
+      {"damaged_bytes", flight.damaged_bytes},
+      {"cut_off_bytes", flight.cut_off_bytes},
+      {"intact", flight.records > 0 && flight.intact() && (flight.cut_off_bytes == 0 || visit.check.agrees())}};
   visit.json["files"].push_back(json);
 }
 

@@ -24,7 +24,7 @@ constexpr int most_portions = 30;
 constexpr Microseconds answer_time{2'000'000};
 // While one rocket sends so many, a second one has sent enough to be told from it.
 constexpr std::uint64_t heartbeats_of_one = 5;
-constexpr Microseconds time_to_tell{500'000};
+constexpr Microseconds time_to_tell{2'000'000};
 // Of a node on a busy PC the reports that come once a second may come late.
 constexpr Microseconds slow_reports{3'000'000};
 // The very first motion after power-up is slow, down to 5 deg/s from wherever the canards were left.
@@ -83,8 +83,11 @@ void await_avionics(Place& place, AvionicsLink& link, Microseconds longest) {
   link.expect_one_rocket();
 }
 
-void look_for_second_rocket(Place& place, AvionicsLink& link) {
-  for (const Microseconds end = place.now() + time_to_tell; place.now() < end;) {
+void look_for_second_rocket(Place& place, AvionicsLink& link, const std::function<void()>& meanwhile) {
+  const std::uint64_t enough = link.count<protocol::HeartbeatReport>() + 2 * heartbeats_of_one;
+  for (Timeout timeout{time_to_tell, place.now()};
+       link.count<protocol::HeartbeatReport>() < enough && !timeout.expired(place.now());) {
+    meanwhile();
     place.wait(glance);
     link.listen(place.now());
     link.expect_one_rocket();
@@ -134,18 +137,22 @@ void Session::open() {
     answer = ask_to_open();
   }
   if (answer.state != protocol::SessionState::open) {
+    if (answer.reason == protocol::SessionReason::heartbeat_lost) {  // it had opened, while this process stood still
+      tell_end(answer.reason);
+    }
+    link::look_for_second_rocket(place_, link_);
     throw answer.reason == protocol::SessionReason::other_session
         ? another_bench()
         : LinkError{"the avionics refuses a bench session: " + replies::sentence(answer.reason)};
   }
   open_ = true;
-  last_look_ = place_.now();
 }
 
 protocol::SessionReply Session::ask_to_open() {
   const std::uint64_t before = link_.count<protocol::SessionReply>();
   Timeout timeout{answer_time, place_.now()};
   std::optional<protocol::SessionReply> answer;
+  last_look_ = place_.now();
   while (!(answer = answer_since(before))) {
     if (timeout.expired(place_.now())) {
       throw LinkError{"the avionics did not answer the request for a bench session"};
@@ -156,6 +163,7 @@ protocol::SessionReply Session::ask_to_open() {
     }
     place_.wait(glance);
     link_.listen(place_.now());
+    note_look(place_.now());
   }
   return *answer;
 }
@@ -197,7 +205,7 @@ void Session::wait() {
 
 void Session::speak() {
   const Microseconds now = place_.now();
-  longest_gap_ = std::max(longest_gap_, now - std::exchange(last_look_, now));
+  note_look(now);
   if (open_ && now > next_heartbeat_ + longest_pause) {
     // Meets BEN-3.
     // This process stood still for so long that the session may be over, and another bench at work: a request waits
@@ -219,6 +227,10 @@ void Session::speak() {
   }
 }
 
+void Session::note_look(Microseconds now) {
+  longest_gap_ = std::max(longest_gap_, now - std::exchange(last_look_, now));
+}
+
 void Session::say(SessionAction action) {
   send(place_, encode(protocol::BenchSession{.action = action, .session = number_}, heartbeat_counter_.next()));
 }
@@ -237,16 +249,7 @@ void Session::check_still_open() const {
   link_.expect_one_rocket();
   const auto& reply = link_.reported<protocol::SessionReply>("bench session");
   if (reply.session == number_ && reply.state == protocol::SessionState::closed) {
-    std::string known;
-    if (reply.reason == protocol::SessionReason::heartbeat_lost) {
-      known = longest_gap_ > longest_pause
-                  ? ", and this PC, suspended or too busy, sent no heartbeat for " + tenths(longest_gap_)
-                  : fmt::format(
-                        ", although this PC never paused for more than {} ms: frames were lost, or the avionics "
-                        "stood still",
-                        longest_gap_.count() / 1000);
-    }
-    throw LinkError{"the avionics has ended the bench session: " + replies::sentence(reply.reason) + known};
+    tell_end(reply.reason);
   }
   // Whoever was stopped for a while may find somebody else at work, and must not speak into that.
   if (reply.session != number_ && reply.state == protocol::SessionState::open) {
@@ -255,6 +258,24 @@ void Session::check_still_open() const {
   if (link_.has_fallen_silent()) {
     throw LinkError{"the avionics has stopped reporting; it centres the canards by itself if it still runs"};
   }
+}
+
+void Session::tell_end(protocol::SessionReason reason) const {
+  link::look_for_second_rocket(place_, link_);
+  std::string known;
+  if (reason == protocol::SessionReason::heartbeat_lost) {
+    known =
+        longest_gap_ > longest_pause
+            ? ", and this PC, suspended or too busy, sent no heartbeat for " + tenths(longest_gap_)
+            : fmt::format(
+                  ", although this PC never paused for more than {} ms: frames were lost, or the avionics stood still",
+                  longest_gap_.count() / 1000);
+  }
+  throw LinkError{"the avionics has ended the bench session: " + replies::sentence(reason) + known};
+}
+
+void Session::look_for_second_rocket() {
+  link::look_for_second_rocket(place_, link_, [this] { speak(); });
 }
 
 bool Session::close() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "link/avionics_link.hpp"
 #include "link/place.hpp"
@@ -13,9 +14,9 @@ namespace fantail::link {
 /// TwoRockets when it is not alone.
 void await_avionics(Place& place, AvionicsLink& link, hal::Microseconds longest = hal::Microseconds{2'000'000});
 
-/// Listens for half a second: by then a second rocket has told itself from the first. Throws TwoRockets. For whoever
-/// would blame something else for reports that do not fit.
-void look_for_second_rocket(Place& place, AvionicsLink& link);
+/// Listens for ten heartbeats, a second of a rocket's: by then a second rocket has told itself from the first. Throws
+/// TwoRockets. For whoever would blame something else for what does not fit. `meanwhile` is called at every look.
+void look_for_second_rocket(Place& place, AvionicsLink& link, const std::function<void()>& meanwhile = [] {});
 
 /// The right to move the canards. It opens with the object and lives on heartbeats, which are sent while the bench
 /// waits; however the object ends, by the end of its work or by an exception, the canards are centred.
@@ -36,6 +37,9 @@ class Session {
   /// A few frames long, and no longer than 2 ms.
   void wait();
 
+  /// As the function of this name, with the session's heartbeats and requests; whether or not it goes on.
+  void look_for_second_rocket();
+
   /// Ends the session and waits until the avionics has said so. True when all canards that are driven then stand at
   /// their trims by command.
   bool close();
@@ -53,9 +57,11 @@ class Session {
   [[nodiscard]] protocol::SessionReply ask_to_open();
   void learn_trims();
   void speak();
+  void note_look(hal::Microseconds now);
   void say(protocol::SessionAction action);
   [[nodiscard]] std::optional<protocol::SessionReply> answer_since(std::uint64_t count) const;
   void check_still_open() const;
+  [[noreturn]] void tell_end(protocol::SessionReason reason) const;
 
   Place& place_;
   AvionicsLink& link_;
