@@ -85,7 +85,7 @@ set(FANTAIL_COMPILED_ALONE
   tools/flight/free_roll.cpp tools/flight/read_csv.cpp tools/flight/turning.cpp
   tools/identify/lag_doubt.cpp
   tools/input/scenario_fields.cpp
-  tools/link/log_reader.cpp tools/link/session.cpp
+  tools/link/await_avionics.cpp tools/link/log_reader.cpp tools/link/session.cpp
   tools/log_export/ulog.cpp
   tools/page/live.cpp
   tools/report/verdict.cpp
