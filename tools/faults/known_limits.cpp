@@ -16,6 +16,7 @@ constexpr unsigned armed = at(Phase::armed) | launched;
 constexpr unsigned before_launch = at(Phase::armed, Phase::launched);
 constexpr bool one_gyro = true;
 constexpr int after_self_test_ms = 250;  // of the pad
+constexpr int for_garbage_ms = 500;      // random pulses may pass for a healthy canard's for longer
 
 constexpr std::string_view believed =
     "one gyro that is wrong, and says nothing of it, is believed: there is nothing to hold it against";
@@ -31,8 +32,8 @@ constexpr std::string_view look_at_bus =
 constexpr std::string_view too_far =
     "one canard far off takes more roll moment than the other three have within their limit";
 constexpr std::string_view untested =
-    "one canard far off takes more roll moment than the other three have; in the last quarter of a second before "
-    "arming the self-test has already seen it move";
+    "one canard far off takes more roll moment than the other three have; in the moment before arming the "
+    "self-test has already seen it move";
 constexpr std::string_view stop_near =
     "let the linkage stop a canard a little beyond the plan limit, and keep 4 times the fin offset plus that stop "
     "below 3 times the plan limit";
@@ -62,7 +63,7 @@ constexpr auto limits = std::to_array<KnownLimit>({
     {"servo", "hardover_back", armed, false, turned, nearer, 0, Excuse::comes_back},
     {"servo", "hardover", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
     {"servo", "hardover_back", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
-    {"servo", "garbage", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {"servo", "garbage", at(Phase::pad), false, untested, stop_near, for_garbage_ms, Excuse::three_lack},
     {"servo", "cut_pulse", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
     {"servo", "garbage", armed, false, too_far, stop_near, 0, Excuse::three_lack},
     {"servo", "garbage", armed, false, turned, nearer, 0, Excuse::comes_back},
@@ -70,7 +71,7 @@ constexpr auto limits = std::to_array<KnownLimit>({
     {"servo", "cut_pulse", armed, false, turned, nearer, 0, Excuse::comes_back},
     {"servo", "hardover", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
     {"servo", "hardover_back", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
-    {"servo", "garbage", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
+    {"servo", "garbage", at(Phase::pad), false, turned, nearer, for_garbage_ms, Excuse::comes_back},
     {"servo", "cut_pulse", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
 });
 // clang-format on
