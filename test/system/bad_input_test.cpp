@@ -44,7 +44,15 @@ TEST(MissingPath, IsRefused) {
   Refusal({}, {"fly", "no/such.toml"}, 66, {"no/such.toml"});
   Refusal({}, {"plan", "show", "./none"}, 66, {"./none"});
   Refusal({{"folder.toml/file", ""}}, {"fly", "folder.toml"}, 66, {"folder.toml"});
-  Refusal({}, {"fly", "/dev/null"}, 66, {"/dev/null: not a regular file"});
+  for (const Words& words : {Words{"fly", "/dev/zero"},
+                             {"plan", "check", "/dev/zero"},
+                             {"new", "x", "--from", "/dev/zero"},
+                             {"predict", "tasha3_launch2", "--tunnel", "/dev/zero"},
+                             {"identify", "/dev/zero", "--vehicle", "tasha3_launch2"},
+                             {"log", "info", "/dev/zero"},
+                             {"report", "/dev/zero"}}) {
+    Refusal({}, words, 66, {"/dev/zero: is a device, not a file; copy what you need of it into a file"});
+  }
   Refusal({}, {"identify", "/nonexistent"}, 66, {"/nonexistent: no such file"});
   Refusal({}, {"tunnel", "stability", "/nonexistent"}, 66, {"/nonexistent: no such file"});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is no file, or no end of one, in the place of a file.
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <chrono>
 #include <csignal>
@@ -83,6 +84,24 @@ INSTANTIATE_TEST_SUITE_P(Each, AVerbThatWaitsForAPipe, testing::ValuesIn(readers
   return name;
 });
 
+TEST(Input, OfAPipeThatNobodyWritesToIsWaitedForAloud) {
+  const Folder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe.ftl").c_str(), 0600), 0);
+  std::atomic<bool> has_spoken = false;
+  const auto interrupt = [&](int process) {
+    for (int i = 0; i < 3'000 && !has_spoken; ++i) {
+      std::this_thread::sleep_for(10ms);
+    }
+    kill(process, SIGINT);
+  };
+  const Outcome outcome = fantail({"replay", "pipe.ftl"},
+                                  {.working_folder = folder.path(), .meanwhile = interrupt, .has_spoken = &has_spoken});
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(outcome.err,
+            "pipe.ftl is a pipe, and nothing has come out of it for 5 s; Ctrl-C ends the wait\n"
+            "fantail: interrupted; nothing was written\n");
+}
+
 TEST(Input, OfAPipeIsWhatComesThroughIt) {
   const Folder folder;
   ASSERT_EQ(fantail({"fly", "--out", folder / "flight"}).exit_code, 0);
@@ -99,7 +118,7 @@ TEST(Input, ThatIsADeviceAFolderOrFarTooLargeIsRefusedInWords) {
     std::filesystem::create_symlink("/dev/zero", folder.path() / place);
     const std::string verb = std::string{place}.ends_with(".ftl") ? "replay" : "listen";
     const Outcome device = fantail({verb, place}, {.working_folder = folder.path()});
-    EXPECT_EQ(device.exit_code, 65) << device.err;
+    EXPECT_EQ(device.exit_code, 66) << device.err;
     EXPECT_EQ(device.err,
               "fantail: " + std::string{place} + ": is a device, not a file; copy what you need of it into a file\n");
     std::filesystem::remove(folder.path() / place);

@@ -71,9 +71,10 @@ TEST_F(InputFileTest, OfAPipeIsAllThatAWriterPutsIntoIt) {
 TEST_F(InputFileTest, WhatIsNoFileIsSaidToBeWhatItIs) {
   EXPECT_EQ(refusal(folder_ / "none", ErrorKind::no_such_input), "no such file");
   EXPECT_EQ(refusal(folder_.write("file", "") + "/below", ErrorKind::no_such_input), "no such file");
-  EXPECT_EQ(refusal(folder_.path().string(), ErrorKind::bad_data), "is a folder, not a file");
+  EXPECT_EQ(refusal(folder_.path().string(), ErrorKind::no_such_input), "is a folder, not a file");
   for (const char* device : {"/dev/zero", "/dev/null", "/dev/random"}) {
-    EXPECT_EQ(refusal(device, ErrorKind::bad_data), "is a device, not a file; copy what you need of it into a file");
+    EXPECT_EQ(refusal(device, ErrorKind::no_such_input),
+              "is a device, not a file; copy what you need of it into a file");
   }
   EXPECT_EQ(refusal(pipe(), ErrorKind::no_such_input, InputKind::document),
             "is a pipe, which can be read only once; save its content as a file and give that");
@@ -118,6 +119,24 @@ TEST_F(InputFileTest, ThatGrowsMeanwhileIsSaidTo) {
   EXPECT_EQ(refusal(path, ErrorKind::bad_data),
             "changed while it was read; wait until no program writes to it, or give a copy");
   is_read = true;
+}
+
+TEST_F(InputFileTest, APipeThatNobodyWritesToIsNamedOnce) {
+  struct Enough {};
+  static std::atomic<int> looks;
+  static std::string told;
+  looks = 0;
+  told = "";
+  check_while_reading(
+      [] {
+        if (++looks > 70) {
+          throw Enough{};
+        }
+      },
+      [](const std::string& sentence) { told += std::to_string(looks) + ": " + sentence + "\n"; });
+  const std::string path = pipe();
+  EXPECT_THROW((void)read_input(path), Enough);
+  EXPECT_EQ(told, "50: " + path + " is a pipe, and nothing has come out of it for 5 s; Ctrl-C ends the wait\n");
 }
 
 TEST_F(InputFileTest, NobodyWaitsForAPipeAfterCtrlC) {

@@ -3,7 +3,9 @@
 
 #include <csignal>
 #include <initializer_list>
+#include <string>
 
+#include "fantail/standard_streams.hpp"
 #include "text/input_file.hpp"
 
 namespace fantail::tool {
@@ -21,7 +23,7 @@ void catch_interrupts() {
       std::signal(signal, SIG_IGN);
     }
   }
-  text::check_while_reading(give_up_if_interrupted);
+  text::check_while_reading(give_up_if_interrupted, [](const std::string& sentence) { say(sentence + "\n"); });
 }
 
 bool take_interrupt() {

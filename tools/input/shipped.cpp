@@ -9,6 +9,7 @@
 #include "input/messages.hpp"
 #include "input/shipped_place.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 
 namespace fantail::input {
 namespace {
@@ -121,7 +122,7 @@ std::filesystem::path find_input(Shipped kind, const std::string& name_or_path) 
     return name_or_path + std::string{place.extension};
   }
   if (std::filesystem::exists(name_or_path, ignored)) {
-    throw text::Error{text::ErrorKind::no_such_input, name_or_path + ": not a regular file"};
+    (void)text::InputFile{name_or_path, text::InputKind::document};  // says what it is
   }
   const std::vector<std::string> names = shipped_names(kind);
   if (looks_like_path(name_or_path)) {

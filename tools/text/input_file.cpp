@@ -19,6 +19,7 @@ namespace fantail::text {
 namespace {
 
 std::atomic<void (*)()> check_of_pipes = nullptr;
+std::atomic<void (*)(const std::string&)> tell_of_pipes = nullptr;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why,
                          ErrorKind kind = ErrorKind::bad_data) {
@@ -62,7 +63,10 @@ std::size_t read_all(const std::filesystem::path& path, InputKind kind, std::siz
 
 }  // namespace
 
-void check_while_reading(void (*check)()) { check_of_pipes = check; }
+void check_while_reading(void (*check)(), void (*tell)(const std::string& sentence)) {
+  check_of_pipes = check;
+  tell_of_pipes = tell;
+}
 
 // Without O_NONBLOCK a pipe that nobody writes to would hold the program here.
 InputFile::InputFile(const std::filesystem::path& path, InputKind kind)
@@ -76,15 +80,15 @@ InputFile::InputFile(const std::filesystem::path& path, InputKind kind)
   try {
     const auto mode = status_of(file_, path).st_mode;
     is_pipe_ = S_ISFIFO(mode);
-    const ErrorKind no_file = kind == InputKind::document ? ErrorKind::no_such_input : ErrorKind::bad_data;
     if (S_ISDIR(mode)) {
-      refuse(path, "is a folder, not a file", no_file);
+      refuse(path, "is a folder, not a file", ErrorKind::no_such_input);
     }
     if (is_pipe_ && kind == InputKind::document) {
-      refuse(path, "is a pipe, which can be read only once; save its content as a file and give that", no_file);
+      refuse(path, "is a pipe, which can be read only once; save its content as a file and give that",
+             ErrorKind::no_such_input);
     }
     if (!is_pipe_ && !S_ISREG(mode)) {
-      refuse(path, "is a device, not a file; copy what you need of it into a file", no_file);
+      refuse(path, "is a device, not a file; copy what you need of it into a file", ErrorKind::no_such_input);
     }
   } catch (...) {
     ::close(file_);
@@ -94,7 +98,7 @@ InputFile::InputFile(const std::filesystem::path& path, InputKind kind)
 
 InputFile::~InputFile() { ::close(file_); }
 
-bool InputFile::has_come() const {
+bool InputFile::has_come() {
   if (!is_pipe_) {
     return true;
   }
@@ -102,8 +106,18 @@ bool InputFile::has_come() const {
     check();
   }
   constexpr int between_checks_ms = 100;
+  constexpr int silent_looks_till_told = 50;
   pollfd waiting{.fd = file_, .events = POLLIN, .revents = 0};
-  return ::poll(&waiting, 1, between_checks_ms) > 0;
+  if (::poll(&waiting, 1, between_checks_ms) > 0) {
+    silent_looks_ = silent_looks_till_told;
+    return true;
+  }
+  silent_looks_ += 1;
+  if (void (*const tell)(const std::string&) = tell_of_pipes;
+      tell != nullptr && silent_looks_ == silent_looks_till_told) {
+    tell(path_.string() + " is a pipe, and nothing has come out of it for 5 s; Ctrl-C ends the wait");
+  }
+  return false;
 }
 
 std::size_t InputFile::read(std::span<char> to) {

@@ -23,14 +23,15 @@ enum class InputKind : std::uint8_t {
   return std::size_t{kind == InputKind::data ? 512U : 16U} << 20U;
 }
 
-/// `check` is called before each portion of a pipe, and ten times a second while that gives nothing. It may throw.
-void check_while_reading(void (*check)());
+/// `check` is called before each portion of a pipe, and ten times a second while that gives nothing; it may throw.
+/// `tell` is given a sentence, once, about a pipe out of which nothing has come for five seconds.
+void check_while_reading(void (*check)(), void (*tell)(const std::string& sentence) = nullptr);
 
 /// A file or a pipe that is read from its beginning to its end.
 class InputFile {
  public:
-  /// Throws Error for one that is missing (no_such_input), and for a folder, a device, or a pipe where none is allowed
-  /// (of data bad_data, of a document no_such_input); std::system_error for one that cannot be opened.
+  /// Throws Error (no_such_input) for one that is missing, a folder, a device, or a pipe where none is allowed;
+  /// std::system_error for one that cannot be opened.
   explicit InputFile(const std::filesystem::path& path, InputKind kind = InputKind::data);
   ~InputFile();
   InputFile(const InputFile&) = delete;
@@ -42,11 +43,12 @@ class InputFile {
   [[nodiscard]] std::size_t size() const;
 
  private:
-  [[nodiscard]] bool has_come() const;
+  [[nodiscard]] bool has_come();
 
   std::filesystem::path path_;
   int file_;
   bool is_pipe_ = false;
+  int silent_looks_ = 0;  ///< before the first byte
 };
 
 /// All that stands in a file. Throws as InputFile does, and Error (bad_data) for one with more than so many bytes and
