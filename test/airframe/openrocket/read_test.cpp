@@ -57,6 +57,21 @@ TEST_F(Read, TheSameDesignPlainGzippedAndZipped) {
   }
 }
 
+TEST_F(Read, LettersThatAreNotUtf8AreLatin1AndThatIsSaid) {
+  const auto called = [&](const std::string& name, const std::string& head = "") {
+    std::string xml = design(nose + tube(fins("Tail", 3, "0")));
+    return read_design(plain(head + xml.replace(xml.find("Test &amp; Co"), 13, name)));
+  };
+  const std::string declared = "<?xml version='1.0' encoding='ISO-8859-1'?>";
+  for (const Design& latin : {called("Caf\xE9"), called("Caf\xE9", declared)}) {
+    EXPECT_EQ(latin.name, "Caf\xC3\xA9");
+    ASSERT_FALSE(latin.assumed.empty());
+    EXPECT_EQ(latin.assumed[0], "Letters of the design: Latin-1, as they are not UTF-8.");
+  }
+  EXPECT_EQ(called("Caf\xC3\xA9").name, "Caf\xC3\xA9");
+  EXPECT_TRUE(called("Caf\xC3\xA9").assumed.empty());
+}
+
 TEST_F(Read, WeighsByMaterialAndSize) {
   const Design read = read_design(plain(design(nose + tube(fins("Tail", 3, "0")))));
   const double cone_kg = 1000.0 * pi * 0.05 * 0.05 * 0.3 / 3.0;

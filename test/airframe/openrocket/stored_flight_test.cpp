@@ -34,11 +34,11 @@ std::string flight(const std::string& status, const std::string& types, const st
 
 class StoredFlights : public DesignFiles {
  protected:
-  std::vector<StoredFlight> stored(const std::string& simulations) {
-    return read_design(plain("<openrocket version='1.8'>" + rocket + "<simulations>" + simulations +
-                             "</simulations></openrocket>"))
-        .flights;
+  Design with(const std::string& simulations) {
+    return read_design(
+        plain("<openrocket version='1.8'>" + rocket + "<simulations>" + simulations + "</simulations></openrocket>"));
   }
+  std::vector<StoredFlight> stored(const std::string& simulations) { return with(simulations).flights; }
 };
 
 TEST_F(StoredFlights, GiveMassAndCentreOfGravityAtLiftOffAndTheCentreOfPressureOfTheSlowAscent) {
@@ -72,6 +72,18 @@ TEST_F(StoredFlights, WithoutNumbersAreLeftOut) {
   ASSERT_EQ(only_mass.size(), 1U);
   EXPECT_DOUBLE_EQ(*only_mass[0].mass_kg, 2.5);
   EXPECT_FALSE(only_mass[0].centre_of_pressure_m);
+}
+
+TEST_F(StoredFlights, OfZerosOrOtherNumbersThatNoRocketHasAreLeftOutWithAWord) {
+  for (const auto& [numbers, why] :
+       {std::pair{"0,0,0,0,0,0,0,0", "its mass is 0"}, std::pair{"0,0,-2,1.3,1.1,2,0,0", "its mass is -2"},
+        std::pair{"0,0,3,1.3,0,2,0,0", "its centre of gravity is 0"},
+        std::pair{"0,0,3,99,1,2,0,0", "its centre of pressure is 99"}}) {
+    const Design design = with(flight("uptodate", by_name, std::string{"<datapoint>"} + numbers + "</datapoint>"));
+    EXPECT_TRUE(design.flights.empty()) << numbers;
+    ASSERT_EQ(design.not_used.size(), 1U) << numbers;
+    EXPECT_EQ(design.not_used[0], std::string{"Simulation \"Flight uptodate\": its stored flight, as "} + why + ".");
+  }
 }
 
 TEST_F(StoredFlights, AtLargeAnglesOfAttackSayNothingOfTheCentreOfPressure) {

@@ -15,6 +15,7 @@
 #include "airframe/openrocket/stored_flight.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
+#include "text/printable.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {
@@ -32,6 +33,19 @@ constexpr std::array nose_shapes{
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& complaint) {
   throw text::Error{text::ErrorKind::bad_data, file.string() + ": " + complaint};
+}
+
+/// Zeros are halves of letters in UTF-16, and nothing in XML otherwise.
+bool is_utf_8_or_16(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const bool is_ascii = static_cast<unsigned char>(text[i]) < 0x80;
+    const std::size_t length = is_ascii ? 1 : text::printable_character(text.substr(i));
+    if (length == 0) {
+      return text.find('\0') != std::string_view::npos;
+    }
+    i += length;
+  }
+  return true;
 }
 
 double wall_of(const Component& c) {
@@ -223,7 +237,10 @@ Design read_design(const std::filesystem::path& file) {
   const std::string text = document_text(file);
   pugi::xml_document document;
   constexpr unsigned how = pugi::parse_default | pugi::parse_doctype;
-  if (const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size(), how); !result) {
+  const bool is_latin = !is_utf_8_or_16(text);
+  if (const pugi::xml_parse_result result =
+          document.load_buffer(text.data(), text.size(), how, is_latin ? pugi::encoding_latin1 : pugi::encoding_auto);
+      !result) {
     refuse(file, fmt::format("is not XML: {} at byte {}", result.description(), result.offset));
   }
   // Its entities would not be replaced in any case.
@@ -235,6 +252,9 @@ Design read_design(const std::filesystem::path& file) {
     refuse(file, "is no design of OpenRocket: its XML has no <openrocket>");
   }
   Design design;
+  if (is_latin) {
+    design.assumed.emplace_back("Letters of the design: Latin-1, as they are not UTF-8.");
+  }
   check_version(file, root, design);
   const pugi::xml_node rocket = root.child("rocket");
   const pugi::xml_node stage = rocket.child("subcomponents").child("stage");
@@ -249,7 +269,7 @@ Design read_design(const std::filesystem::path& file) {
     design.left_out.push_back(
         {.what = fmt::format("stage \"{}\": not read", next.child("name").text().as_string()), .is_force = true});
   }
-  design.flights = stored_flights(root.child("simulations"));
+  design.flights = stored_flights(root.child("simulations"), design.not_used);
   return design;
 }
 

@@ -10,7 +10,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "text/number.hpp"
 
@@ -89,6 +92,18 @@ StoredFlight flight_of(pugi::xml_node branch) {
   return flight;
 }
 
+/// What of it no rocket has, as the end of a sentence; empty: nothing.
+std::string impossible(const StoredFlight& flight) {
+  for (const auto& [name, value, most] :
+       {std::tuple{"mass", flight.mass_kg, 1'000.0}, std::tuple{"centre of gravity", flight.centre_of_gravity_m, 30.0},
+        std::tuple{"centre of pressure", flight.centre_of_pressure_m, 30.0}}) {
+    if (value && !(*value >= 0.001 && *value <= most)) {
+      return fmt::format("its {} is {}", name, *value);
+    }
+  }
+  return {};
+}
+
 bool belongs_to_design(pugi::xml_node simulation) {
   const std::string_view status = simulation.attribute("status").as_string();
   return status == "uptodate" || status == "loaded" || status == "external";
@@ -96,7 +111,7 @@ bool belongs_to_design(pugi::xml_node simulation) {
 
 }  // namespace
 
-std::vector<StoredFlight> stored_flights(pugi::xml_node simulations) {
+std::vector<StoredFlight> stored_flights(pugi::xml_node simulations, std::vector<std::string>& not_used) {
   std::vector<StoredFlight> flights;
   for (const pugi::xml_node simulation : simulations.children("simulation")) {
     const pugi::xml_node branch = simulation.child("flightdata").child("databranch");
@@ -106,6 +121,10 @@ std::vector<StoredFlight> stored_flights(pugi::xml_node simulations) {
     StoredFlight flight = flight_of(branch);
     flight.name = simulation.child("name").text().as_string();
     flight.configuration = simulation.child("conditions").child("configid").text().as_string();
+    if (const std::string why = impossible(flight); !why.empty()) {
+      not_used.push_back(fmt::format("Simulation \"{}\": its stored flight, as {}.", flight.name, why));
+      continue;
+    }
     if (flight.mass_kg || flight.centre_of_gravity_m || flight.centre_of_pressure_m || flight.margin_calibres) {
       flights.push_back(std::move(flight));
     }
