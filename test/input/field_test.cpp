@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "input/messages.hpp"
@@ -46,7 +47,7 @@ Override given(const Field<Thing>& field, double file_value) {
   const Allowed& allowed = field.allowed;
   std::string text = allowed.kind == FieldKind::choice
                          ? '"' + std::string{allowed.words[static_cast<std::size_t>(file_value)]} + '"'
-                         : plain_number(file_value);
+                         : fmt::format("{}", file_value);
   if (allowed.is_list) {
     text = "[" + text + "]";
   } else if (allowed.most == 4) {

@@ -103,6 +103,18 @@ TEST_F(Designs, WithMotorsOfSeveralLengthsHoldTheOneThatIsFlown) {
   }
 }
 
+// The second set, 0.3 m wide, is farther out than [fins] and the body together.
+TEST_F(Designs, WithASecondSetOfWiderFinsAreReadWithItsMass) {
+  std::string xml = design("", k9, "");
+  const std::string wings =
+      "<trapezoidfinset><name>Wings</name><fincount>2</fincount><material type='bulk' density='600'>m</material>"
+      "<position type='bottom'>-0.3</position><thickness>0.003</thickness><rootchord>0.15</rootchord>"
+      "<tipchord>0.08</tipchord><sweeplength>0.07</sweeplength><height>0.3</height></trapezoidfinset>";
+  xml.insert(xml.find("<trapezoidfinset>"), wings);
+  const auto [made, later] = said(xml);
+  EXPECT_NE(made.find("Not used: Fins \"Wings\": their forces; only their mass."), std::string::npos) << made;
+}
+
 TEST_F(Designs, AreNotComparedWithAFlightOnAnotherMotor) {
   const auto [made, later] = said(design("", k9 + mounted("b", "L5", "0.6"), flight("b", "4,0.9,1.1,0")));
   EXPECT_NE(made.find("case.ork stores no up-to-date simulated flight with this motor"), std::string::npos) << made;

@@ -96,10 +96,10 @@ double largest_radius_m(const sim::Geometry& shape, double begin_m, double end_m
              : std::max(behind_m, 0.5 * shape.diameter_m);
 }
 
-// No part has a larger radius of gyration than its outermost point. Any may be fins, which an imported design has more
-// of than [fins] and [canard_fins] say.
+// No part has a larger radius of gyration than its outermost point. Any may be fins; a design that was read has more of
+// them than [fins] and [canard_fins] say.
 void check_radius(const Section& section, const sim::Geometry& shape, const sim::Geometry::Mass& mass) {
-  if (!shape.fins && !shape.canards) {
+  if ((!shape.fins && !shape.canards) || shape.design) {
     return;
   }
   const double body_m =
