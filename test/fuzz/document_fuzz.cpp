@@ -52,11 +52,13 @@ std::string with_kind(char kind, const fs::path& path) {
 }  // namespace
 
 std::vector<std::string> seeds() {
-  return {with_kind('\0', input::find_input(input::Shipped::plan, "tasha3_launch2")),
-          with_kind('\1', input::find_input(input::Shipped::vehicle, "tasha3_launch2")),
-          with_kind('\2', input::find_input(input::Shipped::scenario, "tasha3_launch2")),
-          "\3; a motor\nI150 38 200 0 0.226 0.5 X\n0.05 160\n2.5 130\n3.2 0\n",
-          "\4<openrocket version=\"1.9\"><rocket><name>x</name><subcomponents><stage><name>s</name><subcomponents>"
+  return {
+      with_kind('\0', input::find_input(input::Shipped::plan, "tasha3_launch2")),
+      with_kind('\1', input::find_input(input::Shipped::vehicle, "tasha3_launch2")),
+      with_kind('\2', input::find_input(input::Shipped::scenario, "tasha3_launch2")),
+      "\3; a motor\nI150 38 200 0 0.226 0.5 X\n0.05 160\n2.5 130\n3.2 0\n",
+      std::string{"\4"} +
+          "<openrocket version=\"1.9\"><rocket><name>x</name><subcomponents><stage><name>s</name><subcomponents>"
           "<nosecone><name>n</name><length>0.24</length><thickness>0.002</thickness><shape>ogive</shape>"
           "<aftradius>0.04</aftradius></nosecone><bodytube><name>b</name><length>1</length><thickness>0.002</thickness>"
           "<radius>0.04</radius></bodytube></subcomponents></stage></subcomponents></rocket></openrocket>"};
