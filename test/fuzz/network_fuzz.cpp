@@ -2,6 +2,7 @@
 // Any bytes as packets of LCM, as an LCM log, as an address, or as what a browser asks of a live page: what is shown is
 // text, and the next one is answered. Nothing else may happen.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -62,7 +63,7 @@ void packets(std::string_view bytes) {
 void log(std::string_view bytes) {
   telemetry::LcmLog log{[&bytes](std::span<char> to) {
     const std::size_t count = std::min(to.size(), bytes.size());
-    std::copy_n(bytes.data(), count, to.data());
+    std::copy_n(bytes.begin(), count, to.begin());
     bytes.remove_prefix(count);
     return count;
   }};
