@@ -128,7 +128,8 @@ TEST(CampaignReport, BeginsWithTheRunsThatAreFasterThanTheModelHoldsForWhateverI
     run.figures[top_mach_column + 2] = run.run < 9 ? 15.1 : 14.9;
   }
   EXPECT_TRUE(headline(report).starts_with(
-      "Outside the model: 7 of 60 runs are not stable, with a static margin down to -0.25 calibres; 9 of 60 runs meet "
+      "Outside the model: 7 of 60 runs are of a rocket that is not stable, with a static margin down to -0.25 "
+      "calibres; 9 of 60 runs meet "
       "the air at more than 15 deg, with an angle of attack of up to 15.1 deg under control. "))
       << headline(report);
   EXPECT_NE(report_json(report).find("\"runs_outside_model\": 9"), std::string::npos);

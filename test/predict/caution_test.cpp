@@ -74,7 +74,8 @@ TEST(Caution, ARocketThatIsNotStableIsNotJudgedAndNoGo) {
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
   EXPECT_EQ(d.text,
-            "No go: outside the model: 200 of 200 runs are not stable, with a static margin down to -5.00 calibres, "
+            "No go: outside the model: 200 of 200 runs are of a rocket that is not stable, with a static margin down "
+            "to -5.00 calibres, "
             "and the simulation of roll ends there.");
   EXPECT_EQ(judgement_of(d, "model"), Judgement::not_judged);
   EXPECT_EQ(judgement_of(d, "held"), Judgement::not_judged);

@@ -16,7 +16,7 @@
 namespace fantail::sil {
 namespace {
 
-sim::Scenario scenario(const std::vector<std::string>& changes) {
+sim::Scenario launch_with(const std::vector<std::string>& changes) {
   std::vector<input::Override> overrides;
   for (const std::string& change : changes) {
     overrides.push_back(input::parse_override(change));
@@ -24,14 +24,13 @@ sim::Scenario scenario(const std::vector<std::string>& changes) {
   return input::load_scenario("tasha3_launch2", overrides);
 }
 
-report::Verdict verdict_of(const flight::Flight& flight) { return report::verdict(flight, report::figures(flight)); }
+report::Verdict verdict_on(const flight::Flight& flight) { return report::verdict(flight, report::figures(flight)); }
 
-report::Verdict verdict_of(const std::vector<std::string>& changes) {
-  return verdict_of(fly::fly_scenario(scenario(changes)));
+report::Verdict verdict_with(const std::vector<std::string>& changes) {
+  return verdict_on(fly::fly_scenario(launch_with(changes)));
 }
 
-/// Between axis and way through still air that the wind moves over, of the flown path, from the beginning of control to
-/// its end, where the rocket was as fast as at first.
+/// Of the flown path, from the beginning of control to its end, where the rocket was as fast as at first.
 double largest_attack_deg(const flight::Flight& flight) {
   const auto speed_m_s = [](const flight::PathPoint& p) {
     return std::sqrt(p.north_m_s * p.north_m_s + p.east_m_s * p.east_m_s + p.up_m_s * p.up_m_s);
@@ -55,28 +54,28 @@ double largest_attack_deg(const flight::Flight& flight) {
 TEST(OutsideModel, ARocketWithItsCentreOfPressureInFrontOfItsCentreOfGravityIsAmberInEveryMotion) {
   for (const double position_m : {0.5, 0.88, 0.899, 0.9}) {
     for (const char* const motion : {"straight", "six_dof"}) {
-      const report::Verdict v = verdict_of(
+      const report::Verdict v = verdict_with(
           {fmt::format("airframe.centre_of_pressure_m={}", position_m), fmt::format("flight.motion={}", motion)});
       EXPECT_NE(v.outcome, report::Outcome::held) << position_m << " " << motion << ": " << v.text;
       EXPECT_TRUE(v.text.find("Outside the model: not stable, with a static margin down to ") != std::string::npos)
           << position_m << " " << motion << ": " << v.text;
     }
   }
-  EXPECT_NE(verdict_of({"airframe.centre_of_pressure_m=0.5"}).text.find("down to -5.00 calibres"), std::string::npos);
-  EXPECT_EQ(verdict_of({"airframe.centre_of_pressure_m=0.901"}).outcome, report::Outcome::held);
+  EXPECT_NE(verdict_with({"airframe.centre_of_pressure_m=0.5"}).text.find("down to -5.00 calibres"), std::string::npos);
+  EXPECT_EQ(verdict_with({"airframe.centre_of_pressure_m=0.901"}).outcome, report::Outcome::held);
 }
 
 TEST(OutsideModel, ARocketThatIsStableAtLiftOffAloneIsAmber) {
-  const report::Verdict v = verdict_of({"airframe.centre_of_gravity_after_burnout_m=1.06"});
+  const report::Verdict v = verdict_with({"airframe.centre_of_gravity_after_burnout_m=1.06"});
   EXPECT_EQ(v.outcome, report::Outcome::outside_model);
   EXPECT_NE(v.text.find("down to -0.50 calibres"), std::string::npos) << v.text;
 }
 
 TEST(OutsideModel, WhereTheVehicleStatesNoCentresNothingIsSaidOfThem) {
-  sim::Scenario unknown = scenario({});
+  sim::Scenario unknown = launch_with({});
   unknown.vehicle.airframe.reset();
   const flight::Flight flight = fly::fly_scenario(unknown);
-  EXPECT_EQ(verdict_of(flight).outcome, report::Outcome::held);
+  EXPECT_EQ(verdict_on(flight).outcome, report::Outcome::held);
   EXPECT_FALSE(flight.extremes.static_margin_calibres);
 }
 
@@ -88,14 +87,14 @@ TEST(OutsideModel, AirThatMeetsTheRocketAtMoreThanFifteenDegreesUnderControlIsAm
                                                   {"wind.speed_m_s=8", "launch_guide.length_m=0.5"}}) {
     std::vector<std::string> six_dof = changes;
     six_dof.emplace_back("flight.motion=six_dof");
-    const flight::Flight flight = fly::fly_scenario(scenario(six_dof));
-    const report::Verdict v = verdict_of(flight);
+    const flight::Flight flight = fly::fly_scenario(launch_with(six_dof));
+    const report::Verdict v = verdict_on(flight);
     const double attack_deg = largest_attack_deg(flight);
     EXPECT_EQ(v.outcome, attack_deg > 15.0 ? report::Outcome::outside_model : report::Outcome::held) << v.text;
-    EXPECT_NEAR(*flight.extremes.angle_of_attack_rad * 57.29577951308232, attack_deg, 0.2);
+    EXPECT_NEAR(*flight.extremes.angle_of_attack_rad * 57.29577951308232, attack_deg, 1e-6);
   }
-  EXPECT_EQ(verdict_of({"wind.speed_m_s=5"}).outcome, report::Outcome::held) << "on a straight line";
-  EXPECT_EQ(verdict_of({"wind.speed_m_s=8"}).outcome, report::Outcome::outside_model) << "on a straight line";
+  EXPECT_EQ(verdict_with({"wind.speed_m_s=5"}).outcome, report::Outcome::held) << "on a straight line";
+  EXPECT_EQ(verdict_with({"wind.speed_m_s=8"}).outcome, report::Outcome::outside_model) << "on a straight line";
 }
 
 }  // namespace

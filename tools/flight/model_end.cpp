@@ -38,7 +38,7 @@ std::string where_it_ends(ModelEnd end) {
 std::string are(ModelEnd end) {
   switch (end) {
     case ModelEnd::mach: return "are faster than " + mach_end();
-    case ModelEnd::stability: return "are not stable";
+    case ModelEnd::stability: return "are of a rocket that is not stable";
     case ModelEnd::attack: break;
   }
   return fmt::format("meet the air at more than {} deg", attack_end());

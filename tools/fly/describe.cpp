@@ -19,8 +19,9 @@ namespace {
 constexpr double usual_margin_calibres = 1.0;
 
 bool has_little_margin(const sim::Airframe& airframe) {
-  return std::min(static_margin_m(airframe, airframe.at_liftoff), static_margin_m(airframe, airframe.after_burnout)) <
-         usual_margin_calibres * airframe.diameter_m;
+  const double least_m =
+      std::min(static_margin_m(airframe, airframe.at_liftoff), static_margin_m(airframe, airframe.after_burnout));
+  return least_m > 0.0 && least_m < usual_margin_calibres * airframe.diameter_m;
 }
 
 std::string static_margins(const sim::Airframe& airframe) {

@@ -164,7 +164,9 @@ std::optional<double> attack_under_control_rad(const sim::Scenario& scenario, co
   if (scenario.path || !start_speed_m_s || !flight.events.control_start_s) {
     return std::nullopt;
   }
-  if (const flight::PathPoint* start = flight::point_at(flight.path, *flight.events.control_start_s)) {
+  const auto start =
+      std::ranges::lower_bound(flight.path, *flight.events.control_start_s, {}, &flight::PathPoint::time_s);
+  if (start != flight.path.end()) {
     const std::optional<double>& end_s = flight.events.control_end_s;
     return largest_angle_of_attack(flight, *start, end_s ? end_s : flight.events.apogee_s)->angle_of_attack_rad;
   }
