@@ -167,7 +167,7 @@ TEST(Heartbeats, OfARocketThatIsSwitchedOffAndOnAreOfOneRocketWheneverTheyAreRea
     for (int start = 0; start < 3; ++start) {
       sent_ms += random.whole(0, 5'000);
       std::int64_t uptime_ms = 44;
-      for (int i = random.whole(1, 60); i > 0; --i, sent_ms += 100, uptime_ms += 100) {
+      for (int i = random.whole(2, 60); i > 0; --i, sent_ms += 100, uptime_ms += 100) {
         const std::int64_t stall_ms = random.chance(0.1) ? random.whole(0, 30'000) : 0;
         const std::int64_t read_ms = std::max(listened_ms, sent_ms) + stall_ms;
         (void)ear.hear(static_cast<std::uint32_t>(uptime_ms), read_ms - no_older_ms);
