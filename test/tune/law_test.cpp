@@ -35,6 +35,18 @@ TEST(Law, AnObserverGetsTheRollModelOfTheVehicle) {
   EXPECT_NEAR(plan.roll_model.density_kg_m3, 1.225, 1e-3);
 }
 
+TEST(Law, AnObserverGetsTheRollInertiaAfterBurnOut) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const auto inertia_kg_m2 = [&] {
+    return with_law(scenario, OffsetRejection::observer, {.gains = {0.5, 0.05}, .observer_bandwidth_rad_s = 3.0},
+                    {20.0, 80.0})
+        .roll_model.roll_inertia_kg_m2;
+  };
+  EXPECT_EQ(inertia_kg_m2(), 0.00393F);  // as at lift-off: the vehicle says nothing else
+  scenario.vehicle.airframe = sim::Airframe{.roll_inertia_after_burnout_kg_m2 = 0.0035};
+  EXPECT_EQ(inertia_kg_m2(), 0.0035F);
+}
+
 TEST(Law, WithoutAKnownSpeedThereIsNoObserver) {
   const sim::Scenario scenario = input::load_scenario("tunnel_steps", {});
   EXPECT_THROW((void)with_law(scenario, OffsetRejection::observer,

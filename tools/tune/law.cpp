@@ -35,7 +35,8 @@ core::GainSchedulePlan schedule(double exponent, const stability::SpeedRange& ra
 
 core::RollModelPlan roll_model(const sim::Scenario& scenario) {
   const sim::RollPlant& plant = scenario.vehicle.roll_plant;
-  return {.roll_inertia_kg_m2 = static_cast<float>(plant.inertia_kg_m2),
+  const auto after_burnout_kg_m2 = scenario.vehicle.airframe.value_or(sim::Airframe{}).roll_inertia_after_burnout_kg_m2;
+  return {.roll_inertia_kg_m2 = static_cast<float>(after_burnout_kg_m2.value_or(plant.inertia_kg_m2)),
           .reference_area_m2 = static_cast<float>(plant.reference_area_m2),
           .damping_m2 = static_cast<float>(plant.damping_m2),
           .torque_m = static_cast<float>(plant.torque_m),
