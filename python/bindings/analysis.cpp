@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "python/bindings/bind.hpp"
 #include "python/bindings/flown.hpp"
 #include "python/bindings/scenario.hpp"
+#include "sim/roll_inertia_course.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 
@@ -66,6 +68,23 @@ identify::model::Airframe airframe_of(const Question& asked, const std::optional
   return airframe;
 }
 
+/// Which roll inertia held when: nothing where one was given, else that of the flight or of the vehicle that is named.
+void add_inertia_course(identify::Question& q, const std::optional<flight::FlownAirframe>& flown,
+                        const Question& asked) {
+  if (flown) {
+    q.simulation_grows_with_mach = flown->grows_with_mach;
+  }
+  if (asked.inertia_kg_m2) {
+    return;
+  }
+  if (flown && std::abs(q.airframe.inertia_kg_m2 - flown->roll_inertia_kg_m2) <= 1e-6 * flown->roll_inertia_kg_m2) {
+    q.record.roll_inertia = flown->roll_inertia_course;
+  } else if (asked.vehicle) {
+    const auto file = input::find_input(input::Shipped::vehicle, *asked.vehicle);
+    q.inertia_since_ignition = sim::roll_inertia_course(input::read_vehicle(input::Document::load(file)));
+  }
+}
+
 std::vector<identify::result::Method> methods(const std::string& word) {
   using identify::result::Method;
   if (word == "both") {
@@ -84,6 +103,7 @@ std::string identify_log(const logs::RollLog& log, const std::optional<flight::F
   q.nodes = asked.nodes;
   q.fit_lag = asked.fit_lag;
   q.airframe = airframe_of(asked, flown);
+  add_inertia_course(q, flown, asked);
   q.options.grid = identify::model::published_grid(q.airframe);
   q.options.start = asked.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured;
   const identify::Air air = identify::choose_air(log, asked.density, asked.elevation_m);

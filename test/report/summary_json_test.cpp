@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/summary_json.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -45,6 +47,27 @@ TEST(SummaryJson, SaysTheMeanWindOfAFlightThatHadOne) {
   EXPECT_EQ(wind["speed_m_s"], 5.0);
   EXPECT_EQ(wind["from_deg"], 270.0);
   EXPECT_EQ(wind["height_m"], 10.0);
+}
+
+TEST(SummaryJson, SaysHowTheRollInertiaFollowedThePropellantAndIsReadBack) {
+  SyntheticFlight synthetic;
+  synthetic.flight.airframe = {
+      .vehicle = "v", .vehicle_file = "v.toml", .roll_inertia_kg_m2 = 0.004, .reference_area_m2 = 5e-5};
+  EXPECT_FALSE(summary_of(synthetic.flight).contains("roll_inertia_course"));
+  EXPECT_FALSE(summary_of(synthetic.flight).contains("compressibility"));
+  synthetic.flight.airframe->roll_inertia_course = {{0.5, 0.004}, {2.5, 0.0035}};
+  synthetic.flight.airframe->grows_with_mach = true;
+  const Figures f = figures(synthetic.flight);
+  const auto file = std::filesystem::temp_directory_path() / "fantail_roll_inertia_test.json";
+  std::ofstream{file} << summary_json(synthetic.flight, f, verdict(synthetic.flight, f));
+  const auto read = summary_airframe(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->roll_inertia_course, synthetic.flight.airframe->roll_inertia_course);
+  EXPECT_TRUE(read->grows_with_mach);
+  // Another zero of the clock moves it along.
+  flight::set_time_zero(synthetic.flight, 0.5);
+  EXPECT_EQ(synthetic.flight.airframe->roll_inertia_course.begin()->first, 0.0);
 }
 
 TEST(SummaryJson, WhatDoesNotExistIsNull) {

@@ -34,14 +34,26 @@ Airframe airframe_of(const flight::FlownAirframe& flown) {
 
 bool differ(double a, double b) { return std::abs(a - b) > 1e-6 * std::abs(b); }
 
-void compare_with_flown(NamedAirframe& result, const flight::FlownAirframe& flown) {
+std::string inertia_of(const flight::FlownAirframe& flown) {
+  const auto& course = flown.roll_inertia_course;
+  return about(flown.roll_inertia_kg_m2) + " kg m2" +
+         (course.empty() ? "" : fmt::format(" at lift-off, {} after burn-out,", about(course.rbegin()->second)));
+}
+
+/// What was simulated is used, unless something else was asked for: then that is said.
+void compare_with_flown(NamedAirframe& result, const flight::FlownAirframe& flown, bool inertia_was_given) {
   const auto& [inertia_kg_m2, area_m2] = result.airframe;
-  if (differ(inertia_kg_m2, flown.roll_inertia_kg_m2) || differ(area_m2, flown.reference_area_m2)) {
+  result.simulation_grows_with_mach = flown.grows_with_mach;
+  const bool same_inertia =
+      !differ(inertia_kg_m2, flown.roll_inertia_kg_m2) && (!inertia_was_given || flown.roll_inertia_course.empty());
+  if (same_inertia) {
+    result.flown_inertia = flown.roll_inertia_course;
+    result.inertia_since_ignition.clear();
+  }
+  if (!same_inertia || differ(area_m2, flown.reference_area_m2)) {
     result.warnings.push_back(fmt::format(
-        "the flight was simulated with the vehicle {}, I {} kg m2 and A {} m2; as asked for, I {} and A {} are used "
-        "instead",
-        flown.vehicle_file, about(flown.roll_inertia_kg_m2), about(flown.reference_area_m2), about(inertia_kg_m2),
-        about(area_m2)));
+        "the flight was simulated with the vehicle {}, I {} and A {} m2; as asked for, I {} and A {} are used instead",
+        flown.vehicle_file, inertia_of(flown), about(flown.reference_area_m2), about(inertia_kg_m2), about(area_m2)));
   }
 }
 
@@ -70,6 +82,9 @@ NamedAirframe named_airframe(const AirframeOptions& options, const std::filesyst
         input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, *options.vehicle)));
     result.airframe = {vehicle.roll_plant.inertia_kg_m2, vehicle.roll_plant.reference_area_m2};
     result.name = result.vehicle = vehicle.name;
+    if (!options.inertia_kg_m2) {
+      result.inertia_since_ignition = sim::roll_inertia_course(vehicle);
+    }
   } else if (options.inertia_kg_m2 && options.area_m2) {
     result.name = "from the command line";
   } else if (flown) {
@@ -84,7 +99,7 @@ NamedAirframe named_airframe(const AirframeOptions& options, const std::filesyst
   result.airframe.inertia_kg_m2 = options.inertia_kg_m2.value_or(result.airframe.inertia_kg_m2);
   result.airframe.reference_area_m2 = options.area_m2.value_or(result.airframe.reference_area_m2);
   if (flown) {
-    compare_with_flown(result, *flown);
+    compare_with_flown(result, *flown, options.inertia_kg_m2.has_value());
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include "fantail/command_line.hpp"
 #include "flight/read_csv.hpp"
 #include "identify/model/roll_model.hpp"
+#include "sim/roll_inertia_course.hpp"
 
 namespace fantail::tool {
 
@@ -21,9 +22,12 @@ struct AirframeOptions {
 
 struct NamedAirframe {
   identify::model::Airframe airframe;
-  std::string vehicle;                ///< its name; empty: the numbers are from the command line
-  std::string name;                   ///< of the vehicle and where it is from; "from the command line"
-  std::vector<std::string> warnings;  ///< a sentence each
+  std::string vehicle;                               ///< its name; empty: the numbers are from the command line
+  std::string name;                                  ///< of the vehicle and where it is from; "from the command line"
+  std::vector<std::string> warnings;                 ///< a sentence each
+  sim::RollInertiaCourse flown_inertia{};            ///< on the log's clock; empty: the airframe's throughout
+  sim::RollInertiaCourse inertia_since_ignition{};   ///< likewise, of a vehicle that is named
+  std::optional<bool> simulation_grows_with_mach{};  ///< empty: no simulated flight
 };
 
 /// --vehicle, --inertia and --area.

@@ -12,6 +12,7 @@
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/tunnel_options.hpp"
+#include "identify/conditions.hpp"
 #include "input/messages.hpp"
 #include "sim/atmosphere.hpp"
 #include "tunnel/steps.hpp"
@@ -72,7 +73,10 @@ void steps(const StepsVerbOptions& options) {
   }
   const NamedAirframe frame = named_airframe(options.airframe, options.run, reading(options.logs));
   log.warnings.insert(log.warnings.end(), frame.warnings.begin(), frame.warnings.end());
-  const tunnel::StepsHeading head = heading(options, log, frame);
+  tunnel::StepsHeading head = heading(options, log, frame);
+  head.options.record.roll_inertia = frame.flown_inertia.empty()
+                                         ? identify::inertia_on_clock(log, frame.inertia_since_ignition, log.warnings)
+                                         : frame.flown_inertia;
   std::optional<Progress> progress;
   const auto tell = [&progress](std::size_t done, std::size_t of) {
     give_up_if_interrupted();

@@ -58,6 +58,9 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
   identify::Question q = question(o, data);
   const NamedAirframe rocket = named_airframe(o.airframe, data, reading(o.log));
   q.airframe = rocket.airframe;
+  q.record.roll_inertia = rocket.flown_inertia;
+  q.inertia_since_ignition = rocket.inertia_since_ignition;
+  q.simulation_grows_with_mach = rocket.simulation_grows_with_mach;
   const identify::model::Grid published = identify::model::published_grid(q.airframe);
   q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(published.alpha_m2);
   q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(published.beta_m);
@@ -70,8 +73,9 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
   q.record.site_elevation_m = o.elevation_m.value_or(0.0);
   q.windows = windows(o, log);
   identify::result::Study result = study(log, q);
-  result.vehicle = fmt::format("{}, I {} kg m2, A {} m2", rocket.name, input::about(rocket.airframe.inertia_kg_m2),
-                               input::about(rocket.airframe.reference_area_m2));
+  const bool changes = !rocket.flown_inertia.empty() || !rocket.inertia_since_ignition.empty();
+  result.vehicle = fmt::format("{}, I {} kg m2{}, A {} m2", rocket.name, input::about(rocket.airframe.inertia_kg_m2),
+                               changes ? " at lift-off" : "", input::about(rocket.airframe.reference_area_m2));
   if (o.windows.empty() && log.phase.empty() && !o.from_s && !o.to_s) {
     result.warnings.emplace_back(
         "The log has no phases, so the window is the whole log, with what came before and after control.");

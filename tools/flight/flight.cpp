@@ -178,6 +178,13 @@ void set_time_zero(Flight& flight, double zero_s) {
   if (flight.trajectory_end_s) {
     move(*flight.trajectory_end_s);
   }
+  if (flight.airframe) {
+    std::map<double, double> course;
+    for (const auto& [time_s, inertia_kg_m2] : flight.airframe->roll_inertia_course) {
+      course[flight.clock(time_s)] = inertia_kg_m2;
+    }
+    flight.airframe->roll_inertia_course = course;
+  }
   for (Outage& outage : flight.outages) {
     move(outage.from_s);
     if (outage.to_s) {

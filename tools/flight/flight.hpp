@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -158,6 +159,9 @@ struct FlownAirframe {
   double roll_inertia_kg_m2 = 0.0;
   double reference_area_m2 = 0.0;
   std::vector<std::string> changes{};  ///< of the scenario, on the command line
+  /// kg m2 over time on the rows' clock, straight in between. Empty: it was the same throughout.
+  std::map<double, double> roll_inertia_course{};
+  bool grows_with_mach = false;  ///< damping and torque were simulated to grow by Prandtl and Glauert's rule
 };
 
 /// The wind of a simulated flight in six degrees of freedom, without gusts and turbulence.

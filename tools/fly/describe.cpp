@@ -10,6 +10,7 @@
 #include "airframe/model/build_up.hpp"
 #include "fly/fault_text.hpp"
 #include "sim/deflection_range.hpp"
+#include "sim/roll_inertia_course.hpp"
 #include "stability/canard_sense.hpp"
 
 namespace fantail::fly {
@@ -76,6 +77,12 @@ flight::Flight describe(const sim::Scenario& scenario) {
                      .vehicle_file = scenario.vehicle_name,
                      .roll_inertia_kg_m2 = scenario.vehicle.roll_plant.inertia_kg_m2,
                      .reference_area_m2 = scenario.vehicle.roll_plant.reference_area_m2};
+  if (scenario.surroundings == sim::Surroundings::flight && scenario.motion == sim::FlightMotion::six_dof) {
+    for (const auto& [time_s, inertia_kg_m2] : sim::roll_inertia_course(scenario.vehicle)) {
+      flight.airframe->roll_inertia_course[scenario.pad_time_s + time_s] = inertia_kg_m2;
+    }
+  }
+  flight.airframe->grows_with_mach = scenario.vehicle.compressibility != sim::Compressibility::none;
   flight.plan_name = scenario.plan_name;
   flight.version = FANTAIL_VERSION;
   flight.seed = scenario.seed;
@@ -112,9 +119,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   if (std::ranges::any_of(scenario.faults, [](const sim::Fault& fault) {
         return sim::is_of_canard(fault.kind) && !sim::is_there_at_liftoff(fault);
       })) {
-    flight.notes.emplace_back(
-        "Authority and stability margins are those at lift-off, without the canard faults that "
-        "began later.");
+    flight.notes.emplace_back("Authority and stability margins leave out the canard faults that began after lift-off.");
   }
   if (scenario.log_period_s > 0.001) {
     flight.notes.push_back(fmt::format("flight.csv has a row every {:g} s instead of every millisecond{}.",

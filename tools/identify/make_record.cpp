@@ -257,6 +257,9 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   record.segment_begin = segment_begin;
   for (const std::size_t i : samples) {
     record.time_s.push_back(log.time_s[i] - record.window_begin_s);
+    if (!options.roll_inertia.empty()) {
+      record.roll_inertia_kg_m2.push_back(sim::roll_inertia_kg_m2(options.roll_inertia, log.time_s[i]));
+    }
     record.in_control.push_back(log.phase.empty() || log.phase[i] == core::Phase::controlling);
     if (!with_canards) {
       continue;

@@ -7,6 +7,7 @@
 #include "identify/model/roll_model.hpp"
 #include "logs/roll_log.hpp"
 #include "sim/atmosphere.hpp"
+#include "sim/roll_inertia_course.hpp"
 
 namespace fantail::identify {
 
@@ -36,10 +37,11 @@ struct RecordOptions {
   bool lag_is_fitted = false;             ///< fill in canard_rate_rad_s, too
   std::optional<double> density_kg_m3{};  ///< the same everywhere; empty: from the height by `atmosphere`
   sim::Atmosphere atmosphere{};
-  double site_elevation_m = 0.0;      ///< heights of the log count from here
-  std::optional<double> speed_m_s{};  ///< for a log without speeds, or instead of them
-  bool canard_needed = true;          ///< false: a log without canard angles gives a record without them
-  double longest_gap_s = 0.1;         ///< samples farther apart have a gap between them (but see below)
+  sim::RollInertiaCourse roll_inertia{};  ///< on the log's clock; empty: the airframe's throughout
+  double site_elevation_m = 0.0;          ///< heights of the log count from here
+  std::optional<double> speed_m_s{};      ///< for a log without speeds, or instead of them
+  bool canard_needed = true;              ///< false: a log without canard angles gives a record without them
+  double longest_gap_s = 0.1;             ///< samples farther apart have a gap between them (but see below)
 };
 
 /// A gap is longer than `longest_gap_s` and than five times the usual distance of the samples. One or two samples alone

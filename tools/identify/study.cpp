@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "identify/choices.hpp"
+#include "identify/conditions.hpp"
 #include "identify/doubts.hpp"
 #include "identify/model/least_squares.hpp"
 #include "identify/result/formatting.hpp"
@@ -54,11 +55,17 @@ NodeChoice nodes_on_clock(const logs::RollLog& log, const Window& window, const 
   return nodes;
 }
 
-std::vector<std::string> remarks_on(const Record& record) {
+std::vector<std::string> remarks_on(const logs::RollLog& log, const Record& record, const Question& question) {
   std::vector<std::string> remarks;
   if (const std::size_t gaps = record.segment_begin.size() - 1; gaps > 0) {
     remarks.push_back(
         fmt::format("{} {} in the window; the model restarts after each.", gaps, gaps == 1 ? "gap" : "gaps"));
+  }
+  for (auto& remark :
+       {remark_on_inertia(record, question.record.roll_inertia), remark_on_mach(log, record, question)}) {
+    if (remark) {
+      remarks.push_back(*remark);
+    }
   }
   return remarks;
 }
@@ -135,7 +142,7 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
     }
   }
   found.record = make_record(log, inside, how);
-  const std::vector<std::string> of_record = remarks_on(found.record);
+  const std::vector<std::string> of_record = remarks_on(log, found.record, question);
   found.remarks.insert(found.remarks.begin(), of_record.begin(), of_record.end());
   found.lag_s = how.lag_s;
   found.lag_is_fitted = question.fit_lag;
@@ -198,11 +205,15 @@ LagFit fit_lag(const logs::RollLog& log, const Window& window, const RecordOptio
   return {.lag_s = lag_s, .at_the_edge = std::abs(lag_s) > largest_fitted_lag_s - 0.5 * stride_s};
 }
 
-Study study(const logs::RollLog& log, const Question& question) {
+Study study(const logs::RollLog& log, const Question& asked) {
   Study result;
   result.data = log.name;
-  result.airframe = question.airframe;
+  result.airframe = asked.airframe;
   result.warnings = log.warnings;
+  Question question = asked;
+  if (question.record.roll_inertia.empty()) {
+    question.record.roll_inertia = inertia_on_clock(log, asked.inertia_since_ignition, result.warnings);
+  }
   for (const Window& window : question.windows) {
     result.windows.push_back(identify_window(log, window, question));
   }

@@ -80,11 +80,21 @@ std::optional<flight::FlownAirframe> airframe(const Json& summary) {
   if (!inertia_kg_m2 || !area_m2 || *inertia_kg_m2 <= 0.0 || *area_m2 <= 0.0) {
     return {};
   }
+  std::map<double, double> course;
+  for (const Json& point : member(summary, "roll_inertia_course")) {
+    const auto time_s = number(point, "time_s");
+    const auto kg_m2 = number(point, "kg_m2");
+    if (time_s && kg_m2 && *kg_m2 > 0.0) {
+      course[*time_s] = *kg_m2;
+    }
+  }
   return flight::FlownAirframe{.vehicle = text(summary, "vehicle"),
                                .vehicle_file = text(summary, "vehicle_file"),
                                .roll_inertia_kg_m2 = *inertia_kg_m2,
                                .reference_area_m2 = *area_m2,
-                               .changes = texts(summary, "changes")};
+                               .changes = texts(summary, "changes"),
+                               .roll_inertia_course = course,
+                               .grows_with_mach = text(summary, "compressibility") == "prandtl_glauert"};
 }
 
 void read_events(flight::Events& events, const Json& json) {

@@ -149,6 +149,20 @@ Json path(const flight::Flight& flight) {
                         : Json{};
 }
 
+/// Only where the vehicle has it.
+void add_course(Json& summary, const flight::FlownAirframe& airframe) {
+  if (airframe.grows_with_mach) {
+    summary["compressibility"] = "prandtl_glauert";
+  }
+  Json course = Json::array();
+  for (const auto& [time_s, inertia_kg_m2] : airframe.roll_inertia_course) {
+    course.push_back({{"time_s", rounded(time_s)}, {"kg_m2", inertia_kg_m2}});
+  }
+  if (!airframe.roll_inertia_course.empty()) {
+    summary["roll_inertia_course"] = course;
+  }
+}
+
 }  // namespace
 
 std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
@@ -204,6 +218,9 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
                   {"notes", flight.notes},
                   {"log_sha256", flight.log.empty() ? Json{} : Json(text::sha256(flight.log))},
                   {"version", text_or_null(flight.version)}};
+  if (flight.airframe) {
+    add_course(summary, *flight.airframe);
+  }
   if (flight.trajectory_end_s) {
     summary["trajectory_end_s"] = rounded(*flight.trajectory_end_s);
   }

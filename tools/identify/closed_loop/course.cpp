@@ -96,8 +96,12 @@ class CourseBuilder {
       const double begin_share = static_cast<double>(i) / count;
       const double middle_share = (static_cast<double>(i) + 0.5) / count;
       add_step(sample, begin_share, interval_s, duration_s);
+      Airframe now = airframe_;
+      if (!record_.roll_inertia_kg_m2.empty()) {
+        now.inertia_kg_m2 = between(record_.roll_inertia_kg_m2, sample, middle_share);
+      }
       course_.air.push_back({.duration_s = duration_s,
-                             .equation = roll_equation(airframe_, between(record_.density_kg_m3, sample, middle_share),
+                             .equation = roll_equation(now, between(record_.density_kg_m3, sample, middle_share),
                                                        between(record_.speed_m_s, sample, middle_share))});
     }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -10,11 +11,19 @@
 
 namespace fantail::identify::model {
 
+double mean_inertia_kg_m2(const Record& record, const Airframe& airframe) {
+  const std::vector<double>& all = record.roll_inertia_kg_m2;
+  return all.empty() ? airframe.inertia_kg_m2
+                     : std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+}
+
 std::vector<RollEquation> roll_equations(const Record& record, const Airframe& airframe) {
   std::vector<RollEquation> all;
   all.reserve(record.size());
   for (std::size_t i = 0; i < record.size(); ++i) {
-    all.push_back(roll_equation(airframe, record.density_kg_m3[i], record.speed_m_s[i]));
+    Airframe now = airframe;
+    now.inertia_kg_m2 = record.roll_inertia_kg_m2.empty() ? airframe.inertia_kg_m2 : record.roll_inertia_kg_m2[i];
+    all.push_back(roll_equation(now, record.density_kg_m3[i], record.speed_m_s[i]));
   }
   return all;
 }

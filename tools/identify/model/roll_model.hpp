@@ -23,9 +23,10 @@ struct Record {
   std::vector<double> canard_rate_rad_s;  ///< d canard_rad / d lag; empty unless the canard column's lag is fitted, too
   std::vector<double> speed_m_s;
   std::vector<double> density_kg_m3;
-  std::vector<double> reference_rad;        ///< empty where nobody needs it: closed loop only
-  std::vector<double> excitation_rad;       ///< likewise
-  std::vector<double> offset_estimate_rad;  ///< likewise: what the law took off its command
+  std::vector<double> roll_inertia_kg_m2{};  ///< empty: the airframe's throughout
+  std::vector<double> reference_rad;         ///< empty where nobody needs it: closed loop only
+  std::vector<double> excitation_rad;        ///< likewise
+  std::vector<double> offset_estimate_rad;   ///< likewise: what the law took off its command
   std::vector<double> law_speed_m_s;  ///< likewise: what the law knew of the speed, and from when on only a lower bound
   double law_speed_is_bound_s = std::numeric_limits<double>::infinity();
   std::vector<bool> in_control;  ///< likewise: the command is zero where false
@@ -37,6 +38,9 @@ struct Record {
 
   [[nodiscard]] std::size_t size() const { return time_s.size(); }
 };
+
+/// Over the samples.
+[[nodiscard]] double mean_inertia_kg_m2(const Record& record, const Airframe& airframe);
 
 /// The equation at each sample.
 [[nodiscard]] std::vector<RollEquation> roll_equations(const Record& record, const Airframe& airframe);

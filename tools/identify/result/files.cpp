@@ -135,7 +135,7 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
   }
   json["density"] = study.density;
   json["speed"] = study.speed;
-  json["inertia_kg_m2"] = rounded(study.airframe.inertia_kg_m2);
+  json["inertia_kg_m2"] = rounded(mean_inertia_kg_m2(window.record, study.airframe));
   json["reference_area_m2"] = rounded(study.airframe.reference_area_m2);
   std::vector<std::string> said = study.warnings;
   const std::vector<std::string> more = remarks(window, result);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "identify/conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "identify/choices.hpp"
+#include "input/messages.hpp"
+#include "sim/compressibility.hpp"
+#include "text/number.hpp"
+
+namespace fantail::identify {
+namespace {
+
+using input::about;
+
+double growth(double mach) { return sim::compressibility_factor(sim::Compressibility::prandtl_glauert, mach); }
+
+std::string range(double low, double high, int decimals) {
+  const std::string from = text::fixed(low, decimals);
+  const std::string to = text::fixed(high, decimals);
+  return from == to ? to : from + " to " + to;
+}
+
+struct MachRange {
+  double low;
+  double high;
+};
+
+MachRange mach_range(const logs::RollLog& log, const model::Record& record, const RecordOptions& options) {
+  constexpr double rounding_s = 1e-6;
+  std::vector<double> all;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const auto at = std::ranges::lower_bound(log.time_s, record.window_begin_s + record.time_s[i] - rounding_s);
+    const double logged_m =
+        log.height_m.empty() ? 0.0 : log.height_m[static_cast<std::size_t>(at - log.time_s.begin())];
+    const double height_m = options.site_elevation_m + (std::isfinite(logged_m) ? logged_m : 0.0);
+    all.push_back(std::abs(record.speed_m_s[i]) / options.atmosphere.speed_of_sound_m_s(height_m));
+  }
+  const auto [low, high] = std::ranges::minmax(all);
+  return {low, high};
+}
+
+}  // namespace
+
+sim::RollInertiaCourse inertia_on_clock(const logs::RollLog& log, const sim::RollInertiaCourse& since_ignition,
+                                        std::vector<std::string>& warnings) {
+  if (since_ignition.empty()) {
+    return {};
+  }
+  const double full_kg_m2 = since_ignition.begin()->second;
+  const auto [end_s, empty_kg_m2] = *since_ignition.rbegin();
+  const auto burnout = burnout_s(log);
+  if (!burnout) {
+    warnings.push_back(fmt::format(
+        "The vehicle's roll inertia is {} kg m2 at lift-off and {} after burn-out, and the log shows no burn-out. That "
+        "at lift-off is used; with the other (--inertia) alpha and beta are {} times as large.",
+        about(full_kg_m2), about(empty_kg_m2), text::fixed(empty_kg_m2 / full_kg_m2, 3)));
+    return {};
+  }
+  sim::RollInertiaCourse course;
+  for (const auto& [time_s, inertia_kg_m2] : since_ignition) {
+    course[*burnout + (time_s - end_s)] = inertia_kg_m2;
+  }
+  return course;
+}
+
+std::optional<std::string> remark_on_inertia(const model::Record& record, const sim::RollInertiaCourse& course) {
+  if (record.roll_inertia_kg_m2.empty()) {
+    return {};
+  }
+  const double first = record.roll_inertia_kg_m2.front();
+  const double last = record.roll_inertia_kg_m2.back();
+  if (first != last) {
+    return fmt::format(
+        "Roll inertia: {} to {} kg m2 in this window, as the propellant burns; the fit counts with that.", about(first),
+        about(last));
+  }
+  return fmt::format("Roll inertia: {} kg m2 throughout this window, that {}.", about(first),
+                     last == course.rbegin()->second ? "after burn-out" : "at lift-off");
+}
+
+std::optional<std::string> remark_on_mach(const logs::RollLog& log, const model::Record& record,
+                                          const Question& question) {
+  constexpr double worth_a_word = 0.01;
+  constexpr double fast = 0.3;
+  const auto& simulated = question.simulation_grows_with_mach;
+  const MachRange mach = mach_range(log, record, question.record);
+  const std::string values = range(mach.low, mach.high, 2);
+  if (simulated && *simulated && growth(mach.high) - 1.0 > worth_a_word) {
+    return fmt::format(
+        "The simulation lets alpha and beta grow with the Mach number, here {}: by {} % over the vehicle's. The fit "
+        "gives a mean over the window.",
+        values, range(100.0 * (growth(mach.low) - 1.0), 100.0 * (growth(mach.high) - 1.0), 1));
+  }
+  if (!simulated && mach.high > fast) {
+    return fmt::format(
+        "The Mach number is {} in this window. By Prandtl and Glauert's rule alpha and beta change by {} % over it; "
+        "the fit gives a mean.",
+        values, text::fixed(100.0 * (growth(mach.high) / growth(mach.low) - 1.0), 1));
+  }
+  return {};
+}
+
+}  // namespace fantail::identify
