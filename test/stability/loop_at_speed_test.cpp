@@ -90,6 +90,16 @@ TEST(LoopAtSpeed, HasTheServosOfTheVehicleAndTheGainsOfThePlan) {
   EXPECT_NEAR(loop.authority_per_s2, 1.225 * 97.0 * 97.0 * 5.0265e-5 * 10.0 / (2.0 * 0.00361), 1e-4);
 }
 
+TEST(LoopAtSpeed, HasTheRollInertiaAfterBurnOutWhereTheFlightFollowsThePropellant) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
+  const double at_liftoff_per_s2 = loop_at_speed(scenario, 97.0).authority_per_s2;
+  scenario.vehicle.airframe = sim::Airframe{.roll_inertia_after_burnout_kg_m2 = 0.9 * 0.00361};
+  scenario.motion = sim::FlightMotion::straight;
+  EXPECT_EQ(loop_at_speed(scenario, 97.0).authority_per_s2, at_liftoff_per_s2);
+  scenario.motion = sim::FlightMotion::six_dof;
+  EXPECT_NEAR(loop_at_speed(scenario, 97.0).authority_per_s2, at_liftoff_per_s2 / 0.9, 1e-9);
+}
+
 // At 97 m/s and the sound of 15 degrees Celsius.
 TEST(LoopAtSpeed, HasThePrandtlGlauertFactorOfTheVehicle) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});

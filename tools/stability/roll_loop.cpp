@@ -234,7 +234,12 @@ double loop_delay_s(const sim::Vehicle& vehicle) {
 RollLoop loop_at_speed(const sim::Scenario& scenario, double speed_m_s) {
   const core::FlightPlan& plan = scenario.plan;
   const bool integrates = plan.offset.rejection == core::OffsetRejection::integral;
-  const sim::RollPlant& plant = scenario.vehicle.roll_plant;
+  // After burn-out, which is most of a flight and where the loop is fastest.
+  sim::RollPlant plant = scenario.vehicle.roll_plant;
+  if (scenario.surroundings == sim::Surroundings::flight && scenario.motion == sim::FlightMotion::six_dof) {
+    plant.inertia_kg_m2 = scenario.vehicle.airframe.value_or(sim::Airframe{})
+                              .roll_inertia_after_burnout_kg_m2.value_or(plant.inertia_kg_m2);
+  }
   const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
   const double compressibility = sim::compressibility_factor(scenario.vehicle.compressibility,
                                                              speed_m_s / scenario.atmosphere.speed_of_sound_m_s(0.0));
