@@ -45,28 +45,15 @@ std::optional<std::string> wrong_unit(const DoubtCase& c) {
     return fmt::format(
         "beta is {} m and no canard angle exceeds {} deg: the canard column seems to be in radians. If it is, say so "
         "(--units, or the unit of that column); beta would then be about {} m.",
-        text::brief(beta_m, 0), text::brief(canard_deg, 2), text::brief(beta_m / degrees_per_radian, 1));
+        constant_text(beta_m), text::brief(canard_deg, 2), constant_text(beta_m / degrees_per_radian));
   }
   if (canard_deg > 90.0 && beta_m > 0.0 && beta_m < 0.1 * usual.first) {
     return fmt::format(
         "beta is {} m and the canards would reach {} deg: the canard column seems to be in degrees but is read as "
         "radians. If so, say it (--units, or the unit of that column); beta would then be about {} m.",
-        text::brief(beta_m, 3), text::brief(canard_deg, 0), text::brief(beta_m * degrees_per_radian, 1));
+        constant_text(beta_m), text::brief(canard_deg, 0), constant_text(beta_m * degrees_per_radian));
   }
   return {};
-}
-
-// A node between each two, and for a constant one at either end.
-NodeTimes twice_as_many(const Record& record, const NodeTimes& nodes) {
-  if (nodes.size() == 1) {
-    return even_nodes(record, 2);
-  }
-  NodeTimes all{nodes.front()};
-  for (std::size_t k = 1; k < nodes.size(); ++k) {
-    all.push_back(0.5 * (nodes[k - 1] + nodes[k]));
-    all.push_back(nodes[k]);
-  }
-  return all;
 }
 
 // What a model with fewer unknowns knows better it should also know right: of a right one, the differences of the
@@ -74,7 +61,7 @@ NodeTimes twice_as_many(const Record& record, const NodeTimes& nodes) {
 std::optional<std::string> nodes(const DoubtCase& c) {
   const RollModel& found = c.found.model;
   const NodeTimes more = twice_as_many(c.record, found.node_time_s);
-  if (c.record.size() < 20 * more.size()) {
+  if (!has_room_for(c.record, more)) {
     return {};
   }
   const RollModel model = fit_open_loop(c.record, c.airframe, more, c.start, published_grid(c.airframe));
@@ -92,21 +79,9 @@ std::optional<std::string> nodes(const DoubtCase& c) {
     return {};
   }
   return fmt::format(
-      "With more nodes of the disturbance ({} instead of {}) the fit gives {}: these nodes do not suffice. Use more "
-      "nodes, as in --nodes even:{}.",
+      "With more nodes of the disturbance ({} instead of {}) the fit gives {}: these nodes do not suffice, or "
+      "something else changes within the window. Try more nodes, as in --nodes even:{}.",
       more.size(), found.node_time_s.size(), change(found, model), more.size() - 1);
-}
-
-// How much of the motion is left in the rate, root mean square over root mean square.
-double share_left(const DoubtCase& c) {
-  double left = 0.0;
-  double motion = 0.0;
-  for (std::size_t i = 0; i < c.record.size(); ++i) {
-    const double rate_rad_s = c.record.roll_rate_rad_s[i];
-    left += std::pow(rate_rad_s - c.found.simulation.roll_rate_rad_s[i], 2);
-    motion += rate_rad_s * rate_rad_s;
-  }
-  return motion > 0.0 ? std::sqrt(left / motion) : 0.0;
 }
 
 // Whatever is beyond chance is said, beside the verdict that it qualifies.
@@ -118,7 +93,7 @@ std::optional<std::string> unexplained(const DoubtCase& c) {
   if (!tests || (std::abs(tests->own_correlation) <= tests->chance && !with_canards)) {
     return {};
   }
-  const double share = share_left(c);
+  const double share = share_left(c.record, c.found.simulation);
   const std::string reaches = fmt::format(
       "The residual of the roll rate, {} % of the motion, is not white: its correlation reaches {} with itself "
       "(chance: "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -10,8 +11,10 @@
 
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/open_loop.hpp"
+#include "identify/result/formatting.hpp"
 #include "identify/result/uncertainty.hpp"
 #include "identify/study.hpp"
+#include "sim/compressibility.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -62,15 +65,129 @@ struct Shifted {
   double rate_error_rad_s;
 };
 
-Shifted shifted(const DoubtCase& c, double lag_s) {
-  Record record = c.record;
-  record.canard_rad = canards_later(c.record, lag_s);
-  RollModel model = fit_open_loop(record, c.airframe, c.found.model.node_time_s, c.start, published_grid(c.airframe));
+Shifted fitted(const DoubtCase& c, const Record& record, const NodeTimes& nodes, double lag_s) {
+  RollModel model = fit_open_loop(record, c.airframe, nodes, c.start, published_grid(c.airframe));
   const double error_rad_s = simulate_open_loop(record, c.airframe, model).mean_abs_rate_error_rad_s;
   return {.lag_s = lag_s, .model = std::move(model), .rate_error_rad_s = error_rad_s};
 }
 
+Shifted shifted(const DoubtCase& c, double lag_s) {
+  Record record = c.record;
+  record.canard_rad = canards_later(c.record, lag_s);
+  return fitted(c, record, c.found.model.node_time_s, lag_s);
+}
+
+struct FittedLag {
+  double lag_s;
+  double reach_s;  ///< to either end of its 95 % interval
+  RollModel model;
+};
+
+FittedLag fitted_lag(const Record& record, const DoubtCase& c, const NodeTimes& nodes) {
+  Record other = record;
+  other.canard_rate_rad_s = canard_rate_rad_s(record);
+  RollModel model = fit_open_loop(other, c.airframe, nodes, c.start, published_grid(c.airframe));
+  const ResponseBasis basis{other, c.airframe, nodes, c.start};
+  const double lag_s = AlphaFit{basis, model.alpha_m2}.further_lag_s(model.beta_m);
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    other.canard_rad[i] += lag_s * other.canard_rate_rad_s[i];
+  }
+  const Uncertainty known =
+      open_loop_uncertainty(other, c.airframe, model, simulate_open_loop(other, c.airframe, model), c.start);
+  return {.lag_s = lag_s, .reach_s = known.lag_s->reach, .model = std::move(model)};
+}
+
+std::string milliseconds(double time_s) { return text::brief(1000.0 * time_s, 1); }
+
+std::string milliseconds_around(const FittedLag& lag) {
+  const double size_s = std::abs(lag.lag_s);
+  return fmt::format("{} to {} ms", milliseconds(size_s - lag.reach_s), milliseconds(size_s + lag.reach_s));
+}
+
+// Prandtl and Glauert's rule, as a larger density would do it. So near the ground, whatever the height.
+Record with_growth(const Record& record) {
+  constexpr double sound_m_s = 340.0;
+  Record compressible = record;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    compressible.density_kg_m3[i] *=
+        sim::compressibility_factor(sim::Compressibility::prandtl_glauert, record.speed_m_s[i] / sound_m_s);
+  }
+  return compressible;
+}
+
+enum class Half : std::uint8_t { first, second };
+
+Record half_of(const Record& record, Half half) {
+  const std::size_t middle = record.size() / 2;
+  const std::size_t first = half == Half::first ? 0 : middle;
+  const std::size_t end = half == Half::first ? middle : record.size();
+  Record part;
+  const auto take = [&](std::vector<double> Record::* column) {
+    const std::vector<double>& all = record.*column;
+    if (!all.empty()) {
+      (part.*column)
+          .assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+  };
+  for (const auto column : {&Record::time_s, &Record::roll_angle_rad, &Record::roll_rate_rad_s, &Record::canard_rad,
+                            &Record::speed_m_s, &Record::density_kg_m3, &Record::roll_inertia_kg_m2}) {
+    take(column);
+  }
+  for (double& time_s : part.time_s) {
+    time_s -= record.time_s[first];
+  }
+  for (const std::size_t begin : record.segment_begin) {
+    if (begin > first && begin < end) {
+      part.segment_begin.push_back(begin - first);
+    }
+  }
+  return part;
+}
+
+// A lag of a column is the same whatever else the model has, and in every part of the window.
+std::optional<std::string> lag_with_another_cause(const DoubtCase& c, const FittedLag& lag) {
+  const auto left = [&lag](const FittedLag& other, const std::string& with) -> std::optional<std::string> {
+    // Of one lag, estimates differ by the difference of their variances (Hausman 1978).
+    const double beyond_s = std::sqrt(std::max(0.0, other.reach_s * other.reach_s - lag.reach_s * lag.reach_s));
+    if (std::abs(other.lag_s - lag.lag_s) <= std::max(lag.reach_s, beyond_s)) {
+      return {};
+    }
+    return fmt::format("{} that lag would be {} ms", with, milliseconds(std::copysign(1.0, lag.lag_s) * other.lag_s));
+  };
+  const NodeTimes& nodes = c.found.model.node_time_s;
+  const NodeTimes more = twice_as_many(c.record, nodes);
+  if (has_room_for(c.record, more)) {
+    if (auto says = left(fitted_lag(c.record, c, more),
+                         fmt::format("with {} nodes of the disturbance instead of {}", more.size(), nodes.size()))) {
+      return says;
+    }
+    for (const auto& [half, name] : {std::pair{Half::first, "in the first half of the window"},
+                                     std::pair{Half::second, "in the second half of the window"}}) {
+      const Record part = half_of(c.record, half);
+      if (auto says = left(fitted_lag(part, c, even_nodes(part, nodes.size() - 1)), name)) {
+        return says;
+      }
+    }
+  }
+  const Record compressible = with_growth(c.record);
+  return left(fitted_lag(compressible, c, nodes), "with an alpha and beta that grow with the Mach number");
+}
+
 }  // namespace
+
+NodeTimes twice_as_many(const Record& record, const NodeTimes& nodes) {
+  if (nodes.size() == 1) {
+    return even_nodes(record, 2);
+  }
+  NodeTimes all{nodes.front()};
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    all.push_back(0.5 * (nodes[k - 1] + nodes[k]));
+    all.push_back(nodes[k]);
+  }
+  return all;
+}
+
+bool has_room_for(const Record& record, const NodeTimes& nodes) { return record.size() >= 20 * nodes.size(); }
 
 bool matters(const DoubtCase& c, const RollModel& other) {
   constexpr double needless = 1e-3;
@@ -83,8 +200,8 @@ bool matters(const DoubtCase& c, const RollModel& other) {
 }
 
 std::string change(const RollModel& from, const RollModel& to) {
-  return fmt::format("alpha {} m2 instead of {}, beta {} m instead of {}", text::brief(to.alpha_m2, 2),
-                     text::brief(from.alpha_m2, 2), text::brief(to.beta_m, 2), text::brief(from.beta_m, 2));
+  return fmt::format("alpha {}, beta {}", change_text(to.alpha_m2, from.alpha_m2, "m2"),
+                     change_text(to.beta_m, from.beta_m, "m"));
 }
 
 std::optional<std::string> long_lag_doubt(const DoubtCase& c) {
@@ -100,6 +217,10 @@ std::optional<std::string> long_lag_doubt(const DoubtCase& c) {
   if (std::abs(best->lag_s) <= largest_fitted_lag_s || best->rate_error_rad_s > clearly_better * before_rad_s) {
     return {};
   }
+  const NodeTimes more = twice_as_many(c.record, c.found.model.node_time_s);
+  if (has_room_for(c.record, more) && fitted(c, c.record, more, 0.0).rate_error_rad_s < best->rate_error_rad_s) {
+    return {};
+  }
   const double lag_s = best->lag_s;
   const double error_rad_s = best->rate_error_rad_s;
   const RollModel& model = best->model;
@@ -113,29 +234,27 @@ std::optional<std::string> long_lag_doubt(const DoubtCase& c) {
 }
 
 std::optional<std::string> lag_doubt(const DoubtCase& c) {
-  Record other = c.record;
-  other.canard_rate_rad_s = canard_rate_rad_s(c.record);
   const RollModel& found = c.found.model;
-  const RollModel model = fit_open_loop(other, c.airframe, found.node_time_s, c.start, published_grid(c.airframe));
-  const ResponseBasis basis{other, c.airframe, found.node_time_s, c.start};
-  const double lag_s = AlphaFit{basis, model.alpha_m2}.further_lag_s(model.beta_m);
-  if (std::abs(lag_s) > largest_fitted_lag_s) {
+  const FittedLag lag = fitted_lag(c.record, c, found.node_time_s);
+  if (std::abs(lag.lag_s) > largest_fitted_lag_s) {
     return long_lag_doubt(c);
   }
-  for (std::size_t i = 0; i < other.size(); ++i) {
-    other.canard_rad[i] += lag_s * other.canard_rate_rad_s[i];
-  }
-  const Uncertainty known =
-      open_loop_uncertainty(other, c.airframe, model, simulate_open_loop(other, c.airframe, model), c.start);
-  if (!matters(c, model) || std::abs(lag_s) < one_of_hundred * known.lag_s->reach) {
+  if (!matters(c, lag.model) || std::abs(lag.lag_s) < one_of_hundred * lag.reach_s) {
     return {};
   }
+  const std::string claim = fmt::format("about {} ms {} (95 %: {})", milliseconds(std::abs(lag.lag_s)),
+                                        lag.lag_s > 0.0 ? "late" : "early", milliseconds_around(lag));
+  if (const auto otherwise = lag_with_another_cause(c, lag)) {
+    return fmt::format(
+        "The canard column may be {}, or something else changes within the window: {}. The lag alone gives {}. Use "
+        "--fit-lag only if more nodes (--nodes even:{}) and shorter windows show the same lag.",
+        claim, *otherwise, change(found, lag.model), 2 * std::max<std::size_t>(1, found.node_time_s.size() - 1));
+  }
   return fmt::format(
-      "The canard column seems to be about {} ms {} (95 %: {} to {} ms). With that lag the fit gives {}. Use "
-      "--fit-lag, or --lag if it is known.",
-      text::brief(1000.0 * std::abs(lag_s), 1), lag_s > 0.0 ? "late" : "early",
-      text::brief(1000.0 * (std::abs(lag_s) - known.lag_s->reach), 1),
-      text::brief(1000.0 * (std::abs(lag_s) + known.lag_s->reach), 1), change(found, model));
+      "The canard column seems to be {}. With that lag the fit gives {}. If the clock or a filter of that column "
+      "explains "
+      "it, use --fit-lag, or --lag if it is known.",
+      claim, change(found, lag.model));
 }
 
 }  // namespace fantail::identify

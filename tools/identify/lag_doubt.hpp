@@ -23,10 +23,15 @@ inline constexpr double one_of_hundred = 1.31;
 /// know them.
 [[nodiscard]] bool matters(const DoubtCase& c, const model::RollModel& other);
 
-/// "alpha 22.9 m2 instead of 20.1, beta 9 m instead of 8.2".
+/// A node between each two, and for a constant one at either end; and whether a record has samples enough for them.
+[[nodiscard]] model::NodeTimes twice_as_many(const model::Record& record, const model::NodeTimes& nodes);
+[[nodiscard]] bool has_room_for(const model::Record& record, const model::NodeTimes& nodes);
+
+/// "alpha 22.9 m2 instead of 20.1, beta 9.02 m instead of 8.21".
 [[nodiscard]] std::string change(const model::RollModel& from, const model::RollModel& to);
 
-/// A sentence where the canard column seems to come at another time than the gyro's.
+/// A sentence where the canard column seems to come at another time than the gyro's. Where twice as many nodes of the
+/// disturbance leave another lag, it says that either may be the cause.
 [[nodiscard]] std::optional<std::string> lag_doubt(const DoubtCase& c);
 
 /// The same for a lag beyond that which --fit-lag finds, up to 0.2 s. So far away the estimate from the slopes of the

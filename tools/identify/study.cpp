@@ -122,7 +122,14 @@ std::optional<std::string> about_effective_samples(const Identification& found) 
       "The effective samples are few, {} of {}: an error that many samples share counts once, as of a residual that "
       "changes slowly, or of a measured first angle and rate. The intervals count with that. alpha and beta are "
       "identifiable because these errors are small beside the motion.",
-      text::fixed(u->effective_samples, 0), found.samples);
+      worth_text(*u), found.samples);
+}
+
+// What the angle alone says so well is not known while the rate says otherwise.
+void refute(Uncertainty& known) {
+  known.verdict =
+      "alpha and beta are not known from this window: they fit the roll angle, and the roll rate contradicts them";
+  known.alpha_identifiable = known.beta_identifiable = false;
 }
 
 WindowFindings identify_window(const logs::RollLog& log, const Window& window, const Question& question) {
@@ -158,6 +165,10 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
     result.residual_tests = test_residual(found.record, result.simulation);
     if (result.loop == Loop::open) {
       result.frequency_response = frequency_response(found.record, result.simulation);
+    }
+    if (result.uncertainty && result.uncertainty->alpha_identifiable && result.uncertainty->beta_identifiable &&
+        is_refuted(found.record, result)) {
+      refute(*result.uncertainty);
     }
     if (auto doubt = misfit(found.record, result)) {
       result.remarks.push_back(std::move(*doubt));

@@ -54,6 +54,22 @@ TEST(Formatting, ShowTwoDigitsOfTheDeviation) {
   EXPECT_EQ(with_deviation(known(), 2, 1000.0), "-100.0 +- 2.0");
 }
 
+// Alpha and beta go with one over the reference area: 0.0019 m2 is known as well as 19 m2.
+TEST(Formatting, ShowASmallConstantByItsDigits) {
+  EXPECT_EQ(value_with_deviation(0.13042, 0.00011), "0.13042 +- 0.00011");
+  EXPECT_EQ(value_with_deviation(0.0019271, 0.0000034), "0.0019271 +- 0.0000034");
+  EXPECT_EQ(interval_text({.low = 0.0019199, .high = 0.0019341}), "0.0019199 to 0.0019341");
+  EXPECT_EQ(constant_text(0.0019271), "0.001927");
+  EXPECT_EQ(constant_text(22.8712), "22.87");
+}
+
+TEST(Formatting, ShowTwoConstantsByTheDigitsThatTellThemApart) {
+  EXPECT_EQ(change_text(20.08, 23.0, "m2"), "20.08 m2 instead of 23");
+  EXPECT_EQ(change_text(0.1121, 0.1149, "m"), "0.1121 m instead of 0.1149");
+  EXPECT_EQ(change_text(0.11210, 0.11213, "m"), "0.1121 m instead of 0.11213");
+  EXPECT_EQ(change_text(0.112101, 0.112102, "m"), "0.1121 m as before");
+}
+
 TEST(Formatting, ShowTheEndsOfAnInterval) {
   EXPECT_EQ(interval_text({22.1, 23.72}), "22.10 to 23.72");
   EXPECT_EQ(interval_text({12.0, {}}), "above 12.00");

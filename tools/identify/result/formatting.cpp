@@ -18,14 +18,17 @@ namespace {
 using namespace model;
 using text::degrees;
 
-constexpr int most_decimals = 4;  // no sensor tells more
+constexpr int most_decimals = 4;  // no sensor tells more of a number of this size or larger
 
-// So that two digits of a deviation show.
-int decimals(double deviation) {
-  if (!(deviation > 0.0)) {
-    return most_decimals;
-  }
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(deviation))), 0, most_decimals);
+// So that two digits of a deviation show, and at most four decimals. What goes with the reference area may be as small
+// as that makes it: of such a number five digits.
+int decimals(double deviation, double constant = 1.0) {
+  const int most = std::max(most_decimals, decimals_for(constant, most_decimals + 1));
+  return deviation > 0.0 ? std::clamp(decimals_for(deviation, 2), 0, most) : most;
+}
+
+std::string with_places(double value, double deviation, int places) {
+  return text::fixed(value, places) + " +- " + text::fixed(deviation, places);
 }
 
 std::string subject(std::size_t number, const RollModel& model) {
@@ -73,20 +76,21 @@ std::string_view name(Loop loop) { return loop == Loop::open ? "open" : "closed"
 std::string with_deviation(const Identification& result, std::size_t number, double scale) {
   const double value = scale * result.model.numbers()[number];
   if (!result.uncertainty) {
-    return text::fixed(value, most_decimals);
+    return text::fixed(value, number < 2 ? decimals(0.0, value) : most_decimals);
   }
-  return value_with_deviation(value, scale * result.uncertainty->standard_deviation[number]);
+  const double deviation = scale * result.uncertainty->standard_deviation[number];
+  return number < 2 ? value_with_deviation(value, deviation) : with_places(value, deviation, decimals(deviation));
 }
 
 std::string value_with_deviation(double value, double deviation) {
-  const int places = decimals(deviation);
-  return text::fixed(value, places) + " +- " + text::fixed(deviation, places);
+  return with_places(value, deviation, decimals(deviation, value));
 }
 
 std::string interval_text(const Interval& interval, double scale) {
   const double low = scale * interval.low.value_or(0.0);
   const double high = scale * interval.high.value_or(0.0);
-  const int places = decimals(interval.low && interval.high ? 0.25 * (high - low) : 0.05 * std::abs(low + high));
+  const int places = decimals(interval.low && interval.high ? 0.25 * (high - low) : 0.05 * std::abs(low + high),
+                              scale == 1.0 ? std::max(std::abs(low), std::abs(high)) : 1.0);
   if (interval.low && interval.high) {
     return text::fixed(low, places) + " to " + text::fixed(high, places);
   }
@@ -110,10 +114,10 @@ std::string precision_sentence(const Identification& result, std::size_t number)
   const Interval& interval = interval_of(result, number);
   if (!interval.low || !interval.high) {
     return fmt::format("{} is estimated at {} {}, but the data do not bound it on both sides: {}.", who,
-                       text::brief(value, 2), unit, interval_text(interval, scale));
+                       angle ? text::brief(value, 2) : constant_text(value), unit, interval_text(interval, scale));
   }
   const double half = 0.5 * scale * (*interval.high - *interval.low);
-  const int places = decimals(0.5 * half);
+  const int places = decimals(0.5 * half, angle ? 1.0 : value);
   const std::string range = fmt::format("between {} and {} {}", text::fixed(scale * *interval.low, places),
                                         text::fixed(scale * *interval.high, places), unit);
   if (angle) {
@@ -166,7 +170,8 @@ std::string servo_interval(double value, const std::optional<Spread>& known, dou
 namespace {
 
 std::string with_spread(double value, const std::optional<Spread>& known, double unit) {
-  return known ? value_with_deviation(unit * value, unit * known->standard_deviation) : text::brief(unit * value, 2);
+  const double deviation = known ? unit * known->standard_deviation : 0.0;
+  return known ? with_places(unit * value, deviation, decimals(deviation)) : text::brief(unit * value, 2);
 }
 
 }  // namespace
@@ -195,10 +200,12 @@ std::string residual_text(const Identification& result, double ResidualTests::* 
                : std::string{};
 }
 
+std::string worth_text(const Uncertainty& known) {
+  return known.effective_samples < 1.0 ? "fewer than 1" : text::fixed(known.effective_samples, 0);
+}
+
 std::string effective_text(const Identification& result) {
-  return result.uncertainty
-             ? fmt::format("{} of {}", text::fixed(result.uncertainty->effective_samples, 0), result.samples)
-             : std::string{};
+  return result.uncertainty ? fmt::format("{} of {}", worth_text(*result.uncertainty), result.samples) : std::string{};
 }
 
 std::string extent(const Record& record) {
@@ -243,7 +250,7 @@ std::vector<std::string> precision_sentences(const Identification& result) {
                     text::fixed(u.correlation(0, 1), 2)));
   }
   const std::string strength = text::brief(degrees(u.residual_rms_rad), 3);
-  const std::string worth = text::fixed(u.effective_samples, 0);
+  const std::string worth = worth_text(u);
   if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
     all.push_back(
         fmt::format("The residual, {} deg RMS, is hardly correlated: the {} samples tell alpha and beta as well as "
@@ -252,12 +259,12 @@ std::vector<std::string> precision_sentences(const Identification& result) {
   } else if (u.effective_samples < 2.0 * static_cast<double>(u.interval.size())) {
     all.push_back(
         fmt::format("The residual, {} deg RMS, is correlated over {} s: the {} samples average hardly anything out and "
-                    "determine alpha "
-                    "and beta only as well as {} independent {}. The intervals include that; they are as narrow as "
-                    "they are because "
-                    "the residual is small beside the motion.",
+                    "determine alpha and beta only as well as {} independent {}. The intervals include that{}.",
                     strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
-                    worth == "1" ? "sample would" : "samples would"));
+                    worth == "1" || u.effective_samples < 1.0 ? "sample would" : "samples would",
+                    u.alpha_identifiable && u.beta_identifiable
+                        ? "; they are as narrow as they are because the residual is small beside the motion"
+                        : ""));
   } else {
     all.push_back(fmt::format(
         "The residual, {} deg RMS, is correlated over {} s: the {} samples determine alpha and beta as well as {} "

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "identify/result/constant_text.hpp"
 #include "identify/result/findings.hpp"
 
 namespace fantail::identify::result {
@@ -18,7 +19,7 @@ namespace fantail::identify::result {
 /// shown.
 [[nodiscard]] std::string with_deviation(const Identification& result, std::size_t number, double scale = 1.0);
 
-/// The same for numbers that are no Identification's.
+/// The same for an alpha or beta that is no Identification's.
 [[nodiscard]] std::string value_with_deviation(double value, double deviation);
 
 /// "22.1 to 23.7", "above 22.1", "below 23.7" or "not bounded by this window".
@@ -48,6 +49,9 @@ namespace fantail::identify::result {
 
 /// "0.12 (chance 0.17)": the strongest correlation of the rate's residual with itself or with the canards.
 [[nodiscard]] std::string residual_text(const Identification& result, double ResidualTests::* which);
+
+/// "310", or "fewer than 1": the effective samples.
+[[nodiscard]] std::string worth_text(const Uncertainty& known);
 
 /// "310 of 9719".
 [[nodiscard]] std::string effective_text(const Identification& result);

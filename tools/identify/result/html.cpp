@@ -30,8 +30,8 @@ std::string figures(const WindowFindings& window) {
   const std::string least = text::fixed(degrees(low), 1);
   const std::string most = text::fixed(degrees(high), 1);
   return page::figure_row(std::vector<page::Figure>{
-      {"damping alpha", text::brief(result.model.alpha_m2, 2), "m\u00b2", range(0)},
-      {"torque constant beta", text::brief(result.model.beta_m, 2), "m", range(1)},
+      {"damping alpha", constant_text(result.model.alpha_m2), "m\u00b2", range(0)},
+      {"torque constant beta", constant_text(result.model.beta_m), "m", range(1)},
       {"disturbance", least == most ? least : least + " to " + most, "deg", "as an equivalent canard angle"},
       {"mean angle error", text::fixed(degrees(result.simulation.mean_abs_angle_error_rad), 2), "deg",
        fmt::format("rate: {} deg/s", text::fixed(degrees(result.simulation.mean_abs_rate_error_rad_s), 1))}});
@@ -208,8 +208,8 @@ void set_verdict_of_several(const Study& study, page::Page& page) {
   page.verdict_heading = fmt::format("{} of {} windows determine damping and torque", good, all);
   for (const WindowFindings& window : study.windows) {
     const RollModel& model = main_result(window).model;
-    page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, text::brief(model.alpha_m2, 2),
-                                text::brief(model.beta_m, 2));
+    page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, constant_text(model.alpha_m2),
+                                constant_text(model.beta_m));
   }
   if (doubtful > 0) {
     page.verdict += fmt::format("In {} of them the model does not fit the log well; see the remarks.", doubtful);

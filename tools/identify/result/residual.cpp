@@ -113,6 +113,19 @@ double autocorrelation(const Record& record, const std::vector<double>& residual
   return alone > 0.0 ? together / alone : 0.0;
 }
 
+std::vector<double> rate_residual(const Record& record, const Simulation& simulation) {
+  std::vector<double> residual = record.roll_rate_rad_s;
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    residual[i] -= simulation.roll_rate_rad_s[i];
+  }
+  return residual;
+}
+
+bool is_motion(const Record& record, const std::vector<double>& residual) {
+  constexpr double motion = 0.5;
+  return autocorrelation(record, residual) >= motion;
+}
+
 }  // namespace
 
 Eigen::MatrixXd ResidualNoise::covariance_times(std::span<const double> time_s, const Eigen::MatrixXd& columns) const {
@@ -183,22 +196,30 @@ ResidualNoise estimate_noise(std::span<const double> time_s, const Eigen::Vector
           .correlation_s = best.correlation_s};
 }
 
+double share_left(const Record& record, const Simulation& simulation) {
+  const double motion = mean_square(record.roll_rate_rad_s);
+  return motion > 0.0 ? std::sqrt(mean_square(rate_residual(record, simulation)) / motion) : 0.0;
+}
+
+bool is_refuted(const Record& record, const Identification& result) {
+  constexpr double contradiction = 0.5;
+  return share_left(record, result.simulation) >= contradiction &&
+         is_motion(record, rate_residual(record, result.simulation));
+}
+
 std::optional<std::string> misfit(const Record& record, const Identification& result) {
-  constexpr double motion = 0.5;
   constexpr double negligible = 0.01;
-  std::vector<double> residual = record.roll_rate_rad_s;
-  for (std::size_t i = 0; i < residual.size(); ++i) {
-    residual[i] -= result.simulation.roll_rate_rad_s[i];
-  }
-  const double strength = std::sqrt(mean_square(residual));
-  if (strength < negligible * std::sqrt(mean_square(record.roll_rate_rad_s)) ||
-      autocorrelation(record, residual) < motion) {
+  const std::vector<double> residual = rate_residual(record, result.simulation);
+  if (share_left(record, result.simulation) < negligible || !is_motion(record, residual)) {
     return {};
   }
+  const double strength = std::sqrt(mean_square(residual));
   return fmt::format(
       "The model does not fit this log well: the residual of the roll rate, {} deg/s RMS, is motion and not noise. The "
-      "intervals do not include this error. More nodes, another window or {} may help.",
-      text::brief(text::degrees(strength), 2), result.loop == Loop::open ? "--fit-lag" : "--loop open");
+      "intervals do not include this error. {}More nodes, another window or {} may help.",
+      text::brief(text::degrees(strength), 2),
+      is_refuted(record, result) ? "Check units and signs of the columns first. " : "",
+      result.loop == Loop::open ? "--fit-lag" : "--loop open");
 }
 
 }  // namespace fantail::identify::result

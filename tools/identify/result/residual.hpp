@@ -30,6 +30,12 @@ struct ResidualNoise {
 [[nodiscard]] ResidualNoise estimate_noise(std::span<const double> time_s, const Eigen::VectorXd& residual,
                                            const Eigen::MatrixXd& explaining);
 
+/// How much of the motion a model leaves in the roll rate, root mean square over root mean square.
+[[nodiscard]] double share_left(const model::Record& record, const model::Simulation& simulation);
+
+/// A misfit() of half of the motion or more: whatever the angle says, the rate contradicts it.
+[[nodiscard]] bool is_refuted(const model::Record& record, const Identification& result);
+
 /// A sentence when the model leaves motion, not noise. The fit asks only for the angle, so the rate is a witness of its
 /// own: what a gyro adds is gone within 10 ms, what a model lacks (a node, a lag, a canard that hits a wake) is not. No
 /// interval covers such a lack. Residuals below a hundredth of the rate itself are not worth a word.

@@ -11,6 +11,7 @@
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
+#include "identify/result/formatting.hpp"
 #include "identify/result/residual.hpp"
 #include "linear/dense.hpp"
 #include "linear/student.hpp"
@@ -120,7 +121,7 @@ std::string verdict(const Uncertainty& u, const RollModel& model, bool excited) 
         "beta is negative, {} m, with a 95 % interval of {} to {} m: positive canard angles turn this rocket in the "
         "negative direction, so the canard column most likely has the opposite sign; change its sign, and check that "
         "of the roll rate",
-        text::brief(model.beta_m, 2), text::brief(*u.interval[1].low, 2), text::brief(*u.interval[1].high, 2));
+        constant_text(model.beta_m), constant_text(*u.interval[1].low), constant_text(*u.interval[1].high));
   }
   const std::string cause =
       excited ? "too little excitation for the noise and length of this window"

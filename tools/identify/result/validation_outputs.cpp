@@ -44,7 +44,7 @@ struct Line {
 std::string known_value(const Validation& v, Eigen::Index which) {
   const Constants& c = v.model.constants;
   return v.model.covariance_is_known ? value_with_deviation(c.value(which), std::sqrt(c.covariance(which, which)))
-                                     : brief(c.value(which), 4);
+                                     : constant_text(c.value(which));
 }
 
 std::vector<Line> lines(const Validation& v, const ValidatedWindow& window) {
