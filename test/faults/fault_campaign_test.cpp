@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The campaign itself: it says the same whatever its threads and interruptions, and every fault is safe under control
-// or a known limit.
+// The campaign itself: it says the same whatever its threads and interruptions, and every fault is safe once armed
+// and under control, or a known limit.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -212,19 +212,22 @@ TEST(FaultFlight, OfEachRunFlipsAnotherBit) {
 }
 
 // One instant of each: what `fantail campaign faults` does with all of them.
-TEST(FaultUnderControl, IsSafeOrAKnownLimit) {
+void expect_safe_or_a_known_limit(Phase phase, int begin_ms) {
   const Twins twins = fly_twins(input::load_scenario("tasha3_launch2", {}), 1);
   for (const FaultRow& row : fault_table()) {
-    const Cell cell{.row = &row, .phase = Phase::controlling};
+    const Cell cell{.row = &row, .phase = phase};
     if (!why_not(row, twins.scenario).empty()) {
       continue;
     }
-    const Findings findings = fly_run(twins, cell, {.seed = 0, .begin_ms = 3000}, 0);
+    const Findings findings = fly_run(twins, cell, {.seed = 0, .begin_ms = begin_ms}, 0);
     EXPECT_TRUE(findings.outcome(cell.expected()) || known_limit(row, cell.phase, twins.scenario) != nullptr)
         << cell.name() << ": " << findings.what_it_was();
     EXPECT_EQ(findings.breach, "") << cell.name();
   }
 }
+
+TEST(FaultUnderControl, IsSafeOrAKnownLimit) { expect_safe_or_a_known_limit(Phase::controlling, 3000); }
+TEST(FaultOnceArmed, IsSafeOrAKnownLimit) { expect_safe_or_a_known_limit(Phase::armed, -1000); }
 
 }  // namespace
 }  // namespace fantail::faults
