@@ -86,8 +86,8 @@ TEST(Stability, OfTheFilesOwnCentreOfPressureIsInTheHeadlineWhereTheShapeContrad
   const Summary in_front = with_pressure_at(0.5);
   EXPECT_EQ(in_front.stability, Stability::unstable);
   EXPECT_TRUE(
-      in_front.sentence.starts_with("Unstable, and doubtful: by the file's centre of pressure, which flights "
-                                    "use, the static margin is -5.00 calibres at lift-off"))
+      in_front.sentence.starts_with("Unstable, and doubtful: the file's centre of pressure, which flights use, "
+                                    "gives a static margin of -5.00 calibres at lift-off"))
       << in_front.sentence;
   EXPECT_NE(html(rocket, in_front).find("class=\"verdict bad"), std::string::npos);
   EXPECT_EQ(json::parse(json(rocket, in_front))["stability"], "unstable");

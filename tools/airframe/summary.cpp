@@ -194,8 +194,8 @@ void judge_by_file(Summary& summary, const sim::Vehicle& vehicle) {
   const double calibre_m = vehicle.geometry->diameter_m;
   summary.stability = shape_is_unstable || file_is_unstable ? Stability::unstable : Stability::doubtful;
   summary.sentence = fmt::format(
-      "{}: by the file's centre of pressure, which flights use, the static margin is {} calibres {}; by the shape it "
-      "is {} ({} to {}). Measure the centre of pressure, or correct the file.",
+      "{}: the file's centre of pressure, which flights use, gives a static margin of {} calibres {}; the shape gives "
+      "{} ({} to {}). Measure the centre of pressure, or correct the file.",
       word, fixed(margin_m / calibre_m, 2), is_at_liftoff ? "at lift-off" : "after burn-out",
       fixed((shape.value - gravity_m) / calibre_m, 2), fixed((shape.low - gravity_m) / calibre_m, 2),
       fixed((shape.high - gravity_m) / calibre_m, 2));
