@@ -213,6 +213,18 @@ TEST(PlanCheckOfALoop, RefusesGainsThatTheRocketDoesNotTolerateByName) {
       << outcome.err;
 }
 
+// Its loop has a root in the right half plane whatever the gains, and no crossover that a phase margin could be of.
+TEST(PlanCheckOfALoop, RefusesCanardsThatTurnTheWrongWay) {
+  const Folder folder;
+  const std::string plan = folder.write("p.toml", "[canards]\ndirection = \"reversed\"\n");
+  const Outcome outcome = fantail({"plan", "check", plan, "--scenario", "tasha3_launch2"});
+  EXPECT_EQ(outcome.exit_code, 78);
+  EXPECT_NE(outcome.err.find("with the rocket of tasha3_launch2 all canards turn the rocket against the roll command "
+                             "(direction differs between plan and vehicle)"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST(PlanCheckOfALoop, OfNothingOrOfTwoScenariosIsWrongUsage) {
   EXPECT_EQ(fantail({"plan", "check"}).exit_code, 64);
   EXPECT_EQ(fantail({"plan", "check", "bench_healthy", "--scenario", "tasha3_launch1"}).exit_code, 64);
