@@ -66,6 +66,17 @@ TEST(FlownAgain, AFlightInWindRollsAsItDid) {
   expect_same_roll(flight, fly_on(own, as_rocketpy_in_wind(instants(own, 10))));
 }
 
+TEST(FlownAirframe, HasTheRollInertiaOverTimeWhereTheFlightFollowsThePropellant) {
+  const std::vector<std::string> empties{"airframe.roll_inertia_after_burnout_kg_m2=0.0035"};
+  EXPECT_TRUE(fly::fly_scenario(scenario(empties)).airframe->roll_inertia_course.empty());
+  const flight::Flight flight = fly::fly_scenario(scenario({"flight.motion=six_dof", empties.front()}));
+  const auto& course = flight.airframe->roll_inertia_course;
+  ASSERT_FALSE(course.empty());
+  EXPECT_EQ(course.begin()->second, 0.00393);
+  EXPECT_EQ(course.rbegin()->second, 0.0035);
+  EXPECT_NEAR(course.rbegin()->first, flight.events.burnout_s.value(), 0.1);
+}
+
 TEST(FlownAgain, TheEstimatedTiltIsThatOfThePath) {
   const sim::Scenario own = scenario({"flight.motion=six_dof", "launch_guide.tilt_deg=10"});
   const flight::Flight flight = fly::fly_scenario(own);
