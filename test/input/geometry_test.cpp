@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "input/messages.hpp"
 #include "input/scenario_file.hpp"
 #include "input/vehicle_file.hpp"
 #include "scratch_file.hpp"
@@ -74,6 +75,20 @@ TEST(Geometry, APartThatReachesFartherOutThanTheRocketIsRefused) {
                      "shape.transition_diameter_m=0.05", "masses.propellant_radius_of_gyration_m=0.03"})
                 .find("the radius of the body there, 0.025"),
             std::string::npos);
+}
+
+TEST(PlainNumber, HasNoRoundingNoiseAndAllThatAPersonWrites) {
+  EXPECT_EQ(plain_number(0.1 + 0.05), "0.15");
+  EXPECT_EQ(plain_number(1.51 - 0.18), "1.33");
+  EXPECT_EQ(plain_number(1.0000000001), "1.0000000001");
+  EXPECT_EQ(plain_number(1e9), "1e+09");
+}
+
+// Its parts are more fins than two sections hold.
+TEST(Geometry, APartOfADesignMayBeAnotherSetOfFins) {
+  const std::string radii = "masses.radii_of_gyration_m=[0.024, 0.025, 0.025, 0.039, 0.3, 0.022]";
+  EXPECT_FALSE(refusal({radii}).empty());
+  EXPECT_NO_THROW((void)vehicle({radii, "design.file=\"my.ork\""}));
 }
 
 TEST(Geometry, OfPartsOutsideTheRocketIsRefused) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "airframe/openrocket/solids.hpp"
+#include "input/messages.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -35,12 +36,12 @@ Case case_of(const openrocket::MotorPlace& place, const input::RaspMotor& motor,
   }
   if (motor.length_m > 0.0) {
     assumed.push_back(fmt::format("Motor: {} is none that the design names with its length; its own file says {} mm.",
-                                  on_one_line(motor.name), 1000.0 * motor.length_m));
+                                  on_one_line(motor.name), input::plain_number(1000.0 * motor.length_m)));
     return {motor.length_m, motor.diameter_m};
   }
   const auto longest = std::ranges::max_element(place.motors, {}, &openrocket::NamedMotor::length_m);
   assumed.push_back(fmt::format("Motor: no file says how long {} is; as long as the longest of the design, {} mm.",
-                                on_one_line(motor.name), 1000.0 * longest->length_m));
+                                on_one_line(motor.name), input::plain_number(1000.0 * longest->length_m)));
   return {longest->length_m, longest->diameter_m};
 }
 
