@@ -240,8 +240,9 @@ TEST(FlownVerdict, CanardsThatAPlanTurnsTheWrongWayAreTheCauseAndNotTheFinOffset
   EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
   EXPECT_TRUE(flown.verdict.text.starts_with(
       "Roll not held: all canards turn the rocket against the roll command (direction differs between plan and "
-      "vehicle); in the mean "))
+      "vehicle). "))
       << flown.verdict.text;
+  EXPECT_TRUE(flown.says(" from the command in the mean; canards at their limit")) << flown.verdict.text;
   for (const Judged* each : {&cancelled, &flown}) {
     EXPECT_FALSE(each->says("fin offset")) << each->verdict.text;
   }

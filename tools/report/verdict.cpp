@@ -134,14 +134,14 @@ Verdict steady(const flight::Flight& flight, const Figures& f, const std::string
 Verdict uncontrollable(const flight::Flight& flight, const Figures& f) {
   const bool is_lost =
       (f.at_limit_since_s && f.offset_beyond_limit) || f.largest_hold_error_rad.value_or(0.0) > held_error_rad;
-  const std::string mean =
-      is_lost && f.mean_reference_error_rad
-          ? fmt::format("in the mean {} from the command, ", degrees_text(*f.mean_reference_error_rad))
-          : "";
   const std::string cause =
-      fmt::format("roll not {}: {}; {}{}", is_lost ? "held" : "judged", flight.why_uncontrollable, mean, saturation(f));
+      sentence(fmt::format("roll not {}: {}", is_lost ? "held" : "judged", flight.why_uncontrollable));
+  const std::string mean = is_lost && f.mean_reference_error_rad
+                               ? degrees_text(*f.mean_reference_error_rad) + " from the command in the mean; "
+                               : "";
   const std::string at_end = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(flight, f))) : "";
-  return {is_lost ? Outcome::not_held : Outcome::not_judged, sentence(cause) + at_end};
+  return {is_lost ? Outcome::not_held : Outcome::not_judged,
+          fmt::format("{} {}{}", cause, sentence(mean + saturation(f)), at_end)};
 }
 
 Verdict judge_control(const flight::Flight& flight, const Figures& f) {
