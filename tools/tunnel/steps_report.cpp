@@ -168,7 +168,7 @@ Chart response(const StepResult& result, const char* what, const char* unit, con
                      {.name = "model", .role = Role::model, .x = time_s, .y = in_degrees(modelled)}}};
 }
 
-std::string responses(const StepResult& result) {
+std::string responses(const StepTable& table, const StepResult& result) {
   const identify::model::Simulation& model = result.identified.simulation;
   const std::vector<double>& time_s = result.record.time_s;
   Chart angle = response(result, "angle", "deg", result.record.roll_angle_rad, model.roll_angle_rad);
@@ -178,11 +178,12 @@ std::string responses(const StepResult& result) {
                           .y = {degrees(result.step.to_rad), degrees(result.step.to_rad)}});
   const Chart rate = response(result, "rate", "deg/s", result.record.roll_rate_rad_s, model.roll_rate_rad_s);
   const StepFigures figures = figures_of(result);
+  const Print print = printed(table, figures);
   const std::array<std::string, 2> pair{
       page::figure(angle, fmt::format("Step {} at {:g} s, from {} to {} deg.", result.number, result.step.begin_s,
                                       fixed(degrees(result.step.from_rad), 0), fixed(degrees(result.step.to_rad), 0))),
-      page::figure(rate, fmt::format("alpha {} m2, beta {} m, disturbance {} to {} deg.", fixed(figures.alpha_m2, 2),
-                                     fixed(figures.beta_m, 2), fixed(degrees(figures.disturbance_begin_rad), 2),
+      page::figure(rate, fmt::format("alpha {} m2, beta {} m, disturbance {} to {} deg.", print(step_columns()[0]),
+                                     print(step_columns()[1]), fixed(degrees(figures.disturbance_begin_rad), 2),
                                      fixed(degrees(figures.disturbance_end_rad), 2)))};
   return page::side_by_side(pair);
 }
@@ -278,7 +279,7 @@ std::string steps_html(const StepsHeading& heading, const StepTable& table) {
           page::list(spread_sentences(table)) + page::side_by_side(parameters) + page::side_by_side(disturbances));
   std::string all;
   for (const StepResult& result : table.steps) {
-    all += responses(result);
+    all += responses(table, result);
   }
   body += page::section("All steps together", overlay_html(table));
   body += page::section("Each step, measured and modelled", page::on_demand("Show each step alone", all));
