@@ -119,7 +119,7 @@ TEST(Table, LoadsAFileAndSaysWhenThereIsNone) {
   const test::Folder folder;
   EXPECT_EQ(Table::load(folder.write("a.csv", "a\n7\n")).number(0, 0), 7.0);
   expect_refused(ErrorKind::no_such_input, {"none.csv: no such file"}, [&] { (void)Table::load(folder / "none.csv"); });
-  expect_refused(ErrorKind::bad_data, {"is a folder"}, [&] { (void)Table::load(folder.path().string()); });
+  expect_refused(ErrorKind::no_such_input, {"is a folder"}, [&] { (void)Table::load(folder.path().string()); });
 }
 
 TEST(Number, IsFiniteAndNothingElse) {
