@@ -36,8 +36,8 @@ class PadMovement {
   /// False for what lies, hangs or falls, however still it is.
   [[nodiscard]] bool is_supported() const { return unsupported_ < blocks_of_no_support; }
 
-  [[nodiscard]] bool has_moved() const { return moved_; }
-  [[nodiscard]] bool has_fallen() const { return fallen_; }
+  [[nodiscard]] bool has_moved() const { return moved_; }    ///< and has not rested since
+  [[nodiscard]] bool has_fallen() const { return fallen_; }  ///< likewise
 
   /// See core/state_visitor.hpp.
   template <typename Visitor>

@@ -17,6 +17,7 @@ struct Vector3 {
   }
 };
 
+/// a - b, part by part, in their unit.
 [[nodiscard]] constexpr Vector3 minus(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 }  // namespace fantail::core

@@ -68,6 +68,8 @@ TEST(Html, SaysWhereTheLawOfThePlanComesToRestAndDrawsItsEstimate) {
   EXPECT_EQ(rejecting.find("u_d/kp"), std::string::npos);
   EXPECT_NE(rejecting.find("settles at R"), std::string::npos);
   EXPECT_NE(rejecting.find("comes to rest at the reference R"), std::string::npos);
+  synthetic.flight.why_uncontrollable = "all canards turn the rocket against the roll command";
+  EXPECT_EQ(page_of(synthetic.flight).find("It settles at"), std::string::npos);
   EXPECT_NE(rejecting.find("and what the law takes it for"), std::string::npos);
 }
 

@@ -117,7 +117,8 @@ Chart disturbance(const flight::Flight& flight, const ChartDrawer& drawer) {
 
 Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
   const RowValue settle = [&flight](const flight::Row& row) {
-    if (flight.tunnel && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s) {
+    const bool in_still_air = flight.tunnel && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s;
+    if (in_still_air || !flight.why_uncontrollable.empty()) {
       return unknown_value;
     }
     return text::in_degrees(flight::settle_point_rad(row, flight)).value_or(unknown_value);

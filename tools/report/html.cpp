@@ -212,7 +212,7 @@ std::string html(const flight::Flight& flight, const Figures& figures, const Ver
                       "this page).",
                   .command = flight.command,
                   .live = charts(flight)};
-  if (verdict.roll_is_judged && figures.largest_hold_error_rad) {
+  if (verdict.roll_is_judged && figures.largest_hold_error_rad && flight.why_uncontrollable.empty()) {
     page.findings.push_back({"", fmt::format("It settles at {}.", settle_point_name(flight)), "settles"});
   }
   if (figures.roll_turns && figures.roll_turns_without_control) {

@@ -8,8 +8,8 @@ namespace fantail::hal {
 class ArmSwitch {
  public:
   virtual ~ArmSwitch() = default;
-  [[nodiscard]] virtual bool closed() const = 0;
-  [[nodiscard]] virtual bool open() const = 0;
+  [[nodiscard]] virtual bool closed() const = 0;  ///< false while it is not known
+  [[nodiscard]] virtual bool open() const = 0;    ///< likewise
 };
 
 }  // namespace fantail::hal

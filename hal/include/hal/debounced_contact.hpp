@@ -10,7 +10,7 @@ namespace fantail::hal {
 /// closed and not open, until the level has been the same for as long.
 class DebouncedContact {
  public:
-  static constexpr std::uint32_t ticks_to_change = 50;
+  static constexpr std::uint32_t ticks_to_change = 50;  ///< of a millisecond each
 
   /// Once a tick.
   void update(bool level) {
@@ -24,8 +24,8 @@ class DebouncedContact {
     }
   }
 
-  [[nodiscard]] bool closed() const { return is_known_ && level_; }
-  [[nodiscard]] bool open() const { return is_known_ && !level_; }
+  [[nodiscard]] bool closed() const { return is_known_ && level_; }  ///< false while it is not known
+  [[nodiscard]] bool open() const { return is_known_ && !level_; }   ///< likewise
 
  private:
   bool is_known_ = false;
