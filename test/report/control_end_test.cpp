@@ -63,6 +63,8 @@ TEST(ControlEnd, OfALaunchThatWasNotDetectedTheFirstCauseIsNamed) {
   EXPECT_EQ(after({}), "No control: no launch was detected" + flew);
   EXPECT_EQ(after({armed, {-2.0, Phase::armed, PhaseReason::moved_without_launch}}),
             "No control: no launch was detected: the rocket had moved and had to rest first, from -2.00 s on" + flew);
+  EXPECT_EQ(after({armed, {2.5, Phase::armed, PhaseReason::moved_without_launch}}),
+            "No control: no launch was detected in the first 2.50 s of the flight" + flew);
   EXPECT_EQ(after({armed, launched, back, {3.0, Phase::armed, PhaseReason::rested}}),
             "No control: no launch was detected after the rocket had rested at 3.00 s" + flew);
 }

@@ -42,6 +42,11 @@ TEST(CanardSense, OneOfFourIsOutweighedAndTwoReversalsAreNone) {
   EXPECT_EQ(why_uncontrollable(with_reversed({})), "");
   EXPECT_EQ(why_uncontrollable(with_reversed({2})), "");
   EXPECT_EQ(why_uncontrollable(with_reversed({0, 1, 2, 3}, {0, 1, 2, 3})), "");
+  EXPECT_EQ(left_in_the_end(with_reversed({0, 1, 2, 3}, {0, 1, 2, 3})), 1.0);
+  EXPECT_EQ(works_against(with_reversed({0, 1, 2, 3}, {0, 1, 2, 3})), "");
+  EXPECT_EQ(left_in_the_end(with_reversed({2})), 0.5);
+  EXPECT_TRUE(works_against(with_reversed({2})).starts_with("canard 3 turns the rocket against"));
+  EXPECT_EQ(left_in_the_end(with_reversed({0, 1, 2, 3})), -1.0);
 }
 
 TEST(CanardSense, AServoThatAFaultHasTurnedIsNotBlamedOnPlanAndVehicle) {

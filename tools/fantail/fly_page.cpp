@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "flight/flight.hpp"
+#include "stability/canard_sense.hpp"
 
 namespace fantail::tool {
 
@@ -13,8 +14,7 @@ std::optional<double> settles_off_rad(const sim::Scenario& scenario) {
   if (flight::rejects_offset(plan)) {
     return 0.0;
   }
-  const double gain =
-      static_cast<double>(plan.controller.proportional_gain) * sim::left_by_fins(scenario.vehicle.canard_air);
+  const double gain = static_cast<double>(plan.controller.proportional_gain) * stability::left_in_the_end(scenario);
   const bool is_constant =
       plan.gain_schedule.speeds_count == 0 && gain > 0.0 &&
       std::ranges::all_of(offset, [&](const auto& node) { return node.angle_rad == offset.front().angle_rad; });

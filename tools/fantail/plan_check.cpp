@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -181,6 +182,9 @@ FlightCheck check_flight(const sim::Scenario& scenario) {
         text::brief(static_cast<double>(core::seconds(scenario.plan.run.control_time)), 3),
         text::fixed(*found.before_apogee_s, 2), scenario.name,
         text::fixed(*events.apogee_s - *events.control_start_s, 2)));
+  }
+  if (std::string against = stability::works_against(scenario); !against.empty()) {
+    found.warnings.push_back(std::move(against));
   }
   if (flown.verdict.outcome != report::Outcome::held) {
     found.warnings.push_back(fmt::format("the flight of {} with it: {}", scenario.name, found.verdict));

@@ -196,7 +196,7 @@ struct Flight {
   std::vector<LoopMargin> loop_margins;     ///< at some speeds under control, the worst among them; empty: not computed
   std::optional<CanardReach> canard_reach;  ///< of the simulated canards; empty: nobody knows
   std::string why_uncontrollable;           ///< as stability has it; empty: the canards obey the law, or nobody knows
-  double left_by_fins = 1.0;                ///< of a roll torque of the canards, in the end; see sim::FinWash
+  double left_by_fins = 1.0;                ///< of a roll torque of the canards: stability::left_in_the_end()
   /// Of one canard that is turned by a radian: its moment about the centre of gravity after burn-out, over 1/2 rho v^2.
   /// Empty: the vehicle does not say where its canards are.
   std::optional<double> side_moment_m3;

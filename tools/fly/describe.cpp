@@ -92,7 +92,10 @@ flight::Flight describe(const sim::Scenario& scenario) {
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   flight.why_uncontrollable = stability::why_uncontrollable(scenario);
-  flight.left_by_fins = sim::left_by_fins(scenario.vehicle.canard_air);
+  flight.left_by_fins = stability::left_in_the_end(scenario);
+  if (const std::string against = stability::works_against(scenario); !against.empty()) {
+    flight.notes.push_back("C" + against.substr(1) + ".");
+  }
   for (const auto* sentences :
        {&scenario.vehicle.warnings, &scenario.warnings, &scenario.vehicle.assumed, &scenario.assumed}) {
     flight.notes.insert(flight.notes.end(), sentences->begin(), sentences->end());

@@ -35,7 +35,7 @@ Share within(const Prediction& p, double limit_rad) {
 }
 
 /// Of what the canards do; a limit of them balances so much less.
-double left_by_fins(const Prediction& p) { return sim::left_by_fins(p.flown.vehicle.canard_air); }
+double left_by_fins(const Prediction& p) { return stability::left_in_the_end(p.flown); }
 
 /// In half degrees. The tolerance: a plan's 20 degrees are a float, a little less than the number that a person types.
 std::optional<double> enough_limit_deg(const Prediction& p, double share, double farthest_deg) {

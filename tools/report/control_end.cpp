@@ -41,7 +41,10 @@ std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange
       return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
     case core::PhaseReason::rested: return "no launch was detected after the rocket had rested at " + when;
     case core::PhaseReason::moved_without_launch:
-      return "no launch was detected: the rocket had moved and had to rest first, from " + when + " on";
+      // In flight that is what follows from a launch that was not detected; before it, what kept one from being.
+      return change.time_s > 0.0
+                 ? "no launch was detected in the first " + when + " of the flight"
+                 : "no launch was detected: the rocket had moved and had to rest first, from " + when + " on";
     case core::PhaseReason::launch_detected:
       return "the run ended before the guide was clear; launch was detected at " + when;
     case core::PhaseReason::guide_not_cleared_in_time:

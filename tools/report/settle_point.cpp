@@ -38,8 +38,8 @@ std::string in_numbers(const flight::Flight& flight) {
   const std::string gain = brief(static_cast<double>(flight.plan.controller.proportional_gain));
   return flight.left_by_fins != 1.0
              ? fmt::format(
-                   " Here that is {} deg from R: u_d is {} deg, kp is {}, and of the canards' roll the fins leave "
-                   "{} times.",
+                   " Here that is {} deg from R: u_d is {} deg, kp is {}, and {} times the canards' roll is left "
+                   "in the end.",
                    lowest, offset, gain, brief(flight.left_by_fins))
              : fmt::format(" Here u_d is {} deg and kp is {}, so it rests {}/{} = {} deg from R.", offset, gain, offset,
                            gain, lowest);

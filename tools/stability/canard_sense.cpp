@@ -44,6 +44,34 @@ std::string named(const std::vector<std::size_t>& numbers) {
 
 }  // namespace
 
+namespace {
+
+std::vector<std::size_t> with_other_directions(const sim::Scenario& scenario) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const bool is_reversed_in_plan = scenario.plan.canards.each[i].direction == core::Direction::reversed;
+    if (is_reversed_in_plan != scenario.vehicle.canards[i].reversed) {
+      numbers.push_back(i + 1);
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+double left_in_the_end(const sim::Scenario& scenario) {
+  const double against = static_cast<double>(with_other_directions(scenario).size()) / core::canard_count;
+  return (1.0 - 2.0 * against) * sim::left_by_fins(scenario.vehicle.canard_air);
+}
+
+std::string works_against(const sim::Scenario& scenario) {
+  const std::vector<std::size_t> numbers = with_other_directions(scenario);
+  return numbers.size() == 1 ? named(numbers) +
+                                   " the rocket against the roll command (direction differs between plan and vehicle), "
+                                   "so the canards have half of their torque"
+                             : "";
+}
+
 std::string why_uncontrollable(const sim::Scenario& scenario) {
   const sim::CanardResponse response = response_for_certain(scenario);
   if (response.effectiveness > hardly) {
