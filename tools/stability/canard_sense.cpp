@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stability/canard_sense.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace {
 
 // Of what healthy canards do. Servos that differ a little do not cancel to zero.
 constexpr double hardly = 0.05;
+constexpr const char* direction_differs = " (direction differs between plan and vehicle)";
 
 /// Where the plan shares, others may do the work of two canards that faults have turned.
 sim::CanardResponse response_for_certain(const sim::Scenario& scenario) {
@@ -42,10 +44,7 @@ std::string named(const std::vector<std::size_t>& numbers) {
   return text + (numbers.size() == 1 ? " turns" : " turn");
 }
 
-}  // namespace
-
-namespace {
-
+/// The numbers of the canards whose direction differs between plan and vehicle, in order.
 std::vector<std::size_t> with_other_directions(const sim::Scenario& scenario) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < core::canard_count; ++i) {
@@ -66,9 +65,8 @@ double left_in_the_end(const sim::Scenario& scenario) {
 
 std::string works_against(const sim::Scenario& scenario) {
   const std::vector<std::size_t> numbers = with_other_directions(scenario);
-  return numbers.size() == 1 ? named(numbers) +
-                                   " the rocket against the roll command (direction differs between plan and vehicle), "
-                                   "so the canards have half of their torque"
+  return numbers.size() == 1 ? named(numbers) + " the rocket against the roll command" + direction_differs +
+                                   ", so the canards have half of their torque"
                              : "";
 }
 
@@ -80,12 +78,9 @@ std::string why_uncontrollable(const sim::Scenario& scenario) {
                : "the fins take back all of the canards' roll torque, or more";
   }
   std::vector<std::size_t> against;
-  bool by_direction = true;
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     if (response.of_each[i] < 0.0) {
       against.push_back(i + 1);
-      const bool is_reversed_in_plan = scenario.plan.canards.each[i].direction == core::Direction::reversed;
-      by_direction = by_direction && is_reversed_in_plan != scenario.vehicle.canards[i].reversed;
     }
   }
   if (against.empty()) {
@@ -93,7 +88,7 @@ std::string why_uncontrollable(const sim::Scenario& scenario) {
   }
   return named(against) + " the rocket against the roll command" +
          (against.size() < core::canard_count ? ", and the others outweigh that hardly or not at all" : "") +
-         (by_direction ? " (direction differs between plan and vehicle)" : "");
+         (std::ranges::includes(with_other_directions(scenario), against) ? direction_differs : "");
 }
 
 }  // namespace fantail::stability
