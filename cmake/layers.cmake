@@ -25,6 +25,7 @@ set(FANTAIL_LAYERS
   "tools/manual|text|fmt/"
   "tools/linear||Eigen/"
   "tools/page|text json|fmt/"
+  "tools/result|text json page|fmt/"
   "tools/input|core sim text|fmt/"
   "tools/flight|core text input|fmt/"
   "tools/trajectory|sim text input flight|fmt/"
@@ -50,16 +51,16 @@ set(FANTAIL_LAYERS
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text table_file json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text json page replies link|fmt/"
-  "tools/campaign|sim text json linear page input flight report fly|fmt/"
-  "tools/hardover|core sim text json page fly campaign|fmt/"
-  "tools/predict|core sim text json page flight report stability fly campaign|fmt/"
+  "tools/campaign|sim text json linear page result input flight report fly|fmt/"
+  "tools/hardover|core sim text result fly campaign|fmt/"
+  "tools/predict|core sim text json page result flight report stability fly campaign|fmt/"
   "tools/tune|core sim text json page input flight report stability fly campaign predict|fmt/"
   "tools/paper|core sim text json page input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text json page input campaign|fmt/"
   "tools/faults|core sim text json page input campaign|fmt/"
   "tools/playground|core sim text json input flight report fly|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json manual page input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
-  "python/bindings|core protocol sim text json input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
+  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "python/bindings|core protocol sim text json result input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.
 set(FANTAIL_SINGLE_FILES

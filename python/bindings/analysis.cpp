@@ -21,10 +21,11 @@
 #include "input/vehicle_file.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
-#include "predict/results.hpp"
+#include "predict/answer.hpp"
 #include "python/bindings/bind.hpp"
 #include "python/bindings/flown.hpp"
 #include "python/bindings/scenario.hpp"
+#include "result/document.hpp"
 #include "sim/roll_inertia_course.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -171,7 +172,11 @@ std::string predict_launch(const Scenario& asked, const Spread& spread, double a
   const predict::Decision decision = predict::decide(prediction, {.authority_share = 0.01 * authority_percent,
                                                                   .held_share = 0.01 * held_percent,
                                                                   .phase_margin_rad = text::radians(phase_margin_deg)});
-  return predict::prediction_json(prediction, decision, FANTAIL_VERSION);
+  return result::json(predict::answer(prediction, decision,
+                                      {.command = options.request.command,
+                                       .version = FANTAIL_VERSION,
+                                       .seed = prediction.seed,
+                                       .changes = options.request.changes}));
 }
 
 }  // namespace

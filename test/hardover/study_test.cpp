@@ -23,6 +23,10 @@ Study study(const std::vector<std::string>& changes, const Options& options) {
   return fly(input::load_scenario("tasha3_launch2", overrides), options, [](std::size_t, std::size_t) {});
 }
 
+std::string text_of(const Study& found) { return result::text(answer(found)); }
+std::string page_of(const Study& found) { return result::html(answer(found)); }
+std::string json_of(const Study& found) { return result::json(answer(found)); }
+
 // Upright and without wind the rocket is the same to all sides, so that it does not matter which canard it is, but for
 // what the roll angle is at that moment, which only says to which side it goes.
 TEST(Hardover, WithoutWindItDoesNotMatterWhichOfTheFourItIs) {
@@ -108,10 +112,10 @@ TEST(Hardover, InFrontOfTheCanardsNothingBendsAndOutsideOfTheRocketIsRefused) {
 
 TEST(Hardover, SaysHowItWasMadeAndFromHowManyFlights) {
   Study found = study({"run.canard_fault=end_control"}, {.step_s = 5.0, .coupler_m = {}, .threads = 2});
-  found.made = {.command = "fantail campaign hardover x --step 5", .version = "v9", .changes = {"a.b=c"}};
-  const std::string text = study_text(found);
-  const std::string page = study_html(found);
-  const std::string json = study_json(found);
+  found.made = {.command = "fantail campaign hardover x --step 5", .version = "v9", .seed = {}, .changes = {"a.b=c"}};
+  const std::string text = text_of(found);
+  const std::string page = page_of(found);
+  const std::string json = json_of(found);
   for (const std::string& all : {text, page, json}) {
     for (const char* const part :
          {"fantail campaign hardover x --step 5", "v9", "a.b=c", "tasha3_launch2", "end_control"}) {
@@ -123,7 +127,7 @@ TEST(Hardover, SaysHowItWasMadeAndFromHowManyFlights) {
   EXPECT_NE(text.find("16 flights"), std::string::npos) << text;
   EXPECT_NE(text.find("With so few instants"), std::string::npos) << text;
   EXPECT_NE(page.find("At worst of 16 flights"), std::string::npos);
-  const std::string usual = study_text(study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2}));
+  const std::string usual = text_of(study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2}));
   EXPECT_NE(usual.find("go on controlling"), std::string::npos) << usual;
   EXPECT_NE(usual.find("Bending moment"), std::string::npos) << usual;
 }
@@ -132,11 +136,11 @@ TEST(Hardover, SaysHowItWasMadeAndFromHowManyFlights) {
 TEST(Hardover, OfARocketThatIsNeverFastItSaysSoInsteadOfAnAngleOfAttack) {
   const Study found = study({"wind.speed_m_s=30"}, {.step_s = 9.0, .coupler_m = {}, .threads = 1});
   EXPECT_EQ(found.sound_angle_of_attack_rad, std::nullopt);
-  EXPECT_NE(study_text(found).find("of the sound rocket in the same wind: it was never that fast."), std::string::npos)
-      << study_text(found);
-  EXPECT_NE(study_json(found).find("\"sound_angle_of_attack_deg\": null"), std::string::npos);
+  EXPECT_NE(text_of(found).find("of the sound rocket in the same wind: it was never that fast."), std::string::npos)
+      << text_of(found);
+  EXPECT_NE(json_of(found).find("\"sound_angle_of_attack_deg\": null"), std::string::npos);
   const Study calm = study({}, {.step_s = 9.0, .coupler_m = {}, .threads = 1});
-  EXPECT_NE(study_text(calm).find("wind: up to 0.0 deg."), std::string::npos) << study_text(calm);
+  EXPECT_NE(text_of(calm).find("wind: up to 0.0 deg."), std::string::npos) << text_of(calm);
 }
 
 /// Of the verdict at the top of the page.
@@ -147,7 +151,7 @@ std::string verdict_of(const std::string& page) {
 
 TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichStopACurveIs) {
   const Study found = study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2});
-  const std::string page = study_html(found);
+  const std::string page = page_of(found);
   const std::string verdict = verdict_of(page);
   std::size_t sentences = 0;
   for (std::size_t at = 0; (at = verdict.find(". ", at)) != std::string::npos; ++at) {
@@ -155,18 +159,18 @@ TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichSt
   }
   EXPECT_EQ(sentences, 1U) << verdict;
   EXPECT_LT(verdict.size(), 230U) << verdict;
-  for (const char* const part :
-       {"Way turned: ", "Rolled away: ", "Moved: ", "stop at +25 deg", "stop at \u221225 deg", "bending moment"}) {
+  for (const char* const part : {"Way turned: ", "Rolled away: ", "Apogee moved: ", "stop at +25 deg",
+                                 "stop at \u221225 deg", "bending moment"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
   const std::string cut =
-      study_html(study({}, {.failure = Failure::cut_pulses, .step_s = 5.0, .coupler_m = {}, .threads = 2}));
+      page_of(study({}, {.failure = Failure::cut_pulses, .step_s = 5.0, .coupler_m = {}, .threads = 2}));
   EXPECT_EQ(cut.find("stop at"), std::string::npos);
 }
 
 TEST(Hardover, SaysThatItsRowsClearNoRange) {
   const Study found = study({}, {.step_s = 9.0, .coupler_m = {}, .threads = 2});
-  for (const std::string& all : {study_text(found), study_html(found)}) {
+  for (const std::string& all : {text_of(found), page_of(found)}) {
     EXPECT_NE(all.find("Distances count from the sound rocket"), std::string::npos) << all;
     EXPECT_NE(all.find("the launch guide and the wind are those of the scenario"), std::string::npos) << all;
     EXPECT_NE(all.find("These rows clear no range by themselves"), std::string::npos) << all;
@@ -197,7 +201,7 @@ TEST(Hardover, CutPulsesTurnTheRocketByLittle) {
 TEST(Hardover, TheResultsDoNotDependOnTheNumberOfThreads) {
   const Options one{.step_s = 5.0, .coupler_m = 0.8, .threads = 1};
   const Options three{.step_s = 5.0, .coupler_m = 0.8, .threads = 3};
-  EXPECT_EQ(study_json(study({}, one)), study_json(study({}, three)));
+  EXPECT_EQ(json_of(study({}, one)), json_of(study({}, three)));
 }
 
 TEST(Hardover, AVehicleThatDoesNotSayWhatItsCanardsDoToTheSideIsRefused) {

@@ -5,7 +5,7 @@
 
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
-#include "predict/results.hpp"
+#include "predict/answer.hpp"
 #include "text/error.hpp"
 
 namespace fantail::predict {
@@ -47,16 +47,16 @@ TEST(Prediction, OfTheFirstLaunchWarnsOfRollResonanceInTextJsonAndPage) {
   // Each end of the range is that of a frequency, beside the spread of the runs.
   const double frequencies = p.resonance->most_frequency_1_m / p.resonance->least_frequency_1_m;
   EXPECT_GE(p.resonance->resonant_rad.p95 / p.resonance->resonant_rad.p5, frequencies);
-  EXPECT_NE(prediction_text(p, d).find("Roll resonance: "), std::string::npos);
+  EXPECT_NE(result::text(answer(p, d, {})).find("Roll resonance: "), std::string::npos);
   // In short right below the verdict, before what is asked for.
-  const std::string said = prediction_text(p, d);
+  const std::string said = result::text(answer(p, d, {}));
   EXPECT_LT(
       said.find("Beside the requirements:\n  Roll resonance, as fast a roll as the rocket swings in pitch: 4 of 4"),
-      said.find("  not met "))
+      said.find("Requirements:"))
       << said;
-  EXPECT_NE(prediction_html(p, d, "0").find("Beside the requirements:"), std::string::npos);
-  EXPECT_NE(prediction_html(p, d, "0").find("Roll resonance: "), std::string::npos);
-  const json::Value json = json::parse(prediction_json(p, d, "0"));
+  EXPECT_NE(result::html(answer(p, d, {})).find("Beside the requirements:"), std::string::npos);
+  EXPECT_NE(result::html(answer(p, d, {})).find("Roll resonance: "), std::string::npos);
+  const json::Value json = json::parse(result::json(answer(p, d, {})));
   EXPECT_EQ(json["roll_resonance"]["past_runs"].number(), 4.0);
   EXPECT_EQ(json["not_in_verdict"].size(), 1U);
 }
@@ -75,17 +75,20 @@ TEST(Prediction, OfTheSecondLaunchIsGo) {
   EXPECT_FALSE(p.spin_rate_rad_s);
   ASSERT_TRUE(p.settle_rad);
   EXPECT_NEAR(degrees(p.settle_rad->mean), -20.0 - 4.62 / 0.5, 1.0);
-  const std::string said = prediction_text(p, d);
-  EXPECT_NE(said.find("    its reference then"), std::string::npos) << said;
+  const std::string said = result::text(answer(p, d, {}));
+  EXPECT_NE(said.find("  its reference then"), std::string::npos) << said;
   EXPECT_NEAR(degrees(p.settle_off_rad.value().p50), degrees(p.offset_size_rad.p50) / 0.5, 0.5);
 }
 
 TEST(Prediction, IsTheSameForAnyNumberOfThreads) {
   const Prediction one = predicted("tasha3_launch2", {.runs = 8, .threads = 1});
   const Prediction two = predicted("tasha3_launch2", {.runs = 8, .threads = 2});
-  EXPECT_EQ(runs_csv(one), runs_csv(two));
-  EXPECT_EQ(band_csv(one), band_csv(two));
-  EXPECT_EQ(prediction_json(one, decide(one, {}), "0"), prediction_json(two, decide(two, {}), "0"));
+  const result::Document first = answer(one, decide(one, {}), {});
+  const result::Document second = answer(two, decide(two, {}), {});
+  ASSERT_EQ(first.spreadsheets.size(), 2U);
+  EXPECT_EQ(result::csv(first.spreadsheets[0]), result::csv(second.spreadsheets[0]));
+  EXPECT_EQ(result::csv(first.spreadsheets[1]), result::csv(second.spreadsheets[1]));
+  EXPECT_EQ(result::json(first), result::json(second));
 }
 
 TEST(Prediction, ARunIsTheSameHoweverManyThereAre) {
@@ -99,8 +102,10 @@ TEST(Prediction, ARunIsTheSameHoweverManyThereAre) {
 
 TEST(Prediction, SaysWhatTheJsonReaderNeedsAndThatInDegrees) {
   const Prediction p = predicted("tasha3_launch1", {.runs = 4});
-  const json::Value all = json::parse(prediction_json(p, decide(p, {}), "1.2.3"));
+  const json::Value all = json::parse(result::json(answer(p, decide(p, {}), {.version = "1.2.3"})));
   EXPECT_EQ(all["go"], false);
+  EXPECT_EQ(all["answer"], "no");
+  EXPECT_EQ(all["sentence"], all["verdict"]);
   EXPECT_EQ(all["seed"], 1);
   EXPECT_EQ(all["runs"], 4);
   EXPECT_EQ(all["version"], "1.2.3");

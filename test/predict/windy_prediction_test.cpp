@@ -7,9 +7,9 @@
 #include "campaign/seed_of_run.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
+#include "predict/answer.hpp"
 #include "predict/drawn_wind.hpp"
 #include "predict/prediction.hpp"
-#include "predict/results.hpp"
 #include "predict/sentences.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -57,12 +57,14 @@ TEST(WindyPrediction, FliesEveryRunInAWindOfItsOwn) {
   }
 }
 
+std::string runs_of(const Prediction& p) { return result::csv(answer(p, {}, {}).spreadsheets.front()); }
+
 TEST(WindyPrediction, IsTheSameWithEveryNumberOfThreadsAndRuns) {
   const Prediction one = predicted(uncertain(), {.runs = 5, .threads = 1});
   const Prediction three = predicted(uncertain(), {.runs = 5, .threads = 3});
-  EXPECT_EQ(runs_csv(one), runs_csv(three));
+  EXPECT_EQ(runs_of(one), runs_of(three));
   const Prediction two = predicted(uncertain(), {.runs = 2, .threads = 2});
-  EXPECT_TRUE(runs_csv(one).starts_with(runs_csv(two)));
+  EXPECT_TRUE(runs_of(one).starts_with(runs_of(two)));
   const auto repeated = repeat_run(uncertain(), read_tunnel_result(uncertain().tunnel_result.value(), {}), {}, 4);
   EXPECT_EQ(repeated.run.drift_m, one.runs[4].drift_m);
   EXPECT_EQ(repeated.run.wind.value().speed_m_s, one.runs[4].wind.value().speed_m_s);
@@ -80,10 +82,10 @@ TEST(WindyPrediction, TellsHeightDriftAndWindWithTheirRanges) {
   const Decision d = decide(p, {});
   for (const char* word : {"  apogee  ", "  drift at apogee  ", "  wind  ", "about 5 m/s", "1.5 m/s", "from anywhere",
                            "turbulence of its own"}) {
-    EXPECT_NE(prediction_text(p, d).find(word), std::string::npos) << word;
+    EXPECT_NE(result::text(answer(p, d, {})).find(word), std::string::npos) << word;
   }
-  EXPECT_NE(prediction_html(p, d, "0").find("drift at apogee"), std::string::npos);
-  const json::Value json = json::parse(prediction_json(p, d, "0"));
+  EXPECT_NE(result::html(answer(p, d, {})).find("drift at apogee"), std::string::npos);
+  const json::Value json = json::parse(result::json(answer(p, d, {})));
   EXPECT_NEAR(json["drift_m"]["p95"].number(), p.drift_m.value().p95, 1e-3);
   EXPECT_NEAR(json["apogee_m"]["p5"].number(), p.apogee_m.value().p5, 1e-3);
 }
@@ -92,7 +94,7 @@ TEST(WindyPrediction, WithoutASpreadSaysThatTheWindIsTheSameInAllRuns) {
   const Prediction p = predicted(windy(), {.runs = 2});
   EXPECT_EQ(p.wind_m_s.value().p5, 5.0);
   EXPECT_EQ(p.wind_m_s.value().p95, 5.0);
-  EXPECT_NE(prediction_text(p, decide(p, {})).find("The wind is 5 m/s from 270 degrees in all runs"),
+  EXPECT_NE(result::text(answer(p, decide(p, {}), {})).find("The wind is 5 m/s from 270 degrees in all runs"),
             std::string::npos);
 }
 

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/campaign_hardover.hpp"
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
-
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
-#include "fantail/terminal.hpp"
 #include "hardover/study.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
-#include "text/output_folder.hpp"
-#include "text/shell_word.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -34,19 +29,6 @@ struct HardoverOptions {
   std::string out;
   bool json = false;
 };
-
-std::string command_of(const HardoverOptions& options) {
-  const HardoverOptions usual;
-  std::string command = "fantail campaign hardover " + text::shell_word(options.scenario.scenario);
-  for (const std::string& change : options.scenario.changes) {
-    command += " --set " + text::shell_word(change);
-  }
-  command += options.scenario.seed.empty() ? "" : " --seed " + options.scenario.seed;
-  command += options.failure == usual.failure ? "" : " --failure " + options.failure;
-  command += options.study.step_s == usual.study.step_s ? "" : fmt::format(" --step {}", options.study.step_s);
-  command += options.study.coupler_m ? fmt::format(" --coupler {}", *options.study.coupler_m) : "";
-  return command;
-}
 
 /// What plays a part in six degrees of freedom alone may be changed, too: they are flown, whatever the scenario says.
 ScenarioOptions in_six_dof(ScenarioOptions options) {
@@ -80,15 +62,9 @@ void fly(const HardoverOptions& options) {
     progress->show(static_cast<double>(done));
   });
   progress.reset();
-  study.made = {.command = command_of(options), .version = FANTAIL_VERSION, .changes = changes_of(options.scenario)};
-  text::OutputFolder{folder, files_of(options.scenario)}.write(
-      std::array{text::NamedFile{"hardover.html", hardover::study_html(study)},
-                 text::NamedFile{"hardover.json", hardover::study_json(study)}});
-  if (options.json) {
-    fmt::print("{}", hardover::study_json(study));
-  } else {
-    show("{}  page  {}\n", hardover::study_text(study), (folder / "hardover.html").string());
-  }
+  const std::vector<fs::path> inputs = files_of(options.scenario);
+  study.made = made_from(inputs, study.seed, changes_of(options.scenario));
+  deliver(hardover::answer(study), {.folder = folder, .name = "hardover", .inputs = inputs, .json = options.json});
 }
 
 }  // namespace

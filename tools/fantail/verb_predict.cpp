@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -20,7 +21,7 @@
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
 #include "input/shipped.hpp"
-#include "predict/results.hpp"
+#include "predict/answer.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"
 #include "text/shell_word.hpp"
@@ -81,7 +82,7 @@ std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOp
                         "or name it in the scenario: tunnel_result = \"steps.csv\""};
 }
 
-std::vector<std::filesystem::path> made_from(const sim::Scenario& scenario, const PredictOptions& options) {
+std::vector<std::filesystem::path> inputs_of(const sim::Scenario& scenario, const PredictOptions& options) {
   std::vector<std::filesystem::path> files = files_of(options.scenario);
   files.push_back(tunnel_file(scenario, options));
   return files;
@@ -189,7 +190,7 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
       predict::repeat_run(scenario, tunnel, prediction_options(options), *options.run);
   const report::Results results = report::results(repeated.flight);
   const std::filesystem::path folder = folder_of(scenario, options);
-  report::write_results(repeated.flight, results, folder, made_from(scenario, options));
+  report::write_results(repeated.flight, results, folder, inputs_of(scenario, options));
   if (options.json) {
     fmt::print("{}", results.summary);
     return;
@@ -213,18 +214,14 @@ void predict_launch(const PredictOptions& options) {
   const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options);
   const predict::Decision decision = decided(prediction, options);
   const std::filesystem::path folder = folder_of(scenario, options);
-  Chapters chapters{"predict", 1, "its page and runs"};
-  predict::write_prediction(prediction, decision, FANTAIL_VERSION, folder, made_from(scenario, options));
-  chapters.end();
-  if (options.json) {
-    fmt::print("{}", predict::prediction_json(prediction, decision, FANTAIL_VERSION));
-  } else {
-    show("{}\n  page  {}\n  runs  {}\n", painted_decision(predict::prediction_text(prediction, decision)),
-         (folder / "predict.html").string(), (folder / "runs.csv").string());
-  }
-  if (!decision.go) {
-    throw RequirementNotMet{""};
-  }
+  const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
+  deliver(predict::answer(prediction, decision, made_from(inputs, prediction.seed, prediction.request.changes)),
+          {.folder = folder,
+           .name = "predict",
+           .inputs = inputs,
+           .json = options.json,
+           .yes_is_required = true,
+           .shown_files = {"page", "runs"}});
 }
 
 void add_thresholds(const Verb& verb, PredictOptions& options) {

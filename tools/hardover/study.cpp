@@ -158,25 +158,6 @@ void refuse_station_outside(const sim::Vehicle& vehicle, const std::optional<dou
 
 }  // namespace
 
-Effect Study::worst() const {
-  Effect worst{};
-  worst.apogee_m = sound_apogee_m;
-  for (const Effect& one : effects) {
-    if (one.side_force_n > worst.side_force_n) {
-      worst.side_force_n = one.side_force_n;
-      worst.pressure_pa = one.pressure_pa;
-      worst.moment_n_m = one.moment_n_m;
-    }
-    worst.angle_of_attack_rad = std::max(worst.angle_of_attack_rad, one.angle_of_attack_rad);
-    worst.roll_rate_rad_s = std::max(worst.roll_rate_rad_s, one.roll_rate_rad_s);
-    worst.rolled_rad = std::max(worst.rolled_rad, one.rolled_rad);
-    worst.turned_rad = std::max(worst.turned_rad, one.turned_rad);
-    worst.apogee_m = std::min(worst.apogee_m, one.apogee_m);
-    worst.away_m = std::max(worst.away_m, one.away_m);
-  }
-  return worst;
-}
-
 Study fly(sim::Scenario scenario, const Options& options,
           const std::function<void(std::size_t done, std::size_t of)>& look) {
   complete(scenario);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/flight_plan.hpp"
+#include "result/document.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::hardover {
@@ -53,13 +54,6 @@ struct Effect {
 /// Slower, an angle in the flow says little.
 inline constexpr double slowest_m_s = 20.0;
 
-/// How somebody gets the same again.
-struct Made {
-  std::string command{};
-  std::string version{};
-  std::vector<std::string> changes{};  ///< "run.canard_fault=end_control"
-};
-
 struct Study {
   std::string scenario;
   std::string vehicle;
@@ -78,7 +72,7 @@ struct Study {
   Options options;
   std::size_t instants = 0;
   std::vector<Effect> effects{};  ///< by canard, then by stop, the positive one first, then by time
-  Made made{};                    ///< the caller's
+  result::Made made{};            ///< the caller's
 
   /// The largest of each figure, wherever it stands.
   [[nodiscard]] Effect worst() const;
@@ -94,8 +88,7 @@ struct Study {
 /// As a plan has it: "share".
 [[nodiscard]] std::string_view name_of(core::CanardFaultPolicy policy);
 
-[[nodiscard]] std::string study_text(const Study& study);
-[[nodiscard]] std::string study_json(const Study& study);
-[[nodiscard]] std::string study_html(const Study& study);
+/// Answers nothing with yes or no: it measures.
+[[nodiscard]] result::Document answer(const Study& study);
 
 }  // namespace fantail::hardover

@@ -7,44 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
-
-#include "text/number.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::predict {
 namespace {
 
 using page::Mark;
 using page::Role;
-using text::brief;
 using text::degrees;
-
-page::Area area(const std::vector<double>& x, const std::vector<Quantiles>& radians) {
-  page::Area band{.name = "5 to 95 % of the runs", .x = x};
-  for (const Quantiles& s : radians) {
-    band.low.push_back(degrees(s.p5));
-    band.high.push_back(degrees(s.p95));
-  }
-  return band;
-}
-
-page::Series middle(const std::vector<double>& x, const std::vector<Quantiles>& radians) {
-  page::Series line{.name = "middle of the runs", .role = Role::model, .x = x};
-  for (const Quantiles& s : radians) {
-    line.y.push_back(degrees(s.p50));
-  }
-  return line;
-}
-
-page::Series reference(const Prediction& p) {
-  page::Series line{.name = "reference", .role = Role::reference, .mark = Mark::step, .x = p.band.time_s};
-  const auto flown = std::ranges::max_element(p.runs, {}, [](const Run& run) { return run.reference_rad.size(); });
-  for (std::size_t i = 0; i < line.x.size(); ++i) {
-    const std::optional<double>& value = flown->reference_rad[i];
-    line.y.push_back(value ? degrees(*value) : std::numeric_limits<double>::quiet_NaN());
-  }
-  return line;
-}
 
 page::Series points(std::string name, Role role) {
   return {.name = std::move(name), .role = role, .mark = Mark::points};
@@ -57,20 +27,14 @@ void add(page::Series& to, const TunnelStep& step) {
 
 }  // namespace
 
-page::Chart roll_angle_chart(const Prediction& p) {
-  return {.label = "Predicted roll angle over time",
-          .x_label = "time after lift-off / s",
-          .y_label = "roll angle / deg",
-          .series = {middle(p.band.time_s, p.band.roll_angle_rad), reference(p)},
-          .areas = {area(p.band.time_s, p.band.roll_angle_rad)}};
-}
-
-page::Chart roll_rate_chart(const Prediction& p) {
-  return {.label = "Predicted roll rate over time",
-          .x_label = "time after lift-off / s",
-          .y_label = "roll rate / (deg/s)",
-          .series = {middle(p.band.time_s, p.band.roll_rate_rad_s)},
-          .areas = {area(p.band.time_s, p.band.roll_rate_rad_s)}};
+page::Series reference(const Prediction& p) {
+  page::Series line{.name = "reference", .role = Role::reference, .mark = Mark::step, .x = p.band.time_s};
+  const auto flown = std::ranges::max_element(p.runs, {}, [](const Run& run) { return run.reference_rad.size(); });
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    const std::optional<double>& value = flown->reference_rad[i];
+    line.y.push_back(value ? degrees(*value) : std::numeric_limits<double>::quiet_NaN());
+  }
+  return line;
 }
 
 page::Chart offset_chart(const Prediction& p) {
@@ -118,24 +82,6 @@ page::Chart airframe_chart(const Prediction& p) {
           .y_label = "torque beta / m",
           .width = page::half_page,
           .series = {drawn, tunnel}};
-}
-
-page::Chart phase_margin_chart(const Prediction& p, const Thresholds& thresholds) {
-  std::vector<double> speed;
-  std::vector<Quantiles> margin;
-  for (const MarginsAtSpeed& at : p.over_speed) {
-    speed.push_back(at.speed_m_s);
-    margin.push_back(at.phase_margin_rad);
-  }
-  const double asked_deg = degrees(thresholds.phase_margin_rad);
-  return {.label = "Phase margin of the roll loop over air speed",
-          .x_label = "air speed / (m/s)",
-          .y_label = "phase margin / deg",
-          .series = {middle(speed, margin)},
-          .areas = {area(speed, margin)},
-          .levels = {{.value = asked_deg,
-                      .label = fmt::format("{} degrees asked for", brief(asked_deg, 1)),
-                      .role = Role::limit}}};
 }
 
 }  // namespace fantail::predict

@@ -34,8 +34,9 @@ Judgement judge(bool met) { return met ? Judgement::met : Judgement::not_met; }
 std::string required_share(double share) { return "at least " + percent(share) + " of the runs"; }
 
 std::string found_share(const Share& share) {
-  return fmt::format("{} ({} to {})", of_the_runs(share.value), fixed(std::floor(100.0 * share.low), 0),
-                     percent(share.high));
+  // Outwards: rounded, the interval may not look narrower than it is.
+  return fmt::format("{} ({} to {} %)", of_the_runs(share.value), fixed(std::floor(100.0 * share.low), 0),
+                     fixed(std::ceil(100.0 * share.high), 0));
 }
 
 bool too_few_runs(const Share& share, double threshold) { return share.value >= threshold && share.low < threshold; }

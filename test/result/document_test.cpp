@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "result/document.hpp"
+
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace fantail::result {
+namespace {
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+struct Flight {
+  std::size_t canard = 0;
+  double turned_rad = 0.0;
+  std::optional<double> apogee_m{};
+  double limited_share = 0.0;
+  Spread speed_m_s{};
+  Share held{};
+  std::string cause{};
+};
+
+constexpr auto flight_fields = fields<Flight>({
+    {"canard", "canard", units::none, 0, &Flight::canard},
+    {"turned", "way turned", units::deg, 1, &Flight::turned_rad, Worse::larger, "the largest angle to the other one"},
+    {"apogee", "apogee", units::m, 0, &Flight::apogee_m, Worse::smaller},
+    {"limited", "time at the limit", units::share, 0, &Flight::limited_share},
+    {"speed", "speed", units::m_s, 1, &Flight::speed_m_s},
+    {"held", "held", units::percent, 0, &Flight::held},
+    {"cause", "cause", units::none, 0, &Flight::cause},
+});
+
+Flight quarter_turn() {
+  return {.canard = 3,
+          .turned_rad = std::numbers::pi / 2,
+          .apogee_m = 1234.56,
+          .limited_share = 0.254,
+          .speed_m_s = {.mean = 21.0, .p5 = 19.96, .p50 = 20.04, .p95 = 25.0},
+          .held = {.count = 9, .of = 10, .value = 0.9, .low = 0.598, .high = 0.982},
+          .cause = "stuck, \"bent\""};
+}
+
+Document document_of(std::vector<Block> blocks) {
+  return {
+      .title = "a rocket",
+      .subtitle = "a plan",
+      .verdict = {.answer = Answer::no, .heading = "No go", .sentence = "No go: it turns."},
+      .sections = {{"Found", std::move(blocks)}},
+      .made = {.command = "fantail x", .version = "1", .seed = 7, .changes = {"a.b=c"}, .inputs = {{"p.toml", "ab"}}}};
+}
+
+TEST(Document, AFigureIsOneFieldInEveryOutput) {
+  const Document document = document_of({figures("", quarter_turn(), flight_fields)});
+  const json::Value data = json::parse(json(document));
+  EXPECT_EQ(data["turned_deg"], 90.0);
+  EXPECT_EQ(data["apogee_m"], 1234.56);
+  EXPECT_EQ(data["limited_share"], 0.254);
+  EXPECT_EQ(data["speed_m_s"]["p5"], 19.96);
+  EXPECT_EQ(data["held"]["count"], 9);
+  const std::string shown = text(document);
+  const std::string page = html(document);
+  for (const std::string& all : {shown, page}) {
+    for (const char* const part : {"way turned", "90.0", "1235", "25", "20.0 to 25.0"}) {
+      EXPECT_TRUE(holds(all, part)) << part << " in\n" << all;
+    }
+  }
+  EXPECT_TRUE(holds(shown, "  time at the limit  25 %\n")) << shown;
+  EXPECT_EQ(csv(table("flights", std::vector{quarter_turn()}, flight_fields)),
+            "canard,turned_deg,apogee_m,limited_share,speed_p5_m_s,speed_p50_m_s,speed_p95_m_s,held,cause\n"
+            "3,90.000000,1234.560000,0.254000,19.960000,20.040000,25.000000,90 (9 of 10),\"stuck, \"\"bent\"\"\"\n");
+}
+
+TEST(Document, AnIntervalNeverLooksNarrowerThanItIs) {
+  const std::string shown = text(document_of({figures("", quarter_turn(), flight_fields)}));
+  EXPECT_TRUE(holds(shown, "90 % (9 of 10; 95 % interval 59 to 99)")) << shown;
+}
+
+TEST(Document, AValueThatIsUnknownIsNullForProgramsAndLeftOutForPeople) {
+  Flight flight = quarter_turn();
+  flight.apogee_m.reset();
+  const Document document = document_of({figures("", flight, flight_fields)});
+  EXPECT_TRUE(json::parse(json(document))["apogee_m"].is_null());
+  EXPECT_FALSE(holds(text(document), "apogee"));
+  EXPECT_FALSE(holds(html(document), "apogee"));
+  EXPECT_TRUE(csv(table("x", std::vector{flight}, flight_fields))
+                  .ends_with("\n3,90.000000,,0.254000,19.960000,20.040000,25.000000,"
+                             "90 (9 of 10),\"stuck, \"\"bent\"\"\"\n"));
+}
+
+TEST(Document, EveryJsonHasAnswerSentenceAndHowItWasMade) {
+  const json::Value data = json::parse(json(document_of({})));
+  EXPECT_EQ(data["answer"], "no");
+  EXPECT_EQ(data["sentence"], "No go: it turns.");
+  EXPECT_EQ(data["made"]["command"], "fantail x");
+  EXPECT_EQ(data["made"]["seed"], 7);
+  EXPECT_EQ(data["made"]["changes"][0], "a.b=c");
+  EXPECT_EQ(data["made"]["inputs"][0]["file"], "p.toml");
+  EXPECT_EQ(data["made"]["inputs"][0]["sha256"], "ab");
+  Document drawn = document_of({});
+  drawn.made.seed = 18446744073709551615U;
+  EXPECT_EQ(json::parse(json(drawn))["made"]["seed_text"], "18446744073709551615");
+  drawn.made.seed.reset();
+  EXPECT_TRUE(json::parse(json(drawn))["made"]["seed"].is_null());
+}
+
+TEST(Document, TwoBlocksWithOneKeyAreRefused) {
+  const Figures once = figures("worst", quarter_turn(), flight_fields);
+  EXPECT_THROW((void)json(document_of({once, once})), std::logic_error);
+  EXPECT_THROW((void)json(document_of({Data{"answer", "yes"}})), std::logic_error);
+  EXPECT_EQ(json::parse(json(document_of({figures("a.worst", quarter_turn(), flight_fields)})))["a"]["worst"]["canard"],
+            3);
+}
+
+TEST(Document, TheWorstOfEachFigureMayStandInAnotherRow) {
+  Flight other = quarter_turn();
+  other.canard = 1;
+  other.turned_rad = 0.1;
+  other.apogee_m = 900.0;
+  Flight unknown = other;
+  unknown.apogee_m.reset();
+  const Flight found = worst(std::vector{unknown, other, quarter_turn()}, flight_fields);
+  EXPECT_EQ(found.canard, 1U) << "of a figure that cannot be worse the first";
+  EXPECT_EQ(found.turned_rad, std::numbers::pi / 2);
+  EXPECT_EQ(found.apogee_m, 900.0);
+  EXPECT_EQ(meanings<Flight>(flight_fields),
+            std::vector<std::string>{"Way turned: the largest angle to the other one."});
+}
+
+TEST(Document, TheAnswerColoursItsHeadingOnPageAndTerminal) {
+  const auto paint = [](page::Tone tone, std::string_view words) {
+    return (tone == page::Tone::bad      ? "<bad>"
+            : tone == page::Tone::unsure ? "<unsure>"
+                                         : "<>") +
+           std::string{words} + "</>";
+  };
+  Document document = document_of({});
+  EXPECT_TRUE(holds(text(document, paint), "\n<bad>No go</>: it turns.\n")) << text(document, paint);
+  EXPECT_TRUE(holds(html(document), "<section class=\"verdict bad\">\n<h2>No go</h2>\n<p>It turns.</p>"))
+      << html(document);
+  document.verdict = {.answer = Answer::yes, .heading = "Go", .sentence = "Go: but near.", .with_caution = true};
+  EXPECT_TRUE(holds(text(document, paint), "<unsure>Go</>")) << "a go with caution is not in the colour of a go";
+  EXPECT_EQ(json::parse(json(document))["answer"], "yes");
+}
+
+TEST(Document, SectionsForProgramsOrFilesAreNotOnTheTerminal) {
+  Document document = document_of({std::string{"for everybody"}});
+  document.sections.push_back({"A long table", {std::string{"for pages"}}, Readers::files});
+  document.sections.push_back({"Data", {figures("more", quarter_turn(), flight_fields)}, Readers::programs});
+  document.sections.push_back({"Empty", {}});
+  const std::string shown = text(document);
+  EXPECT_TRUE(holds(shown, "Found:\n  for everybody\n"));
+  EXPECT_FALSE(holds(shown, "for pages") || holds(shown, "Data") || holds(shown, "Empty")) << shown;
+  const std::string page = html(document);
+  EXPECT_TRUE(holds(page, "for pages"));
+  EXPECT_FALSE(holds(page, "way turned") || holds(page, "Empty"));
+  EXPECT_EQ(json::parse(json(document))["more"]["canard"], 3);
+}
+
+}  // namespace
+}  // namespace fantail::result

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "fantail/deliver.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include "fantail/run.hpp"
+#include "fantail/terminal.hpp"
+#include "page/page.hpp"
+#include "text/input_file.hpp"
+#include "text/output_folder.hpp"
+#include "text/sha256.hpp"
+
+namespace fantail::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string paint(page::Tone tone, std::string_view words) {
+  switch (tone) {
+    case page::Tone::good: return painted(Color::green, words);
+    case page::Tone::bad: return painted(Color::red, words);
+    case page::Tone::unsure: return painted(Color::yellow, words);
+    case page::Tone::plain: break;
+  }
+  return std::string{words};
+}
+
+}  // namespace
+
+result::Made made_from(const std::vector<fs::path>& inputs, std::optional<std::uint64_t> seed,
+                       std::vector<std::string> changes) {
+  result::Made made{
+      .command = page::made_by_command(), .version = FANTAIL_VERSION, .seed = seed, .changes = std::move(changes)};
+  for (const fs::path& file : inputs) {
+    if (fs::is_regular_file(file)) {
+      const std::string bytes = text::read_input(file);
+      made.inputs.push_back({file.filename().string(), text::sha256(std::as_bytes(std::span{bytes}))});
+    }
+  }
+  return made;
+}
+
+void deliver(const result::Document& document, const Delivery& delivery) {
+  const std::string data = result::json(document);
+  std::vector<text::NamedFile> files{{delivery.name + ".html", result::html(document)},
+                                     {delivery.name + ".json", data}};
+  for (const result::Table& sheet : document.spreadsheets) {
+    files.push_back({sheet.key.value() + ".csv", result::csv(sheet)});
+  }
+  text::OutputFolder{delivery.folder, delivery.inputs}.write(files);
+  if (delivery.json) {
+    fmt::print("{}", data);
+  } else {
+    std::string text = result::text(document, paint);
+    for (const std::string& file : delivery.shown_files) {
+      text += fmt::format("  {:<8} {}\n", file,
+                          (delivery.folder / (file == "page" ? delivery.name + ".html" : file + ".csv")).string());
+    }
+    show_text(text);
+  }
+  if (delivery.yes_is_required && document.verdict.answer != result::Answer::yes) {
+    throw RequirementNotMet{""};
+  }
+}
+
+}  // namespace fantail::tool

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "result/document.hpp"
+
+namespace fantail::tool {
+
+/// The command that was typed, this version, and the hashes of the files that the result was made from; a folder has
+/// none. A file that cannot be read any more has no hash either.
+[[nodiscard]] result::Made made_from(const std::vector<std::filesystem::path>& inputs,
+                                     std::optional<std::uint64_t> seed = {}, std::vector<std::string> changes = {});
+
+struct Delivery {
+  std::filesystem::path folder;
+  std::string name;                              ///< of its files, without an ending
+  std::vector<std::filesystem::path> inputs{};   ///< files that no result may replace
+  bool json = false;                             ///< on standard output, instead of text
+  bool yes_is_required = false;                  ///< exit code 1 for every other answer
+  std::vector<std::string> shown_files{"page"};  ///< "page", or the key of a spreadsheet: their paths end the text
+};
+
+/// The end of a verb: writes the page, the JSON and the spreadsheets into the folder, all or none, and prints text or
+/// JSON. Throws text::OutputError, and RequirementNotMet where a yes is required and the answer is another.
+void deliver(const result::Document& document, const Delivery& delivery);
+
+}  // namespace fantail::tool

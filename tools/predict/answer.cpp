@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "predict/answer.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "flight/flight.hpp"
+#include "json/value.hpp"
+#include "predict/charts.hpp"
+#include "predict/sentences.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::predict {
+namespace {
+
+using page::Role;
+using result::Cell;
+using result::Spread;
+using result::Worse;
+using text::brief;
+using text::degrees;
+using text::fixed;
+using Json = json::Value;
+using P = Prediction;
+namespace u = result::units;
+
+constexpr auto fields = result::fields<P>({
+    {"authority_margin", "authority margin", u::deg, 1, &P::authority_margin_rad},
+    {"authority", "canards can balance the offset", u::percent, 0, &P::authority},
+    {"held", "roll is held", u::percent, 0, &P::held},
+    {"settle", "roll settles at", u::deg, 1, &P::settle_rad},
+    {"settle_reference", "its reference then", u::deg, 1, &P::settle_reference_rad},
+    {"settle_off", "off its reference", u::deg, 1, &P::settle_off_rad},
+    {"saturated", "control time with canards at their limit", u::share, 0, &P::saturated_share},
+    {"spin_rate", "spin without authority, at top speed", u::deg_s, 0, &P::spin_rate_rad_s},
+    {"offset_size", "size of the fin offset", u::deg, 1, &P::offset_size_rad},
+    {"top_speed", "top speed", u::m_s, 1, &P::top_speed_m_s},
+    {"apogee", "apogee", u::m, 0, &P::apogee_m},
+    {"drift", "drift at apogee", u::m, 0, &P::drift_m},
+    {"wind", "wind", u::m_s, 1, &P::wind_m_s},
+});
+
+constexpr auto more_fields = result::fields<P>({
+    {"canard_limit", "canard limit", u::deg, 1, [](const P& p) { return Cell{p.reach.angle_rad}; }},
+    {"rest_limit", "farthest rest from the reference", u::deg, 1,
+     [](const P& p) { return Cell{p.flown.rest_limit_rad}; }},
+    {"not_judged", "not judged", u::none, 0, &P::not_judged},
+    {"without_control", "without control", u::none, 0, &P::without_control},
+    {"outside_model", "outside the model", u::none, 0, &P::outside_model},
+    {"runs", "runs", u::none, 0, [](const P& p) { return Cell{std::uint64_t{p.runs.size()}}; }},
+});
+
+constexpr auto fields_of_loop = result::fields<P>({
+    {"servo_lag", "servo lag", u::s, 4, &P::servo_lag_s},
+    {"delay", "dead time", u::s, 4, &P::delay_s},
+});
+
+using M = MarginsAtSpeed;
+constexpr auto margins = result::fields<M>({
+    {"speed", "air speed", u::m_s, 0, &M::speed_m_s},
+    {"phase_margin", "phase margin", u::deg, 0, &M::phase_margin_rad},
+    {"crossover", "crossover", u::rad_s, 1, &M::crossover_rad_s, Worse::neither, {}, nullptr, "none"},
+    {"gain_margin", "gain margin", u::times, 1, &M::gain_margin, Worse::neither, {}, nullptr, "any"},
+});
+
+constexpr auto fields_of_run = result::fields<Run>({
+    {"seed", "seed", u::none, 0, &Run::seed},
+    {"alpha", "damping", u::m2, 6, [](const Run& r) { return Cell{r.airframe.damping_m2}; }},
+    {"beta", "torque", u::m, 6, [](const Run& r) { return Cell{r.airframe.torque_m}; }},
+    {"offset_begin", "fin offset at first", u::deg, 1, [](const Run& r) { return Cell{r.airframe.offset_begin_rad}; }},
+    {"offset_end", "fin offset at last", u::deg, 1, [](const Run& r) { return Cell{r.airframe.offset_end_rad}; }},
+    {"authority_margin", "authority margin", u::deg, 1, &Run::authority_margin_rad},
+    {"outcome", "outcome", u::none, 0, [](const Run& r) { return Cell{std::string{report::name(r.outcome)}}; }},
+    {"largest_hold_error", "largest hold error", u::deg, 1, &Run::largest_hold_error_rad},
+    {"settle", "settles at", u::deg, 1, &Run::settle_rad},
+    {"saturated", "saturated", u::share, 0, &Run::saturated_share},
+    {"top_speed", "top speed", u::m_s, 1, &Run::top_speed_m_s},
+    {"apogee", "apogee", u::m, 0, &Run::apogee_m},
+    {"spin_rate", "spin", u::deg_s, 0, &Run::spin_rate_rad_s},
+    {"wind", "wind", u::m_s, 1, [](const Run& r) { return r.wind ? Cell{r.wind->speed_m_s} : Cell{}; }},
+    {"wind_from", "wind from", u::deg, 0, [](const Run& r) { return r.wind ? Cell{r.wind->from_rad} : Cell{}; }},
+    {"drift", "drift", u::m, 0, &Run::drift_m},
+});
+
+struct Instant {
+  double time_s;
+  Spread roll_rad;
+  Spread rate_rad_s;
+};
+constexpr auto fields_of_band = result::fields<Instant>({
+    {"time", "time after lift-off", u::s, 2, &Instant::time_s},
+    {"roll_angle", "roll angle", u::deg, 1, &Instant::roll_rad},
+    {"roll_rate", "roll rate", u::deg_s, 0, &Instant::rate_rad_s},
+});
+
+using C = Criterion;
+result::Answer answer_of(Judgement judgement) {
+  return judgement == Judgement::met       ? result::Answer::yes
+         : judgement == Judgement::not_met ? result::Answer::no
+                                           : result::Answer::undecided;
+}
+Cell judged(const C& c) { return result::Judged{answer_of(c.judgement), std::string{label(c.judgement)}}; }
+constexpr auto read_criteria = result::fields<C>({
+    {"label", "criterion", u::none, 0, &C::label},
+    {"found", "found", u::none, 0, &C::found},
+    {"required", "asked for", u::none, 0, &C::required},
+    {"judgement", "judgement", u::none, 0, judged},
+});
+constexpr auto filed_criteria = result::fields<C>({
+    {"criterion", "key", u::none, 0, &C::key},
+    {"judgement", "judgement", u::none, 0, judged},
+    {"found", "found", u::none, 0, &C::found},
+    {"required", "asked for", u::none, 0, &C::required},
+    {"sentence", "sentence", u::none, 0, &C::clause},
+});
+
+Json resonance(const Prediction& p) {
+  if (!p.resonance) {
+    return {};
+  }
+  const RollResonance& r = *p.resonance;
+  return {{"pitch_frequency_per_speed_rad_m",
+           Json::array({json::rounded(r.least_frequency_1_m), json::rounded(r.most_frequency_1_m)})},
+          {"resonant_deg", result::json_of(u::deg, r.resonant_rad)},
+          {"near_runs", r.near},
+          {"past_runs", r.past},
+          {"with_canards_runs", r.with_canards},
+          {"warning", resonance_warning(p)}};
+}
+
+Json tunnel(const Prediction& p) {
+  return {{"file", p.tunnel.name},
+          {"steps", p.tunnel.steps.size()},
+          {"swirl_deg", json::rounded(degrees(p.tunnel.swirl_rad))},
+          {"sources", p.tunnel.sources},
+          {"vehicle", p.tunnel.vehicle ? Json{*p.tunnel.vehicle} : Json{}},
+          {"reference_area_m2", p.tunnel.reference_area_m2 ? Json{*p.tunnel.reference_area_m2} : Json{}},
+          {"area_factor", p.area ? Json::array({json::rounded(p.area->low), json::rounded(p.area->high)}) : Json{}},
+          {"damping_factor", Json::array({p.damping.low, p.damping.high})}};
+}
+
+result::Table band(const P& p) {
+  std::vector<Instant> instants;
+  for (std::size_t i = 0; i < p.band.time_s.size(); ++i) {
+    instants.push_back({p.band.time_s[i], p.band.roll_angle_rad[i], p.band.roll_rate_rad_s[i]});
+  }
+  return result::table("band", instants, fields_of_band);
+}
+
+std::vector<result::Block> roll(const P& p, const result::Table& band) {
+  if (band.rows.empty()) {
+    return {"No run left the pad."};
+  }
+  result::Picture angle = result::plot(band, "roll_angle", {.x = "time"}).wide();
+  angle.chart.series.push_back(reference(p));
+  angle.caption = flight::rejects_offset(p.flown.plan)
+                      ? "Roll angle of the rocket as it truly would be. This law takes its estimate of the fin offset "
+                        "off the command, so it settles at the reference where the canards reach that far."
+                      : "Roll angle of the rocket as it truly would be. A proportional-derivative loop settles at the "
+                        "reference plus the fin offset over the gain, not at the reference.";
+  result::Picture rate = result::plot(band, "roll_rate", {.x = "time"}).wide();
+  rate.caption = "How fast it turns. The band is the spread of the runs at each instant, not one run.";
+  return {angle, rate};
+}
+
+std::vector<result::Block> stability(const P& p, const Decision& decision) {
+  if (p.over_speed.empty()) {
+    return {"No phase margin could be computed: control never begins, or its gains are zero."};
+  }
+  result::Table over_speed = result::table({}, p.over_speed, margins);
+  over_speed.read_every = 4;
+  result::Picture margin = result::plot(over_speed, "phase_margin", {.x = "speed"}).wide();
+  const double asked_deg = degrees(decision.thresholds.phase_margin_rad);
+  margin.chart.levels = {
+      {.value = asked_deg, .label = fmt::format("{} degrees asked for", brief(asked_deg, 1)), .role = Role::limit}};
+  margin.caption = fmt::format(
+      "How far the loop is from oscillating, from the speed at which control starts to top "
+      "speed, with a servo lag of {} ms and {} ms of dead time.",
+      brief(1e3 * p.servo_lag_s, 1), brief(1e3 * p.delay_s, 1));
+  std::vector<result::Block> all{margin, over_speed};
+  if (std::ranges::any_of(p.over_speed, may_swing_with_less)) {
+    all.emplace_back("Where the loop holds, a gain margin below 1 says with how much less gain it swings.");
+  }
+  return all;
+}
+
+std::vector<result::Block> unless_empty(const std::string& sentence) {
+  return sentence.empty() ? std::vector<result::Block>{} : std::vector<result::Block>{sentence};
+}
+
+std::vector<result::Block> medians(const P& p) {
+  std::vector<result::Block> all{result::figures("", p, fields)};
+  if (p.worst_speed) {
+    all.emplace_back("At the worst speed:");
+    all.emplace_back(result::figures("stability.worst", *p.worst_speed, margins));
+  } else {
+    all.emplace_back(result::Data{"stability.worst", {}});
+  }
+  return all;
+}
+
+/// What could not be judged is no go, and not a no.
+result::Answer answer_of(const Decision& decision) {
+  const auto is_no = [](const C& c) { return c.judgement == Judgement::not_met; };
+  return decision.go                                     ? result::Answer::yes
+         : std::ranges::any_of(decision.criteria, is_no) ? result::Answer::no
+                                                         : result::Answer::undecided;
+}
+
+}  // namespace
+
+result::Document answer(const P& p, const Decision& decision, const result::Made& made) {
+  using enum result::Readers;
+  using result::Picture;
+  using result::Sentences;
+  const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
+  const std::vector<std::string> not_counted = not_in_verdict(p);
+  const result::Table over_time = band(p);
+  return {.kind = "launch prediction",
+          .title = p.scenario,
+          .subtitle = fmt::format("{}, plan {}; {}, seed {}; Fantail {}{}", p.vehicle, p.plan_name, runs(p.runs.size()),
+                                  p.seed, made.version, changes),
+          .verdict = {.answer = answer_of(decision),
+                      .heading = std::string{decision.heading()},
+                      .sentence = decision.text,
+                      .not_in_it = not_counted,
+                      .with_caution = decision.go && !decision.cautions.empty(),
+                      .not_in_it_heading = "Beside the requirements:"},
+          .facts = {{"scenario", "", p.scenario},
+                    {"vehicle", "", p.vehicle},
+                    {"plan", "", p.plan_name},
+                    {"seed", "", p.seed},
+                    {"changes", "", p.request.changes},
+                    {"repeat_run", "any run again, with its flight report", repeat_command(p, "RUN")},
+                    {"go", "", decision.go},
+                    {"verdict", "", decision.text},
+                    {"cautions", "", decision.cautions},
+                    {"not_in_verdict", "", not_counted},
+                    {"version", "", made.version}},
+          .sections = {{"Median of the runs, and 5 to 95 % of them", medians(p)},
+                       {"Requirements",
+                        {result::table({}, decision.criteria, read_criteria), Sentences{"advice", decision.advice}}},
+                       {"Predicted roll", roll(p, over_time), files},
+                       {"Fin offset and airframe",
+                        {Picture{offset_chart(p), "The fin offset against what the canards can balance."},
+                         Picture{airframe_chart(p),
+                                 "The airframes that were flown, and the identified ones they were drawn from."}},
+                        files},
+                       {"Roll and pitch", unless_empty(resonance_warning(p))},
+                       {"Stability over speed", stability(p, decision), files},
+                       {"How this was found", {Sentences{"basis", basis(p)}}},
+                       {"For programs",
+                        {result::figures("", p, more_fields), result::figures("stability", p, fields_of_loop),
+                         result::table("stability.over_speed", p.over_speed, margins),
+                         result::table("criteria", decision.criteria, filed_criteria),
+                         Sentences{"flight_notes", p.flight_notes}, result::Data{"tunnel", tunnel(p)},
+                         result::Data{"roll_resonance", resonance(p)}},
+                        programs}},
+          .spreadsheets = {numbered(result::table("runs", p.runs, fields_of_run), "run"), over_time},
+          .made = made};
+}
+
+}  // namespace fantail::predict

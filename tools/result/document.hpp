@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "json/value.hpp"
+#include "page/chart.hpp"
+#include "result/field.hpp"
+
+namespace fantail::result {
+
+/// The result of a verb, once for all outputs: text(), json(), html() and csv() below print the same document.
+///
+/// A block with a key is in JSON under it ("stability.worst": an object in an object, "": among the document's own
+/// members); one without is for people alone.
+struct Figures {
+  std::optional<std::string> key{};
+  std::vector<Figure> all{};
+
+  /// Throws when there is no such figure.
+  [[nodiscard]] Figure& operator[](std::string_view figure_key);
+};
+struct Table {
+  std::optional<std::string> key{};
+  std::vector<Column> columns{};
+  std::vector<std::vector<Cell>> rows{};
+  std::size_t read_every = 1;  ///< 4: a page shows each fourth row
+
+  [[nodiscard]] std::size_t column(std::string_view column_key) const;
+};
+struct Sentences {
+  std::optional<std::string> key{};
+  std::vector<std::string> all{};
+};
+/// For people; files have the table that it was drawn from. Two of half a page stand beside each other.
+struct Picture {
+  page::Chart chart{};
+  std::string caption{};
+
+  [[nodiscard]] Picture wide() &&;
+};
+/// For programs alone, where a value has a form of its own.
+struct Data {
+  std::string key{};
+  json::Value value{};
+};
+using Block = std::variant<std::string, Sentences, Figures, Table, Picture, Data>;
+
+/// For whom a section is: everybody; pages and JSON, as a long table; JSON alone.
+enum class Readers : std::uint8_t { all, files, programs };
+
+struct Section {
+  std::string heading{};
+  std::vector<Block> blocks{};
+  Readers readers = Readers::all;
+};
+
+/// One thing that the result was made from. Without a label it is for programs alone.
+struct Fact {
+  std::string key;
+  std::string label;
+  json::Value value;
+};
+
+/// In JSON "answer" and "sentence".
+struct Verdict {
+  Answer answer;                         ///< has no default: a document without an answer does not compile
+  std::string heading;                   ///< "Go"
+  std::string sentence;                  ///< may begin with the heading and a colon
+  std::vector<std::string> not_in_it{};  ///< what the answer does not count, a sentence or two each
+  bool with_caution = false;             ///< a yes that the sentence limits: not in the colour of a yes
+  std::string not_in_it_heading = "Not in the verdict:";
+};
+
+/// How somebody gets the same again; in JSON "made".
+struct Made {
+  struct Input {
+    std::string file{};  ///< without its folder
+    std::string sha256{};
+  };
+  std::string command{};
+  std::string version{};
+  std::optional<std::uint64_t> seed{};  ///< empty: nothing was drawn
+  std::vector<std::string> changes{};   ///< "run.canard_fault=end_control"
+  std::vector<Input> inputs{};
+};
+
+struct Document {
+  std::string kind{};  ///< "launch prediction"
+  std::string title{};
+  std::string subtitle{};
+  Verdict verdict;
+  std::vector<Fact> facts{};
+  std::vector<Section> sections{};
+  std::vector<Table> spreadsheets{};  ///< a CSV file each, named by the key
+  Made made{};
+};
+
+/// Its colour, on pages and terminals.
+[[nodiscard]] page::Tone tone(const Verdict& verdict);
+/// Colours words, or does not.
+using Paint = std::string (*)(page::Tone tone, std::string_view words);
+[[nodiscard]] std::string text(const Document& document, Paint paint = nullptr);
+/// Throws std::logic_error when two blocks have one key.
+[[nodiscard]] std::string json(const Document& document);
+[[nodiscard]] std::string html(const Document& document);
+/// With a row for its keys; numbers with their unit in the key, as in JSON.
+[[nodiscard]] std::string csv(const Table& table);
+/// A cell as JSON has it, for Data.
+[[nodiscard]] json::Value json_of(const Unit& unit, const Cell& cell);
+/// The three that the JSON of every verb has, into an object that is made otherwise.
+void put_answer(json::Value& all, const Verdict& verdict, const Made& made);
+
+/// "Way turned: the largest angle between ... ."
+[[nodiscard]] std::string sentence_of(const Column& column);
+
+/// A row for each, a column for each field.
+template <typename Row>
+[[nodiscard]] Table table(std::optional<std::string> key, const std::vector<Row>& rows,
+                          const Fields<Row> auto& fields) {
+  Table table{.key = std::move(key)};
+  for (const Field<Row>& field : fields) {
+    table.columns.push_back(column(field));
+  }
+  for (const Row& row : rows) {
+    std::vector<Cell>& cells = table.rows.emplace_back();
+    for (const Field<Row>& field : fields) {
+      cells.push_back(field.get(row));
+    }
+  }
+  return table;
+}
+
+/// With the number of each row, from 0 on, in front of it.
+[[nodiscard]] Table numbered(Table table, std::string key);
+
+enum class Wanted : std::uint8_t { all, that_can_be_worse };
+/// One row, its fields below each other.
+template <typename Row>
+[[nodiscard]] Figures figures(std::string key, const Row& row, const Fields<Row> auto& fields,
+                              Wanted wanted = Wanted::all) {
+  Figures figures{.key = std::move(key)};
+  for (const Field<Row>& field : fields) {
+    if (wanted == Wanted::all || field.worse != Worse::neither) {
+      figures.all.push_back({column(field), field.get(row)});
+    }
+  }
+  return figures;
+}
+
+/// Of each field that can be worse the worst value, wherever it stands; of the others the value of the first row.
+template <typename Row>
+[[nodiscard]] Row worst(const std::vector<Row>& rows, const Fields<Row> auto& fields) {
+  Row worst = rows.empty() ? Row{} : rows.front();
+  for (const Row& row : rows) {
+    for (const Field<Row>& field : fields) {
+      if (is_worse(field.get(row), field.get(worst), field.worse)) {
+        field.get.copy(row, worst);
+      }
+    }
+  }
+  return worst;
+}
+
+/// "Way turned: the largest angle between ...", a sentence for each field that has a meaning.
+template <typename Row>
+[[nodiscard]] std::vector<std::string> meanings(const Fields<Row> auto& fields) {
+  std::vector<std::string> all;
+  for (const Field<Row>& field : fields) {
+    if (!field.meaning.empty()) {
+      all.push_back(sentence_of(column(field)));
+    }
+  }
+  return all;
+}
+
+/// Columns of a table over another, a curve for each value of `curves` where that is a column, too. Of several rows at
+/// one x the worst is drawn; a spread is drawn as a band. Half a page wide.
+struct Over {
+  std::string_view x;
+  std::string_view curves = {};
+};
+[[nodiscard]] Picture plot(const Table& table, std::string_view y, const Over& over);
+
+}  // namespace fantail::result

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <cctype>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "page/page.hpp"
+#include "result/document.hpp"
+#include "result/parts.hpp"
+
+namespace fantail::result {
+namespace {
+
+std::string html(const std::string& paragraph) { return page::paragraph(paragraph); }
+std::string html(const Sentences& sentences) { return page::list(sentences.all); }
+std::string html(const Picture& picture) { return page::figure(picture.chart, picture.caption); }
+
+std::string html(const Data&) { return {}; }
+
+page::Figure figure(const Figure& one) {
+  const auto [number, more] = parts(one);
+  const std::string ends = std::holds_alternative<Spread>(one.value) ? "5 to 95 %: " + more : more;
+  return {one.label, number, std::string{one.unit.symbol},
+          one.remark + (one.remark.empty() || ends.empty() ? "" : "; ") + ends};
+}
+
+std::string html(const Figures& figures) {
+  std::vector<page::Figure> list;
+  for (const Figure& one : known(figures.all)) {
+    list.push_back(figure(one));
+  }
+  return page::figure_row(list);
+}
+
+std::string html(const Table& table) {
+  const std::vector<std::size_t> shown_columns = known_columns(table);
+  std::vector<page::Column> columns;
+  for (const std::size_t i : shown_columns) {
+    columns.push_back({heading(table.columns[i]), !is_words(table, i)});
+  }
+  std::vector<std::vector<page::Cell>> rows;
+  for (std::size_t at = 0; at < table.rows.size(); at += table.read_every) {
+    std::vector<page::Cell>& row = rows.emplace_back();
+    for (const std::size_t i : shown_columns) {
+      const Cell& cell = table.rows[at][i];
+      const auto* judged = std::get_if<Judged>(&cell);
+      row.push_back({shown(table.columns[i], cell), judged != nullptr ? tone(judged->answer) : page::Tone::plain});
+    }
+  }
+  return page::table(columns, rows);
+}
+
+bool is_half_page(const Block& block) {
+  const auto* picture = std::get_if<Picture>(&block);
+  return picture != nullptr && picture->chart.width <= page::half_page;
+}
+
+std::string body(const std::vector<Block>& blocks) {
+  std::string all;
+  const auto one = [](const Block& block) { return std::visit([](const auto& it) { return html(it); }, block); };
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (i + 1 < blocks.size() && is_half_page(blocks[i]) && is_half_page(blocks[i + 1])) {
+      const std::string pair[]{one(blocks[i]), one(blocks[i + 1])};
+      all += page::side_by_side(pair);
+      ++i;
+    } else {
+      all += one(blocks[i]);
+    }
+  }
+  return all;
+}
+
+/// "Go: every ..." below the heading "Go": "Every ..."
+std::string without(const std::string& heading, std::string text) {
+  if (text.starts_with(heading + ": ")) {
+    text.erase(0, heading.size() + 2);
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string html(const Document& document) {
+  const Verdict& verdict = document.verdict;
+  page::Page page{.kind = "Fantail " + document.kind,
+                  .title = document.title,
+                  .subtitle = document.subtitle,
+                  .tone = tone(verdict),
+                  .verdict_heading = document.verdict.heading,
+                  .verdict = without(verdict.heading, verdict.sentence)};
+  for (auto& [label, value] : read_facts(document)) {
+    page.facts.push_back({std::move(label), std::move(value)});
+  }
+  for (const std::string& sentence : document.verdict.not_in_it) {
+    page.findings.push_back({.what = verdict.not_in_it_heading, .about = sentence});
+  }
+  for (const Section& section : document.sections) {
+    if (section.readers != Readers::programs && !section.blocks.empty()) {
+      page.body_html += page::section(section.heading, body(section.blocks));
+    }
+  }
+  return page::html(page);
+}
+
+}  // namespace fantail::result

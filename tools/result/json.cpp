@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "json/value.hpp"
+#include "result/document.hpp"
+
+namespace fantail::result {
+namespace {
+
+using json::Value;
+
+std::string key(const Column& column) { return column.key + std::string{column.unit.suffix}; }
+
+struct As {
+  const Unit& unit;
+  Value operator()(std::monostate) const { return {}; }
+  Value operator()(double si) const { return json::rounded(unit.per_si * si); }
+  Value operator()(const Spread& of) const {
+    const As& as = *this;
+    return {{"mean", as(of.mean)}, {"p5", as(of.p5)}, {"p50", as(of.p50)}, {"p95", as(of.p95)}};
+  }
+  Value operator()(const Share& of) const {
+    return {{"count", of.count},
+            {"of", of.of},
+            {"share", json::rounded(of.value)},
+            {"low", json::rounded(of.low)},
+            {"high", json::rounded(of.high)}};
+  }
+  Value operator()(const Judged& of) const {
+    std::string words = of.words;
+    std::ranges::replace(words, ' ', '_');
+    return words;
+  }
+  Value operator()(const auto& as_it_is) const { return as_it_is; }
+};
+Value value(const Column& column, const Cell& cell) { return json_of(column.unit, cell); }
+
+/// "stability.worst": the member of a member; "": the document itself.
+Value& place(Value& all, std::string_view path) {
+  if (path.empty()) {
+    return all;
+  }
+  const std::size_t dot = path.find('.');
+  return place(all[path.substr(0, dot)], dot == path.npos ? "" : path.substr(dot + 1));
+}
+
+void put(Value& all, std::string_view key, Value value) {
+  Value& there = place(all, key);
+  if (!there.is_null()) {
+    throw std::logic_error{fmt::format("a document has two of {}", key)};
+  }
+  there = std::move(value);
+}
+
+void add(Value&, const std::string&) {}
+void add(Value&, const Picture&) {}
+void add(Value& all, const Data& data) { put(all, data.key, data.value); }
+void add(Value& all, const Sentences& sentences) {
+  if (sentences.key) {
+    put(all, *sentences.key, sentences.all);
+  }
+}
+void add(Value& all, const Figures& figures) {
+  if (figures.key) {
+    for (const Figure& one : figures.all) {
+      put(place(all, *figures.key), key(one), value(one, one.value));
+    }
+  }
+}
+void add(Value& all, const Table& table) {
+  if (table.key) {
+    Value rows = Value::array();
+    for (const std::vector<Cell>& cells : table.rows) {
+      Value row;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        put(row, key(table.columns[i]), value(table.columns[i], cells[i]));
+      }
+      rows.push_back(row);
+    }
+    put(all, *table.key, rows);
+  }
+}
+
+Value inputs(const Made& made) {
+  Value all = Value::array();
+  for (const Made::Input& one : made.inputs) {
+    all.push_back({{"file", one.file}, {"sha256", one.sha256}});
+  }
+  return all;
+}
+
+}  // namespace
+
+json::Value json_of(const Unit& unit, const Cell& cell) { return std::visit(As{unit}, cell); }
+
+void put_answer(Value& all, const Verdict& verdict, const Made& made) {
+  Value how{{"command", made.command},
+            {"version", made.version},
+            {"seed", made.seed ? Value{*made.seed} : Value{}},
+            {"changes", made.changes},
+            {"inputs", inputs(made)}};
+  json::keep_exact(how, "seed");
+  put(all, "answer", name(verdict.answer));
+  put(all, "sentence", verdict.sentence);
+  put(all, "made", how);
+}
+
+std::string json(const Document& document) {
+  Value all;
+  put_answer(all, document.verdict, document.made);
+  for (const Fact& fact : document.facts) {
+    put(all, fact.key, fact.value);
+    json::keep_exact(all, fact.key);
+  }
+  for (const Section& section : document.sections) {
+    for (const Block& block : section.blocks) {
+      std::visit([&all](const auto& one) { add(all, one); }, block);
+    }
+  }
+  return all.pretty();
+}
+
+}  // namespace fantail::result

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "result/document.hpp"
+#include "result/parts.hpp"
+#include "text/table.hpp"
+
+namespace fantail::result {
+namespace {
+
+std::string line(std::string_view sentence) { return fmt::format("  {}\n", sentence); }
+
+std::string text(const std::string& paragraph) { return line(paragraph); }
+std::string text(const Picture&) { return {}; }
+std::string text(const Data&) { return {}; }
+
+std::string text(const Sentences& sentences) {
+  std::string all;
+  for (const std::string& sentence : sentences.all) {
+    all += line(sentence);
+  }
+  return all;
+}
+
+std::string text(const Figures& figures) {
+  std::size_t widest = 0;
+  for (const Figure& one : figures.all) {
+    widest = std::max(widest, one.label.size());
+  }
+  std::string all;
+  for (const Figure& one : known(figures.all)) {
+    const auto [number, more] = parts(one);
+    const std::string behind = one.remark + (one.remark.empty() || more.empty() ? "" : "; ") + more;
+    all += line(fmt::format("{:<{}}  {}{}{}{}", one.label, widest, number, one.unit.symbol.empty() ? "" : " ",
+                            one.unit.symbol, behind.empty() ? "" : " (" + behind + ")"));
+  }
+  return all;
+}
+
+std::string text(const Table& table) {
+  const std::vector<std::size_t> shown_columns = known_columns(table);
+  std::vector<std::size_t> widths;
+  for (const std::size_t i : shown_columns) {
+    std::size_t& widest = widths.emplace_back(heading(table.columns[i]).size());
+    for (const std::vector<Cell>& row : table.rows) {
+      widest = std::max(widest, shown(table.columns[i], row[i]).size());
+    }
+  }
+  text::Table lines{std::vector<text::Table::Column>(shown_columns.size())};
+  const auto add = [&](const auto& cell) {
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < shown_columns.size(); ++i) {
+      const std::string text = cell(shown_columns[i]);
+      cells.push_back(is_words(table, shown_columns[i]) ? fmt::format("  {:<{}}", text, widths[i])
+                                                        : fmt::format("  {:>{}}", text, widths[i]));
+    }
+    lines.row_to_its_last_word(std::move(cells));
+  };
+  add([&](std::size_t i) { return heading(table.columns[i]); });
+  for (const std::vector<Cell>& row : table.rows) {
+    add([&](std::size_t i) { return shown(table.columns[i], row[i]); });
+  }
+  return lines.text(~std::size_t{0});
+}
+
+}  // namespace
+
+std::string text(const Document& document, Paint paint) {
+  const Verdict& verdict = document.verdict;
+  const bool leads = paint != nullptr && verdict.sentence.starts_with(verdict.heading + ":");
+  std::string all = fmt::format("{}: {}\n", document.title, document.subtitle);
+  all += leads ? paint(tone(verdict), verdict.heading) + verdict.sentence.substr(verdict.heading.size())
+               : verdict.sentence;
+  all += verdict.not_in_it.empty() ? "\n" : "\n\n" + verdict.not_in_it_heading + "\n";
+  for (const std::string& sentence : verdict.not_in_it) {
+    all += line(sentence);
+  }
+  for (const Section& section : document.sections) {
+    if (section.readers == Readers::all && !section.blocks.empty()) {
+      all += "\n" + section.heading + (section.heading.empty() ? "" : ":\n");
+      for (const Block& block : section.blocks) {
+        all += std::visit([](const auto& one) { return text(one); }, block);
+      }
+    }
+  }
+  all += "\n";
+  for (const auto& [label, value] : read_facts(document)) {
+    all += value.empty() ? "" : fmt::format("  {:<8} {}\n", label, value);
+  }
+  return all;
+}
+
+}  // namespace fantail::result
