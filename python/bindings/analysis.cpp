@@ -173,8 +173,7 @@ std::string predict_launch(const Scenario& asked, const Spread& spread, double a
                                                                   .held_share = 0.01 * held_percent,
                                                                   .phase_margin_rad = text::radians(phase_margin_deg)});
   return result::json(predict::answer(prediction, decision,
-                                      {.command = options.request.command,
-                                       .version = FANTAIL_VERSION,
+                                      {.version = FANTAIL_VERSION,
                                        .seed = prediction.seed,
                                        .changes = options.request.changes}));
 }

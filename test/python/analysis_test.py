@@ -45,7 +45,10 @@ def test_a_log_without_a_summary_needs_a_rocket(flown, tmp_path):
 
 def test_a_prediction_is_the_programs(program, tmp_path):
     said = json.loads(program.run("predict", "tasha3_launch1", "--runs", "8", "--json", "--out", tmp_path / "out").stdout)
-    assert fantail.predict("tasha3_launch1", runs=8) == said
+    here = fantail.predict("tasha3_launch1", runs=8)
+    assert said.pop("made")["command"] == "fantail predict tasha3_launch1 --runs 8"
+    assert here.pop("made")["seed"] == 1  # no command made it
+    assert here == said
     assert said["go"] is False
 
 
