@@ -172,10 +172,8 @@ std::string predict_launch(const Scenario& asked, const Spread& spread, double a
   const predict::Decision decision = predict::decide(prediction, {.authority_share = 0.01 * authority_percent,
                                                                   .held_share = 0.01 * held_percent,
                                                                   .phase_margin_rad = text::radians(phase_margin_deg)});
-  return result::json(predict::answer(prediction, decision,
-                                      {.version = FANTAIL_VERSION,
-                                       .seed = prediction.seed,
-                                       .changes = options.request.changes}));
+  return result::json(predict::answer(
+      prediction, decision, {.version = FANTAIL_VERSION, .seed = prediction.seed, .changes = options.request.changes}));
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ struct Point {
 };
 
 constexpr auto point_fields = fields<Point>({
-    {"time", "time", units::s, 2, &Point::time_s},
-    {"angle", "angle", units::deg, 1, &Point::angle_rad, Worse::larger},
-    {"height", "height", units::m, 1, &Point::height_m, Worse::smaller},
-    {"stop", "stop", units::none, 0, &Point::stop},
-    {"rate", "rate", units::rad_s, 1, &Point::rate},
+    {"time", "time", units::s, 2, &Point::time_s, "a figure"},
+    {"angle", "angle", units::deg, 1, &Point::angle_rad, "a figure", Worse::larger},
+    {"height", "height", units::m, 1, &Point::height_m, "a figure", Worse::smaller},
+    {"stop", "stop", units::none, 0, &Point::stop, "a figure"},
+    {"rate", "rate", units::rad_s, 1, &Point::rate, "a figure"},
 });
 
 std::vector<Point> points() {

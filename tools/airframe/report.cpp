@@ -88,7 +88,13 @@ std::string text(const sim::Vehicle& vehicle, const Summary& summary, std::size_
   return out;
 }
 
-std::string json(const sim::Vehicle& vehicle, const Summary& summary) {
+result::Answer answer(const Summary& summary) {
+  return summary.stability == Stability::stable && summary.agrees_with_design.value_or(true) ? result::Answer::yes
+         : summary.stability == Stability::unstable                                          ? result::Answer::no
+                                                    : result::Answer::undecided;
+}
+
+std::string json(const sim::Vehicle& vehicle, const Summary& summary, const result::Made& made) {
   using Json = ::fantail::json::Value;
   const auto rounded = [](double value) {
     return std::isfinite(value) ? Json{::fantail::json::rounded(value, 8)} : Json{};
@@ -112,17 +118,18 @@ std::string json(const sim::Vehicle& vehicle, const Summary& summary) {
                      {"slope_per_rad", rounded(part.slope_per_rad)},
                      {"position_m", rounded(part.position_m)}});
   }
-  const Json document{{"vehicle", vehicle.name},
-                      {"length_m", rounded(vehicle.geometry->length_m)},
-                      {"diameter_m", rounded(vehicle.geometry->diameter_m)},
-                      {"stability", name(summary.stability)},
-                      {"sentence", summary.sentence},
-                      {"agrees_with_design", summary.agrees_with_design ? Json{*summary.agrees_with_design} : Json{}},
-                      {"doubts", summary.doubts},
-                      {"numbers", lines},
-                      {"parts", parts},
-                      {"remarks", summary.remarks},
-                      {"assumed", vehicle.geometry_assumed}};
+  Json document{{"vehicle", vehicle.name},
+                {"length_m", rounded(vehicle.geometry->length_m)},
+                {"diameter_m", rounded(vehicle.geometry->diameter_m)},
+                {"stability", name(summary.stability)},
+                {"sentence", summary.sentence},
+                {"agrees_with_design", summary.agrees_with_design ? Json{*summary.agrees_with_design} : Json{}},
+                {"doubts", summary.doubts},
+                {"numbers", lines},
+                {"parts", parts},
+                {"remarks", summary.remarks},
+                {"assumed", vehicle.geometry_assumed}};
+  result::put_answer(document, answer(summary), summary.sentence, made);
   return document.pretty();
 }
 
@@ -159,15 +166,11 @@ std::string html(const sim::Vehicle& vehicle, const Summary& summary) {
   if (!vehicle.geometry_assumed.empty()) {
     body += page::section("Assumed", page::list(vehicle.geometry_assumed));
   }
-  const bool is_compared = summary.agrees_with_design.value_or(true);
-  const page::Tone tone = summary.stability == Stability::stable && is_compared ? page::Tone::good
-                          : summary.stability == Stability::unstable            ? page::Tone::bad
-                                                                                : page::Tone::unsure;
   const char* verdict = heading(summary);
   return page::html({.kind = "Fantail airframe",
                      .title = vehicle.name,
                      .subtitle = size(vehicle),
-                     .tone = tone,
+                     .tone = result::tone(answer(summary)),
                      .verdict_heading = verdict,
                      .verdict = summary.sentence,
                      .body_html = body});

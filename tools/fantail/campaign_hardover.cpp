@@ -63,7 +63,7 @@ void fly(const HardoverOptions& options) {
   });
   progress.reset();
   const std::vector<fs::path> inputs = files_of(options.scenario);
-  study.made = made_from(inputs, study.seed, changes_of(options.scenario));
+  study.made = made_with(inputs, study.seed, changes_of(options.scenario));
   deliver(hardover::answer(study), {.folder = folder, .name = "hardover", .inputs = inputs, .json = options.json});
 }
 

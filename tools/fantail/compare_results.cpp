@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/terminal.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
@@ -79,26 +80,34 @@ std::string compare_text(const CompareResults& results) {
 std::string compare_json(const CompareResults& results) {
   using Json = json::Value;
   const logs::Comparison& c = results.comparison;
-  const Json json = {{"a", results.a},
-                     {"b", results.b},
-                     {"window", results.window.empty() ? Json{} : Json(results.window)},
-                     {"mean_abs_angle_difference_deg", rounded(degrees(c.angle.mean_abs))},
-                     {"rms_angle_difference_deg", rounded(degrees(c.angle.rms))},
-                     {"max_abs_angle_difference_deg", rounded(degrees(c.angle.max_abs))},
-                     {"max_angle_difference_at_s", rounded(c.angle.max_at_s)},
-                     {"mean_abs_rate_difference_deg_s", rounded(degrees(c.rate.mean_abs))},
-                     {"rms_rate_difference_deg_s", rounded(degrees(c.rate.rms))},
-                     {"max_abs_rate_difference_deg_s", rounded(degrees(c.rate.max_abs))},
-                     {"max_rate_difference_at_s", rounded(c.rate.max_at_s)},
-                     {"samples", c.time_s.size()},
-                     {"from_s", rounded(c.time_s.front())},
-                     {"to_s", rounded(c.time_s.back())},
-                     {"seconds", rounded(c.time_s.back() - c.time_s.front())},
-                     {"shift_s", rounded(c.shift_s)},
-                     {"offset_deg", rounded(degrees(c.offset_rad))},
-                     {"requirement_met", results.required() ? Json(results.objections().empty()) : Json{}},
-                     {"notes", results.warnings},
-                     {"version", FANTAIL_VERSION}};
+  Json json = {{"a", results.a},
+               {"b", results.b},
+               {"window", results.window.empty() ? Json{} : Json(results.window)},
+               {"mean_abs_angle_difference_deg", rounded(degrees(c.angle.mean_abs))},
+               {"rms_angle_difference_deg", rounded(degrees(c.angle.rms))},
+               {"max_abs_angle_difference_deg", rounded(degrees(c.angle.max_abs))},
+               {"max_angle_difference_at_s", rounded(c.angle.max_at_s)},
+               {"mean_abs_rate_difference_deg_s", rounded(degrees(c.rate.mean_abs))},
+               {"rms_rate_difference_deg_s", rounded(degrees(c.rate.rms))},
+               {"max_abs_rate_difference_deg_s", rounded(degrees(c.rate.max_abs))},
+               {"max_rate_difference_at_s", rounded(c.rate.max_at_s)},
+               {"samples", c.time_s.size()},
+               {"from_s", rounded(c.time_s.front())},
+               {"to_s", rounded(c.time_s.back())},
+               {"seconds", rounded(c.time_s.back() - c.time_s.front())},
+               {"shift_s", rounded(c.shift_s)},
+               {"offset_deg", rounded(degrees(c.offset_rad))},
+               {"requirement_met", results.required() ? Json(results.objections().empty()) : Json{}},
+               {"notes", results.warnings},
+               {"version", FANTAIL_VERSION}};
+  const auto answer = !results.required()            ? result::Answer::none
+                      : results.objections().empty() ? result::Answer::yes
+                                                     : result::Answer::no;
+  result::put_answer(
+      json, answer,
+      fmt::format("The roll angles differ by {:.3g} deg in the mean and {:.3g} deg at most, the rates by {:.3g} deg/s.",
+                  degrees(c.angle.mean_abs), degrees(c.angle.max_abs), degrees(c.rate.mean_abs)),
+      made_with(results.logs));
   return json.pretty();
 }
 
@@ -118,12 +127,11 @@ std::string compare_csv(const logs::Comparison& c) {
   return fmt::to_string(out);
 }
 
-void write_compare_results(const CompareResults& results, const std::filesystem::path& folder,
-                           const std::vector<std::filesystem::path>& made_from) {
+void write_compare_results(const CompareResults& results, const std::filesystem::path& folder) {
   const std::array<text::NamedFile, 3> files{{{"compare.html", compare_html(results)},
                                               {"compare.json", compare_json(results)},
                                               {"differences.csv", compare_csv(results.comparison)}}};
-  text::OutputFolder{folder, made_from}.write(files);
+  text::OutputFolder{folder, results.logs}.write(files);
 }
 
 }  // namespace fantail::tool

@@ -21,6 +21,7 @@ struct CompareResults {
   std::optional<double> required_angle_rad{};
   std::optional<double> required_rate_rad_s{};
   std::vector<std::string> warnings{};
+  std::vector<std::filesystem::path> logs{};  ///< both files, which no result may replace
 
   [[nodiscard]] bool required() const { return required_angle_rad || required_rate_rad_s; }
   /// A mean over a few samples says nothing of the others.
@@ -38,8 +39,7 @@ struct CompareResults {
 [[nodiscard]] std::string overlay_html(const CompareResults& results, const logs::RollLog& a, const logs::RollLog& b);
 [[nodiscard]] std::string compare_csv(const logs::Comparison& comparison);
 
-/// compare.html, compare.json and differences.csv, all or none, and over neither of the logs `made_from`.
-void write_compare_results(const CompareResults& results, const std::filesystem::path& folder,
-                           const std::vector<std::filesystem::path>& made_from);
+/// compare.html, compare.json and differences.csv, all or none, and over neither of the logs.
+void write_compare_results(const CompareResults& results, const std::filesystem::path& folder);
 
 }  // namespace fantail::tool

@@ -31,7 +31,7 @@ std::string paint(page::Tone tone, std::string_view words) {
 
 }  // namespace
 
-result::Made made_from(const std::vector<fs::path>& inputs, std::optional<std::uint64_t> seed,
+result::Made made_with(const std::vector<fs::path>& inputs, std::optional<std::uint64_t> seed,
                        std::vector<std::string> changes) {
   result::Made made{
       .command = page::made_by_command(), .version = FANTAIL_VERSION, .seed = seed, .changes = std::move(changes)};

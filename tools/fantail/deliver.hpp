@@ -13,7 +13,7 @@ namespace fantail::tool {
 
 /// The command that was typed, this version, and the hashes of the files that the result was made from; a folder has
 /// none. A file that cannot be read any more has no hash either.
-[[nodiscard]] result::Made made_from(const std::vector<std::filesystem::path>& inputs,
+[[nodiscard]] result::Made made_with(const std::vector<std::filesystem::path>& inputs,
                                      std::optional<std::uint64_t> seed = {}, std::vector<std::string> changes = {});
 
 struct Delivery {

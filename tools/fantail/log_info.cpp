@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
 #include "fantail/offers.hpp"
@@ -55,7 +56,7 @@ void show_info(const InfoOptions& options) {
   }
   chapters.end();
   if (options.json) {
-    fmt::print("{}", log_info_json(file, flights));
+    fmt::print("{}", log_info_json(file, flights, made_with({options.log})));
   } else {
     show("{}", heading(file));
     for (const FlightInfo& info : flights) {

@@ -10,6 +10,7 @@
 #include "flight_log/flight_figures.hpp"
 #include "flight_log/flight_log.hpp"
 #include "flight_log/regenerate.hpp"
+#include "result/answer.hpp"
 
 namespace fantail::tool {
 
@@ -32,6 +33,8 @@ struct FlightInfo {
 [[nodiscard]] FlightInfo flight_info(const flight_log::Flight& flight);
 
 [[nodiscard]] std::string log_info_text(const FlightInfo& info);
-[[nodiscard]] std::string log_info_json(const flight_log::LogFile& file, const std::vector<FlightInfo>& flights);
+/// Is it intact?
+[[nodiscard]] std::string log_info_json(const flight_log::LogFile& file, const std::vector<FlightInfo>& flights,
+                                        const result::Made& made);
 
 }  // namespace fantail::tool

@@ -123,18 +123,25 @@ Json flight(const FlightInfo& info) {
 
 }  // namespace
 
-std::string log_info_json(const flight_log::LogFile& file, const std::vector<FlightInfo>& flights) {
+std::string log_info_json(const flight_log::LogFile& file, const std::vector<FlightInfo>& flights,
+                          const result::Made& made) {
   Json list = Json::array();
   for (const FlightInfo& info : flights) {
     list.push_back(flight(info));
   }
-  const Json json{{"log", file.name},
-                  {"bytes", file.bytes},
-                  {"foreign_bytes", file.foreign_bytes},
-                  {"foreign_places", file.foreign_places},
-                  {"cut_off_bytes", file.cut_off_bytes},
-                  {"intact", flight_log::intact(file)},
-                  {"flights", list}};
+  Json json{{"log", file.name},
+            {"bytes", file.bytes},
+            {"foreign_bytes", file.foreign_bytes},
+            {"foreign_places", file.foreign_places},
+            {"cut_off_bytes", file.cut_off_bytes},
+            {"intact", flight_log::intact(file)},
+            {"flights", list}};
+  const bool intact = flight_log::intact(file);
+  result::put_answer(
+      json, intact ? result::Answer::yes : result::Answer::no,
+      fmt::format("{}: {} flight{}, {}.", file.name, flights.size(), flights.size() == 1 ? "" : "s",
+                  intact ? "nothing missing and nothing damaged" : "with records missing or bytes damaged"),
+      made);
   return json.pretty();
 }
 

@@ -10,6 +10,7 @@
 
 #include "campaign/judged_flight.hpp"
 #include "fantail/command_line.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
 #include "flight/flight.hpp"
@@ -226,12 +227,19 @@ std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
 }
 
 json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightCheck& flight) {
+  const std::size_t warnings =
+      weaker_than_shipped(subject.plan).size() + (loop.warns ? 1U : 0U) + flight.warnings.size();
   json::Value all{
       {"plan", subject.file}, {"may_fly", true}, {"crc", fmt::format("{:08x}", protocol::plan_crc(subject.plan))}};
   all["weaker_than_shipped"] = json::Value::array();
   for (const std::string& what : weaker_than_shipped(subject.plan)) {
     all["weaker_than_shipped"].push_back(what);
   }
+  result::put_answer(
+      all, result::Answer::yes,
+      fmt::format("Every field is known and within its range: the firmware takes this plan; {} warning{}.", warnings,
+                  warnings == 1 ? "" : "s"),
+      made_with({subject.file}));
   if (!subject.scenario) {
     return all;
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fantail/command_line.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/terminal.hpp"
@@ -26,7 +27,7 @@ struct FlowOptions {
 void flow(const FlowOptions& options) {
   const tunnel::TunnelLog log = tunnel::read_tunnel_log(options.log, column_names(options.columns));
   const tunnel::Flow flow = tunnel::examine_flow(log, steady_segments(log, options.steady, options.finding));
-  const std::string json = tunnel::flow_json(log, flow);
+  const std::string json = tunnel::flow_json(log, flow, made_with({options.log}));
   write_tunnel_output(options.output, default_folder,
                       {.files = {{"flow.json", json}, {"report.html", tunnel::flow_html(log, flow)}},
                        .text = tunnel::flow_text(log, flow, output_columns()),

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "fantail/command_line.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/terminal.hpp"
@@ -221,7 +222,8 @@ void stability(const StabilityOptions& options) {
   std::vector<tunnel::StabilitySwing> swings = swings_of(options, heading, remarks);
   tunnel::Stability found = tunnel::examine_stability(std::move(swings), heading.airframe, heading.density_kg_m3);
   found.remarks.insert(found.remarks.begin(), remarks.begin(), remarks.end());
-  const std::string json = tunnel::stability_json(heading, found);
+  const std::string json =
+      tunnel::stability_json(heading, found, made_with({options.logs.begin(), options.logs.end()}));
   write_tunnel_output(options.output, default_folder,
                       {.files = {{"swings.csv", tunnel::stability_csv(found)},
                                  {"stability.json", json},

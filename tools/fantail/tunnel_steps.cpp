@@ -7,6 +7,7 @@
 
 #include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/offers.hpp"
@@ -88,7 +89,7 @@ void steps(const StepsVerbOptions& options) {
   };
   const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options, tell);
   progress.reset();
-  const std::string json = tunnel::steps_json(head, table);
+  const std::string json = tunnel::steps_json(head, table, made_with({options.run, options.wind}));
   write_tunnel_output(options.output, default_folder,
                       {.files = {{"steps.csv", tunnel::steps_csv(head, table)},
                                  {"steps.json", json},

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "fantail/command_line.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -98,7 +99,8 @@ void swirl(const SwirlVerbOptions& options) {
   chapters.next("its page");
   const tunnel::Swirl swirl = tunnel::examine_swirl(
       sessions.without, sessions.with, {.roll = roll_of(options, sessions), .from_speed_m_s = options.from_speed_m_s});
-  const std::string json = tunnel::swirl_json(sessions, swirl);
+  const std::string json = tunnel::swirl_json(
+      sessions, swirl, made_with({options.without.roll, options.without.wind, options.with.roll, options.with.wind}));
   const std::string page = tunnel::swirl_html(sessions, swirl);
   chapters.end();
   write_tunnel_output(

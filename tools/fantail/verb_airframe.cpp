@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "airframe/report.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
@@ -41,7 +42,7 @@ void show_airframe(const AirframeOptions& options) {
                           "fantail.toml, or docs/your_rocket.md in the sources)"};
   }
   const airframe::Summary summary = airframe::summarize(vehicle);
-  const std::string json = airframe::json(vehicle, summary);
+  const std::string json = airframe::json(vehicle, summary, made_with({file}, {}, options.changes));
   const std::filesystem::path folder =
       options.out.empty()
           ? std::filesystem::path{"out/airframe"} / variant_name(input::name_of_file(file), options.changes)

@@ -104,7 +104,8 @@ void compare_logs(const CompareVerbOptions& options) {
                          .window = options.window.value_or(""),
                          .shift_found = options.align == "angle",
                          .required_angle_rad = in_radians(options.most_angle_deg),
-                         .required_rate_rad_s = in_radians(options.most_rate_deg_s)};
+                         .required_rate_rad_s = in_radians(options.most_rate_deg_s),
+                         .logs = {options.a.path, options.b.path}};
   results.comparison = logs::compare(a, b, question(options, a));
   for (const auto& [name, log] : {std::pair{"A", &a}, std::pair{"B", &b}}) {
     for (const std::string& warning : log->warnings) {
@@ -115,7 +116,7 @@ void compare_logs(const CompareVerbOptions& options) {
                           results.comparison.warnings.end());
   give_up_if_interrupted();
   const std::filesystem::path folder{options.out};
-  write_compare_results(results, folder, {options.a.path, options.b.path});
+  write_compare_results(results, folder);
   chapters.end();
   if (options.json) {
     fmt::print("{}", compare_json(results));

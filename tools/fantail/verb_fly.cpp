@@ -11,6 +11,7 @@
 
 #include "campaign/repeat.hpp"
 #include "fantail/card_output.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
 #include "fantail/fly_summary.hpp"
@@ -186,7 +187,7 @@ void fly_and_report(const FlyOptions& options) {
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   Chapters chapters{"report", 1, "figures, files and page"};
-  report::Results results = report::results(flight);
+  report::Results results = report::results(flight, made_with(made_from, flight.seed, flight.changes));
   if (options.card) {
     results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
   }

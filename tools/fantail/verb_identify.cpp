@@ -10,6 +10,7 @@
 
 #include "fantail/airframe_options.hpp"
 #include "fantail/command_line.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/identify_options.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
@@ -105,10 +106,11 @@ void identify_one(const IdentifyOptions& o) {
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
   chapters.next("writing the page");
-  write_study(result, folder);
+  const result::Made made = made_with({o.data.begin(), o.data.end()});
+  write_study(result, folder, made);
   chapters.end();
   if (o.json) {
-    fmt::print("{}", as_json(result));
+    fmt::print("{}", as_json(result, made));
   } else {
     print(as_text(result, output_columns()), folder, model_csv_names(result));
   }
@@ -171,10 +173,11 @@ void identify_together(const IdentifyOptions& asked) {
   }
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
-  write_joint(result, folder);
+  const result::Made made = made_with({o.data.begin(), o.data.end()});
+  write_joint(result, folder, made);
   chapters.end();
   if (o.json) {
-    fmt::print("{}", as_json(result));
+    fmt::print("{}", as_json(result, made));
   } else {
     print(as_text(result, output_columns()), folder, model_csv_names(result));
   }
@@ -200,10 +203,11 @@ void validate_model(const IdentifyOptions& o) {
   give_up_if_interrupted();
   const std::filesystem::path folder = output_folder(o);
   chapters.next("writing the page");
-  write_validation(result, folder);
+  const result::Made made = made_with({o.data.begin(), o.data.end()});
+  write_validation(result, folder, made);
   chapters.end();
   if (o.json) {
-    fmt::print("{}", as_json(result));
+    fmt::print("{}", as_json(result, made));
   } else {
     print(as_text(result), folder, model_csv_names(result));
   }

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -120,7 +121,7 @@ void listen_to(const ListenOptions& o) {
   const listen::Heard heard = fly(o, read(o));
   give_up_if_interrupted();
   const auto [folder, remark] = output_folder(o);
-  const std::string json = listen::as_json(heard, FANTAIL_VERSION);
+  const std::string json = listen::as_json(heard, FANTAIL_VERSION, made_with({o.log, o.barometer}));
   text::OutputFolder{folder, {o.log, o.barometer}}.write(
       std::array{text::NamedFile{"listen.html", listen::as_html(heard)}, text::NamedFile{"listen.json", json}});
   if (!remark.empty()) {

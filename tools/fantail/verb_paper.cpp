@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -63,7 +64,7 @@ void print_chapters(const std::vector<paper::Chapter>& chapters) {
 
 void repeat_the_paper(const PaperOptions& options) {
   const std::vector<paper::Chapter> chapters = work_through();
-  const std::string json = paper::paper_json(chapters, FANTAIL_VERSION);
+  const std::string json = paper::paper_json(chapters, FANTAIL_VERSION, made_with({}));
   const std::filesystem::path folder{options.out};
   give_up_if_interrupted();
   text::OutputFolder{folder}.write(

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "core/flight_plan.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/plan_check.hpp"
 #include "fantail/plan_json.hpp"
@@ -48,7 +49,10 @@ void check(const PlanOptions& options) {
 void show_plan(const PlanOptions& options) {
   const core::FlightPlan plan = options.plan ? load(options).plan : core::default_plan();
   if (options.json) {
-    fmt::print("{}", plan_json(plan).pretty());
+    json::Value json = plan_json(plan);
+    result::put_answer(json, result::Answer::none, "Every field of the plan, defaults included.",
+                       options.plan ? made_with({load(options).file}) : made_with({}));
+    fmt::print("{}", json.pretty());
   } else {
     show_text(input::plan_table(plan));
   }
@@ -65,12 +69,14 @@ void compile(const PlanOptions& options) {
   const std::array<text::NamedFile, 1> files{{{file.filename().string(), content}}};
   text::OutputFolder{folder, {named.file}}.write(files);
   if (options.json) {
-    fmt::print("{}\n", json::Value{{"plan", named.file.string()},
-                                   {"block", file.string()},
-                                   {"bytes", size},
-                                   {"schema", fmt::format("{:08x}", protocol::plan_schema_hash())},
-                                   {"crc", fmt::format("{:08x}", protocol::plan_crc(named.plan))}}
-                           .dump());
+    json::Value json{{"plan", named.file.string()},
+                     {"block", file.string()},
+                     {"bytes", size},
+                     {"schema", fmt::format("{:08x}", protocol::plan_schema_hash())},
+                     {"crc", fmt::format("{:08x}", protocol::plan_crc(named.plan))}};
+    result::put_answer(json, result::Answer::none, fmt::format("{} is written: {} bytes.", file.string(), size),
+                       made_with({named.file}));
+    fmt::print("{}\n", json.dump());
   } else {
     show("{}: {} bytes, format {}, schema {:08x}, checksum {:08x}\n", file.string(), size, protocol::plan_block_version,
          protocol::plan_schema_hash(), protocol::plan_crc(named.plan));

@@ -188,7 +188,8 @@ predict::Decision decided(const predict::Prediction& prediction, const PredictOp
 void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tunnel, const PredictOptions& options) {
   const predict::RepeatedRun repeated =
       predict::repeat_run(scenario, tunnel, prediction_options(options), *options.run);
-  const report::Results results = report::results(repeated.flight);
+  const report::Results results = report::results(
+      repeated.flight, made_with(inputs_of(scenario, options), repeated.flight.seed, request(options).changes));
   const std::filesystem::path folder = folder_of(scenario, options);
   report::write_results(repeated.flight, results, folder, inputs_of(scenario, options));
   if (options.json) {
@@ -215,7 +216,7 @@ void predict_launch(const PredictOptions& options) {
   const predict::Decision decision = decided(prediction, options);
   const std::filesystem::path folder = folder_of(scenario, options);
   const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
-  deliver(predict::answer(prediction, decision, made_from(inputs, prediction.seed, prediction.request.changes)),
+  deliver(predict::answer(prediction, decision, made_with(inputs, prediction.seed, prediction.request.changes)),
           {.folder = folder,
            .name = "predict",
            .inputs = inputs,

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
 #include "fantail/offers.hpp"
@@ -66,6 +67,8 @@ json::Value to_json(const ReplayOptions& options, const flight_log::Flight& flig
         {"recorded", difference->recorded},
         {"replayed", difference->replayed}};
   }
+  result::put_answer(json, r.differing == 0 ? result::Answer::yes : result::Answer::no,
+                     flight_log::replay_text(flight, r), made_with({options.log}));
   return json;
 }
 
@@ -104,18 +107,22 @@ void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight
       {{"what_if.html", what_if_html(result)}, {"what_if.csv", what_if_csv(result)}}};
   text::OutputFolder{folder, {options.log}}.write(files);
   if (options.json) {
-    const json::Value json{{"log", options.log},
-                           {"open_loop", true},
-                           {"rejects_offset", result.rejects_offset},
-                           {"changes", options.changes},
-                           {"clock", "seconds from " + result.clock},
-                           {"ticks", result.time_s.size()},
-                           {"differing", result.differing},
-                           {"first_difference_s", result.first_difference_s},
-                           {"largest_difference_deg", text::degrees(result.largest_difference_rad)},
-                           {"largest_difference_s", result.largest_difference_s},
-                           {"flown_saturated_fraction", result.flown_saturated},
-                           {"what_if_saturated_fraction", result.what_if_saturated}};
+    json::Value json{{"log", options.log},
+                     {"open_loop", true},
+                     {"rejects_offset", result.rejects_offset},
+                     {"changes", options.changes},
+                     {"clock", "seconds from " + result.clock},
+                     {"ticks", result.time_s.size()},
+                     {"differing", result.differing},
+                     {"first_difference_s", result.first_difference_s},
+                     {"largest_difference_deg", text::degrees(result.largest_difference_rad)},
+                     {"largest_difference_s", result.largest_difference_s},
+                     {"flown_saturated_fraction", result.flown_saturated},
+                     {"what_if_saturated_fraction", result.what_if_saturated}};
+    result::put_answer(json, result::Answer::none,
+                       fmt::format("Open loop: with the changes {} of {} ticks have another roll command or phase.",
+                                   result.differing, result.time_s.size()),
+                       made_with({options.log}, {}, options.changes));
     fmt::print("{}", json.pretty());
     return;
   }

@@ -10,6 +10,7 @@
 
 #include "fantail/card_output.hpp"
 #include "fantail/compare_results.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/log_file.hpp"
 #include "fantail/offers.hpp"
@@ -51,7 +52,7 @@ void report_one(const ReportOptions& options) {
   flight.command = "fantail report " + text::shell_word(options.a);
   give_up_if_interrupted();
   chapters.next("figures and page");
-  report::Results results = report::results(flight);
+  report::Results results = report::results(flight, made_with({options.a}));
   if (options.card) {
     results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
   }
@@ -84,7 +85,11 @@ void report_two(const ReportOptions& options) {
   const logs::RollLog b = logs::read_roll_log(options.b, {.options = ""}, {});
   chapters.next("comparing, and its page");
   give_up_if_interrupted();
-  CompareResults results{.a = options.a, .b = options.b, .window = {}, .shift_found = options.align == "angle"};
+  CompareResults results{.a = options.a,
+                         .b = options.b,
+                         .window = {},
+                         .shift_found = options.align == "angle",
+                         .logs = {options.a, options.b}};
   logs::CompareOptions question{.from_s = options.from_s, .to_s = options.to_s};
   question.shift_s = options.shift_s.value_or(0.0);
   question.find_shift = results.shift_found;
@@ -101,7 +106,7 @@ void report_two(const ReportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? default_folder(name_of_log(options.a) + "_and_" + name_of_log(options.b))
                                            : std::filesystem::path{options.out};
-  text::OutputFolder{folder, {options.a, options.b}}.write(
+  text::OutputFolder{folder, results.logs}.write(
       std::array<text::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
                                       {"compare.json", compare_json(results)},
                                       {"differences.csv", compare_csv(results.comparison)}}});

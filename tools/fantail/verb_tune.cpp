@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -169,7 +170,8 @@ void tune_scenario(const TuneOptions& options) {
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path{"out"} / "tune" / variant_name(scenario.name, changes)
                           : std::filesystem::path{options.out};
-  const std::string json = tune::tuning_json(tuning, plan_name);
+  const std::string json =
+      tune::tuning_json(tuning, plan_name, made_with(files_of(options.scenario), scenario.seed, changes));
   text::OutputFolder{folder, files_of(options.scenario)}.write(
       std::array{text::NamedFile{.name = "tune.html", .content = tune::tuning_html(tuning, plan_name)},
                  text::NamedFile{.name = "tune.json", .content = json}});

@@ -22,36 +22,43 @@ std::string stop_words(double stop_deg) {
   return stop_deg == 0.0 ? "-" : fmt::format("{}{}", stop_deg > 0.0 ? "+" : "", text::brief(stop_deg, 1));
 }
 
-constexpr auto fields = result::fields<E>({
-    {"from", "fails after ignition", s, 2, &E::from_s},
-    {"canard", "canard", none, 0, [](const E& e) { return Cell{std::uint64_t{e.canard + 1}}; }},
-    {"stop", "stop", deg, 1, &E::stop_rad, Worse::neither, {}, stop_words},
-    {"way_turned", "way turned", deg, 1, &E::turned_rad, Worse::larger,
-     "the largest angle between its velocity and the sound rocket's, above 20 m/s"},
-    {"apogee_moved", "apogee moved", m, 1, &E::away_m, Worse::larger,
-     "how far its apogee is from the sound rocket's over ground, to whichever side"},
-    {"apogee", "apogee", m, 0, &E::apogee_m, Worse::smaller},
-    {"rolled", "rolled away", deg, 0, &E::rolled_rad, Worse::larger,
-     "the largest difference of its roll angle from the sound rocket's"},
-    {"roll_rate", "roll rate", deg_s, 0, &E::roll_rate_rad_s, Worse::larger},
-    {"side_force", "side force", n, 2, &E::side_force_n, Worse::larger},
-    {"dynamic_pressure", "dynamic pressure", pa, 0, &E::pressure_pa},
-    {"angle_of_attack", "angle of attack", deg, 1, &E::angle_of_attack_rad, Worse::larger},
-    {"moment", "bending moment", n_m, 2, &E::moment_n_m, Worse::larger},
+constexpr auto effect_fields = result::fields<E>({
+    {"from", "fails after ignition", s, 2, &E::from_s, "when the canard fails, after ignition"},
+    {"canard", "canard", none, 0, [](const E& e) { return Cell{std::uint64_t{e.canard + 1}}; }, "number of the canard"},
+    {"stop", "stop", deg, 1, &E::stop_rad, "the stop at which it stands; 0 with cut pulses", Worse::neither,
+     stop_words},
+    {"way_turned", "way turned", deg, 1, &E::turned_rad,
+     "the largest angle between its velocity and the sound rocket's, above 20 m/s", Worse::larger},
+    {"apogee_moved", "apogee moved", m, 1, &E::away_m,
+     "how far its apogee is from the sound rocket's over ground, to whichever side", Worse::larger},
+    {"apogee", "apogee", m, 0, &E::apogee_m, "greatest height above the site", Worse::smaller},
+    {"rolled", "rolled away", deg, 0, &E::rolled_rad,
+     "the largest difference of its roll angle from the sound rocket's", Worse::larger},
+    {"roll_rate", "roll rate", deg_s, 0, &E::roll_rate_rad_s, "the largest roll rate, either way", Worse::larger},
+    {"side_force", "side force", n, 2, &E::side_force_n, "the largest force of the canards across the axis",
+     Worse::larger},
+    {"dynamic_pressure", "dynamic pressure", pa, 0, &E::pressure_pa, "dynamic pressure at the largest side force"},
+    {"angle_of_attack", "angle of attack", deg, 1, &E::angle_of_attack_rad,
+     "the largest angle of attack while faster than 20 m/s", Worse::larger},
+    {"moment", "bending moment", n_m, 2, &E::moment_n_m, "the largest bending moment at the coupler", Worse::larger},
 });
 
-constexpr auto fields_of_study = result::fields<Study>({
-    {"canard_side_area", "side area of a canard", m2, 6, &Study::side_area_m2},
-    {"canard_position", "canards behind the tip", m, 3, &Study::position_m},
-    {"stop", "stop", deg, 1, &Study::stop_rad},
-    {"sound_apogee", "sound apogee", m, 0, &Study::sound_apogee_m},
-    {"sound_angle_of_attack", "sound angle of attack", deg, 1, &Study::sound_angle_of_attack_rad},
-    {"sound_roll_rate", "sound roll rate", deg_s, 0, &Study::sound_roll_rate_rad_s},
-    {"flights", "flights", none, 0, [](const Study& of) { return Cell{std::uint64_t{of.effects.size()}}; }},
-    {"instants", "instants", none, 0, &Study::instants},
-    {"step", "between two instants", s, 2, [](const Study& of) { return Cell{of.options.step_s}; }},
+constexpr auto study_fields = result::fields<Study>({
+    {"canard_side_area", "side area of a canard", m2, 6, &Study::side_area_m2, "area that makes the side force"},
+    {"canard_position", "canards behind the tip", m, 3, &Study::position_m, "from the tip of the nose to the canards"},
+    {"stop", "stop", deg, 1, &Study::stop_rad, "mechanical stop of the servos"},
+    {"sound_apogee", "sound apogee", m, 0, &Study::sound_apogee_m, "apogee of the flight without a failure"},
+    {"sound_angle_of_attack", "sound angle of attack", deg, 1, &Study::sound_angle_of_attack_rad,
+     "largest angle of attack of that flight"},
+    {"sound_roll_rate", "sound roll rate", deg_s, 0, &Study::sound_roll_rate_rad_s, "largest roll rate of that flight"},
+    {"flights", "flights", none, 0, [](const Study& of) { return Cell{std::uint64_t{of.effects.size()}}; },
+     "flights with a failure"},
+    {"instants", "instants", none, 0, &Study::instants, "instants at which each canard fails"},
+    {"step", "between two instants", s, 2, [](const Study& of) { return Cell{of.options.step_s}; },
+     "time between two instants"},
     {"coupler", "coupler behind the tip", m, 2,
-     [](const Study& of) { return of.options.coupler_m ? Cell{*of.options.coupler_m} : Cell{}; }},
+     [](const Study& of) { return of.options.coupler_m ? Cell{*of.options.coupler_m} : Cell{}; },
+     "from the tip of the nose to the station of the bending moment"},
 });
 
 std::string what_fails(const Study& study) {
@@ -70,7 +77,7 @@ std::string headline(const Study& study, const Effect& worst) {
 }
 
 result::Figures at_worst(const Study& study, const Effect& worst) {
-  result::Figures figures = result::figures("worst", worst, fields, result::Wanted::that_can_be_worse);
+  result::Figures figures = result::figures("worst", worst, effect_fields, result::Wanted::that_can_be_worse);
   figures["apogee"].remark = fmt::format("sound rocket: {} m", fixed(study.sound_apogee_m, 0));
   figures["apogee"].label = "lowest apogee";
   figures["apogee"].key = "lowest_apogee";
@@ -91,7 +98,7 @@ std::string_view no_clearance() {
 }
 
 std::vector<std::string> definitions() {
-  std::vector<std::string> all = result::meanings<E>(fields);
+  std::vector<std::string> all = result::meanings<E>(effect_fields);
   all.insert(all.begin(), "Sound rocket: the same flight without the failure; the two are compared until apogee.");
   return all;
 }
@@ -189,14 +196,18 @@ std::string_view name_of(core::CanardFaultPolicy policy) {
 }
 
 Effect Study::worst() const {
-  Effect worst = result::worst(effects, fields);
+  Effect worst = result::worst(effects, effect_fields);
   worst.apogee_m = std::min(worst.apogee_m, sound_apogee_m);
   return worst;
 }
 
+std::vector<result::Listed> listed_fields() {
+  return {result::listed("", study_fields), result::listed("effects[], worst", effect_fields)};
+}
+
 result::Document answer(const Study& study) {
   const Effect worst = study.worst();
-  const result::Table flights = result::table("effects", study.effects, fields);
+  const result::Table flights = result::table("effects", study.effects, effect_fields);
   std::vector<result::Block> plots{curves(study)};
   for (const std::string_view y : {"side_force", "way_turned", "apogee_moved", "apogee", "angle_of_attack", "rolled"}) {
     plots.emplace_back(result::plot(flights, y, {.x = "from", .curves = "stop"}));
@@ -214,7 +225,7 @@ result::Document answer(const Study& study) {
                        {"What the words mean", {result::Sentences{.all = definitions()}}, files},
                        {"When it fails", plots, files},
                        {"How this is known", {base(study), result::Sentences{.all = remarks(study, worst)}}},
-                       {"The study", {result::figures("", study, fields_of_study)}, programs},
+                       {"The study", {result::figures("", study, study_fields)}, programs},
                        {"Every flight", {flights}, files}},
           .made = study.made};
 }

@@ -90,5 +90,7 @@ struct Study {
 
 /// Answers nothing with yes or no: it measures.
 [[nodiscard]] result::Document answer(const Study& study);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_fields();
 
 }  // namespace fantail::hardover

@@ -178,21 +178,16 @@ std::string comparison_table(const Heard& heard) {
                                        "largest."));
 }
 
-struct Verdict {
-  page::Tone tone;
-  std::string_view heading;
-};
-
-Verdict verdict_of(Finding finding) {
+std::string_view heading(Finding finding) {
   switch (finding) {
-    case Finding::heard: return {page::Tone::good, "Heard"};
-    case Finding::late: return {page::Tone::bad, "Late"};
-    case Finding::imagined: return {page::Tone::bad, "Imagined"};
-    case Finding::imagined_and_missed: return {page::Tone::bad, "Imagined, and the launch missed"};
-    case Finding::missed: return {page::Tone::bad, "Missed"};
+    case Finding::heard: return "Heard";
+    case Finding::late: return "Late";
+    case Finding::imagined: return "Imagined";
+    case Finding::imagined_and_missed: return "Imagined, and the launch missed";
+    case Finding::missed: return "Missed";
     case Finding::no_launch: break;
   }
-  return {page::Tone::unsure, "No launch"};
+  return "No launch";
 }
 
 }  // namespace
@@ -202,10 +197,8 @@ std::string as_html(const Heard& heard) {
                   .title = std::filesystem::path{heard.log.name}.filename().string()};
   page.subtitle = fmt::format("{}. Plan {}. {} rows, {} samples a second", heard.log.name, heard.plan, heard.log.rows,
                               text::brief(1.0 / heard.log.interval_s, 1));
-  const Verdict verdict = verdict_of(finding(heard));
-  const bool doubtful = !heard.doubts.empty();
-  page.tone = doubtful && verdict.tone == page::Tone::good ? page::Tone::unsure : verdict.tone;
-  page.verdict_heading = std::string{verdict.heading} + (doubtful ? ", in doubt" : "");
+  page.tone = result::tone(answer(heard));
+  page.verdict_heading = std::string{heading(finding(heard))} + (heard.doubts.empty() ? "" : ", in doubt");
   for (const std::string& doubt : heard.doubts) {
     page.verdict += doubt + " ";
   }

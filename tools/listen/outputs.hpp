@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "listen/heard.hpp"
+#include "result/answer.hpp"
 #include "text/wrapped.hpp"
 
 namespace fantail::listen {
@@ -13,7 +14,9 @@ namespace fantail::listen {
 /// For a terminal: the finding, the phases, the law beside the log, and the notes.
 [[nodiscard]] std::string as_text(const Heard& heard, std::size_t columns = text::any_width);
 /// listen.json; `version` is the program's.
-[[nodiscard]] std::string as_json(const Heard& heard, std::string_view version);
+[[nodiscard]] std::string as_json(const Heard& heard, std::string_view version, const result::Made& made = {});
+/// Was the launch detected in time, and nothing else taken for one? Undecided where the log has no launch, or doubts.
+[[nodiscard]] result::Answer answer(const Heard& heard);
 /// listen.html.
 [[nodiscard]] std::string as_html(const Heard& heard);
 

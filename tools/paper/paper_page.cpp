@@ -140,7 +140,7 @@ std::string paper_html(std::span<const Chapter> chapters, const std::string& ver
                      .body_html = body});
 }
 
-std::string paper_json(std::span<const Chapter> chapters, const std::string& version) {
+std::string paper_json(std::span<const Chapter> chapters, const std::string& version, const result::Made& made) {
   const Tally count = tally(chapters);
   json::Value claims = json::Value::array();
   for (const Chapter& chapter : chapters) {
@@ -162,18 +162,19 @@ std::string paper_json(std::span<const Chapter> chapters, const std::string& ver
     by_kind[std::string{name(kind)}] = count.of(kind);
   }
   // Fitted and read-back statements are counted under "kinds"; among the reproduced there are none.
-  const json::Value all{{"reproduced", count.reproduced()},
-                        {"reproduced_derived", count.of(Kind::computed)},
-                        {"reproduced_simulated", count.of(Kind::simulated)},
-                        {"reproduced_described", count.of(Kind::described)},
-                        {"reproduced_fitted", 0},
-                        {"reproduced_round_trip", 0},
-                        {"differs", count.differs},
-                        {"error_in_print", count.of(Kind::error_in_print)},
-                        {"not_reproducible", count.of(Kind::not_reproducible)},
-                        {"kinds", by_kind},
-                        {"claims", claims},
-                        {"version", version}};
+  json::Value all{{"reproduced", count.reproduced()},
+                  {"reproduced_derived", count.of(Kind::computed)},
+                  {"reproduced_simulated", count.of(Kind::simulated)},
+                  {"reproduced_described", count.of(Kind::described)},
+                  {"reproduced_fitted", 0},
+                  {"reproduced_round_trip", 0},
+                  {"differs", count.differs},
+                  {"error_in_print", count.of(Kind::error_in_print)},
+                  {"not_reproducible", count.of(Kind::not_reproducible)},
+                  {"kinds", by_kind},
+                  {"claims", claims},
+                  {"version", version}};
+  result::put_answer(all, count.differs == 0 ? result::Answer::yes : result::Answer::no, summary(count), made);
   return all.pretty();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "paper/claim.hpp"
+#include "result/answer.hpp"
 
 namespace fantail::paper {
 
@@ -31,6 +32,7 @@ struct Tally {
 
 /// An object: tally, and "claims" with place, what, theirs, ours, difference, finding, basis, kind, why. Ends with a
 /// newline.
-[[nodiscard]] std::string paper_json(std::span<const Chapter> chapters, const std::string& version);
+[[nodiscard]] std::string paper_json(std::span<const Chapter> chapters, const std::string& version,
+                                     const result::Made& made = {});
 
 }  // namespace fantail::paper

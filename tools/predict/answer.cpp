@@ -8,6 +8,7 @@
 #include "flight/flight.hpp"
 #include "json/value.hpp"
 #include "predict/charts.hpp"
+#include "predict/fields.hpp"
 #include "predict/sentences.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -16,105 +17,11 @@ namespace fantail::predict {
 namespace {
 
 using page::Role;
-using result::Cell;
-using result::Spread;
-using result::Worse;
 using text::brief;
 using text::degrees;
 using text::fixed;
 using Json = json::Value;
-using P = Prediction;
 namespace u = result::units;
-
-constexpr auto fields = result::fields<P>({
-    {"authority_margin", "authority margin", u::deg, 1, &P::authority_margin_rad},
-    {"authority", "canards can balance the offset", u::percent, 0, &P::authority},
-    {"held", "roll is held", u::percent, 0, &P::held},
-    {"settle", "roll settles at", u::deg, 1, &P::settle_rad},
-    {"settle_reference", "its reference then", u::deg, 1, &P::settle_reference_rad},
-    {"settle_off", "off its reference", u::deg, 1, &P::settle_off_rad},
-    {"saturated", "control time with canards at their limit", u::share, 0, &P::saturated_share},
-    {"spin_rate", "spin without authority, at top speed", u::deg_s, 0, &P::spin_rate_rad_s},
-    {"offset_size", "size of the fin offset", u::deg, 1, &P::offset_size_rad},
-    {"top_speed", "top speed", u::m_s, 1, &P::top_speed_m_s},
-    {"apogee", "apogee", u::m, 0, &P::apogee_m},
-    {"drift", "drift at apogee", u::m, 0, &P::drift_m},
-    {"wind", "wind", u::m_s, 1, &P::wind_m_s},
-});
-
-constexpr auto more_fields = result::fields<P>({
-    {"canard_limit", "canard limit", u::deg, 1, [](const P& p) { return Cell{p.reach.angle_rad}; }},
-    {"rest_limit", "farthest rest from the reference", u::deg, 1,
-     [](const P& p) { return Cell{p.flown.rest_limit_rad}; }},
-    {"not_judged", "not judged", u::none, 0, &P::not_judged},
-    {"without_control", "without control", u::none, 0, &P::without_control},
-    {"outside_model", "outside the model", u::none, 0, &P::outside_model},
-    {"runs", "runs", u::none, 0, [](const P& p) { return Cell{std::uint64_t{p.runs.size()}}; }},
-});
-
-constexpr auto fields_of_loop = result::fields<P>({
-    {"servo_lag", "servo lag", u::s, 4, &P::servo_lag_s},
-    {"delay", "dead time", u::s, 4, &P::delay_s},
-});
-
-using M = MarginsAtSpeed;
-constexpr auto margins = result::fields<M>({
-    {"speed", "air speed", u::m_s, 0, &M::speed_m_s},
-    {"phase_margin", "phase margin", u::deg, 0, &M::phase_margin_rad},
-    {"crossover", "crossover", u::rad_s, 1, &M::crossover_rad_s, Worse::neither, {}, nullptr, "none"},
-    {"gain_margin", "gain margin", u::times, 1, &M::gain_margin, Worse::neither, {}, nullptr, "any"},
-});
-
-constexpr auto fields_of_run = result::fields<Run>({
-    {"seed", "seed", u::none, 0, &Run::seed},
-    {"alpha", "damping", u::m2, 6, [](const Run& r) { return Cell{r.airframe.damping_m2}; }},
-    {"beta", "torque", u::m, 6, [](const Run& r) { return Cell{r.airframe.torque_m}; }},
-    {"offset_begin", "fin offset at first", u::deg, 1, [](const Run& r) { return Cell{r.airframe.offset_begin_rad}; }},
-    {"offset_end", "fin offset at last", u::deg, 1, [](const Run& r) { return Cell{r.airframe.offset_end_rad}; }},
-    {"authority_margin", "authority margin", u::deg, 1, &Run::authority_margin_rad},
-    {"outcome", "outcome", u::none, 0, [](const Run& r) { return Cell{std::string{report::name(r.outcome)}}; }},
-    {"largest_hold_error", "largest hold error", u::deg, 1, &Run::largest_hold_error_rad},
-    {"settle", "settles at", u::deg, 1, &Run::settle_rad},
-    {"saturated", "saturated", u::share, 0, &Run::saturated_share},
-    {"top_speed", "top speed", u::m_s, 1, &Run::top_speed_m_s},
-    {"apogee", "apogee", u::m, 0, &Run::apogee_m},
-    {"spin_rate", "spin", u::deg_s, 0, &Run::spin_rate_rad_s},
-    {"wind", "wind", u::m_s, 1, [](const Run& r) { return r.wind ? Cell{r.wind->speed_m_s} : Cell{}; }},
-    {"wind_from", "wind from", u::deg, 0, [](const Run& r) { return r.wind ? Cell{r.wind->from_rad} : Cell{}; }},
-    {"drift", "drift", u::m, 0, &Run::drift_m},
-});
-
-struct Instant {
-  double time_s;
-  Spread roll_rad;
-  Spread rate_rad_s;
-};
-constexpr auto fields_of_band = result::fields<Instant>({
-    {"time", "time after lift-off", u::s, 2, &Instant::time_s},
-    {"roll_angle", "roll angle", u::deg, 1, &Instant::roll_rad},
-    {"roll_rate", "roll rate", u::deg_s, 0, &Instant::rate_rad_s},
-});
-
-using C = Criterion;
-result::Answer answer_of(Judgement judgement) {
-  return judgement == Judgement::met       ? result::Answer::yes
-         : judgement == Judgement::not_met ? result::Answer::no
-                                           : result::Answer::undecided;
-}
-Cell judged(const C& c) { return result::Judged{answer_of(c.judgement), std::string{label(c.judgement)}}; }
-constexpr auto read_criteria = result::fields<C>({
-    {"label", "criterion", u::none, 0, &C::label},
-    {"found", "found", u::none, 0, &C::found},
-    {"required", "asked for", u::none, 0, &C::required},
-    {"judgement", "judgement", u::none, 0, judged},
-});
-constexpr auto filed_criteria = result::fields<C>({
-    {"criterion", "key", u::none, 0, &C::key},
-    {"judgement", "judgement", u::none, 0, judged},
-    {"found", "found", u::none, 0, &C::found},
-    {"required", "asked for", u::none, 0, &C::required},
-    {"sentence", "sentence", u::none, 0, &C::clause},
-});
 
 Json resonance(const Prediction& p) {
   if (!p.resonance) {
@@ -146,7 +53,7 @@ result::Table band(const P& p) {
   for (std::size_t i = 0; i < p.band.time_s.size(); ++i) {
     instants.push_back({p.band.time_s[i], p.band.roll_angle_rad[i], p.band.roll_rate_rad_s[i]});
   }
-  return result::table("band", instants, fields_of_band);
+  return result::table("band", instants, band_fields);
 }
 
 std::vector<result::Block> roll(const P& p, const result::Table& band) {
@@ -169,7 +76,7 @@ std::vector<result::Block> stability(const P& p, const Decision& decision) {
   if (p.over_speed.empty()) {
     return {"No phase margin could be computed: control never begins, or its gains are zero."};
   }
-  result::Table over_speed = result::table({}, p.over_speed, margins);
+  result::Table over_speed = result::table({}, p.over_speed, margin_fields);
   over_speed.read_every = 4;
   result::Picture margin = result::plot(over_speed, "phase_margin", {.x = "speed"}).wide();
   const double asked_deg = degrees(decision.thresholds.phase_margin_rad);
@@ -191,10 +98,10 @@ std::vector<result::Block> unless_empty(const std::string& sentence) {
 }
 
 std::vector<result::Block> medians(const P& p) {
-  std::vector<result::Block> all{result::figures("", p, fields)};
+  std::vector<result::Block> all{result::figures("", p, median_fields)};
   if (p.worst_speed) {
     all.emplace_back("At the worst speed:");
-    all.emplace_back(result::figures("stability.worst", *p.worst_speed, margins));
+    all.emplace_back(result::figures("stability.worst", *p.worst_speed, margin_fields));
   } else {
     all.emplace_back(result::Data{"stability.worst", {}});
   }
@@ -210,6 +117,16 @@ result::Answer answer_of(const Decision& decision) {
 }
 
 }  // namespace
+
+std::vector<result::Listed> listed_fields() {
+  return {result::listed("", median_fields),
+          result::listed("", count_fields),
+          result::listed("stability", loop_fields),
+          result::listed("stability.worst, stability.over_speed[]", margin_fields),
+          result::listed("criteria[]", filed_criterion_fields),
+          result::listed("runs.csv", run_fields),
+          result::listed("band.csv", band_fields)};
+}
 
 result::Document answer(const P& p, const Decision& decision, const result::Made& made) {
   using enum result::Readers;
@@ -241,7 +158,7 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
                     {"version", "", made.version}},
           .sections = {{"Median of the runs, and 5 to 95 % of them", medians(p)},
                        {"Requirements",
-                        {result::table({}, decision.criteria, read_criteria), Sentences{"advice", decision.advice}}},
+                        {result::table({}, decision.criteria, criterion_fields), Sentences{"advice", decision.advice}}},
                        {"Predicted roll", roll(p, over_time), files},
                        {"Fin offset and airframe",
                         {Picture{offset_chart(p), "The fin offset against what the canards can balance."},
@@ -252,13 +169,13 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
                        {"Stability over speed", stability(p, decision), files},
                        {"How this was found", {Sentences{"basis", basis(p)}}},
                        {"For programs",
-                        {result::figures("", p, more_fields), result::figures("stability", p, fields_of_loop),
-                         result::table("stability.over_speed", p.over_speed, margins),
-                         result::table("criteria", decision.criteria, filed_criteria),
+                        {result::figures("", p, count_fields), result::figures("stability", p, loop_fields),
+                         result::table("stability.over_speed", p.over_speed, margin_fields),
+                         result::table("criteria", decision.criteria, filed_criterion_fields),
                          Sentences{"flight_notes", p.flight_notes}, result::Data{"tunnel", tunnel(p)},
                          result::Data{"roll_resonance", resonance(p)}},
                         programs}},
-          .spreadsheets = {numbered(result::table("runs", p.runs, fields_of_run), "run"), over_time},
+          .spreadsheets = {numbered(result::table("runs", p.runs, run_fields), "run"), over_time},
           .made = made};
 }
 

@@ -10,4 +10,7 @@ namespace fantail::predict {
 /// and the predicted roll over time.
 [[nodiscard]] result::Document answer(const Prediction& prediction, const Decision& decision, const result::Made& made);
 
+/// Every figure in its files, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_fields();
+
 }  // namespace fantail::predict

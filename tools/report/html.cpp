@@ -182,18 +182,8 @@ std::string about_section(const flight::Flight& flight) {
 }  // namespace
 
 page::Tone tone(const Verdict& verdict) {
-  switch (verdict.outcome) {
-    case Outcome::held: return page::Tone::good;
-    case Outcome::not_held:
-    case Outcome::oscillates:
-    case Outcome::ascent_failed:
-    case Outcome::no_control: return page::Tone::bad;
-    case Outcome::cut_short: return verdict.ended_early ? page::Tone::bad : page::Tone::unsure;
-    case Outcome::off_command:
-    case Outcome::outside_model:
-    case Outcome::not_judged: break;
-  }
-  return page::Tone::unsure;
+  // Steady, though not where it was commanded to be.
+  return verdict.outcome == Outcome::off_command ? page::Tone::unsure : result::tone(answer(verdict));
 }
 
 std::string html(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {

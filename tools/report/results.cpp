@@ -36,11 +36,11 @@ std::vector<text::NamedFile> result_files(const flight::Flight& flight, const Re
 
 }  // namespace
 
-Results results(const flight::Flight& flight) {
+Results results(const flight::Flight& flight, const result::Made& made) {
   Results r;
   r.figures = figures(flight);
   r.verdict = verdict(flight, r.figures);
-  r.summary = summary_json(flight, r.figures, r.verdict);
+  r.summary = summary_json(flight, r.figures, r.verdict, made);
   return r;
 }
 

@@ -19,7 +19,8 @@ struct Results {
   std::string card_png{};  ///< card_svg() as a picture, for card.png; empty: nobody wants it
 };
 
-[[nodiscard]] Results results(const flight::Flight& flight);
+/// `made` goes into the summary.
+[[nodiscard]] Results results(const flight::Flight& flight, const result::Made& made = {});
 
 /// Writes flight.csv, summary.json, report.html, flight.ftl when something was recorded, of a run in a tunnel
 /// tunnel.csv, of a flight with a path trajectory.csv, of one on the gimbal or on pins turning.csv, and where it is

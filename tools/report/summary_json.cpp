@@ -165,7 +165,8 @@ void add_course(Json& summary, const flight::FlownAirframe& airframe) {
 
 }  // namespace
 
-std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
+std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict,
+                         const result::Made& made) {
   Json summary = {{"scenario", flight.scenario},
                   {"vehicle", text_or_null(flight.vehicle)},
                   {"vehicle_file", flight.airframe ? Json(flight.airframe->vehicle_file) : Json{}},
@@ -235,6 +236,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
     summary["outages"] = outages(flight);
   }
   json::keep_exact(summary, "seed");
+  result::put_answer(summary, answer(verdict), verdict.text, made);
   return summary.pretty();
 }
 

@@ -12,7 +12,8 @@
 namespace fantail::report {
 
 /// summary.json: every key is always there; what does not exist is null. Angles in degrees, ends with a newline.
-[[nodiscard]] std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict);
+[[nodiscard]] std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict,
+                                       const result::Made& made = {});
 
 /// Adds what a folder's summary.json says of its flight beyond flight.csv: names, seed, events, why phases changed,
 /// verdicts on canards, imposed roll, notes. Nothing happens without the file. Throws text::Error (bad_data) when

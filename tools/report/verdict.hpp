@@ -8,6 +8,7 @@
 
 #include "flight/flight.hpp"
 #include "report/figures.hpp"
+#include "result/answer.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::report {
@@ -50,6 +51,9 @@ struct Verdict {
 };
 
 [[nodiscard]] Verdict verdict(const flight::Flight& flight, const Figures& figures);
+
+/// Was the roll held as it was commanded? Undecided where that was not judged, or not within the model.
+[[nodiscard]] result::Answer answer(const Verdict& verdict);
 
 [[nodiscard]] std::string_view name(Outcome outcome);          ///< for files: "held"
 [[nodiscard]] std::string_view display_name(Outcome outcome);  ///< for readers: "Held"

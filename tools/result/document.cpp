@@ -44,28 +44,6 @@ page::Series& curve(page::Chart& chart, const std::string& name) {
 
 }  // namespace
 
-std::string_view name(Answer answer) {
-  switch (answer) {
-    case Answer::yes: return "yes";
-    case Answer::no: return "no";
-    case Answer::undecided: return "undecided";
-    case Answer::none: break;
-  }
-  return "none";
-}
-
-page::Tone tone(Answer answer) {
-  switch (answer) {
-    case Answer::yes: return page::Tone::good;
-    case Answer::no: return page::Tone::bad;
-    case Answer::undecided: return page::Tone::unsure;
-    case Answer::none: break;
-  }
-  return page::Tone::plain;
-}
-
-page::Tone tone(const Verdict& verdict) { return verdict.with_caution ? page::Tone::unsure : tone(verdict.answer); }
-
 bool is_worse(const Cell& one, const Cell& than, Worse worse) {
   const bool is_known = !std::holds_alternative<std::monostate>(one);
   return worse == Worse::larger    ? one > than  // the unknown is less than everything

@@ -69,29 +69,6 @@ struct Fact {
   json::Value value;
 };
 
-/// In JSON "answer" and "sentence".
-struct Verdict {
-  Answer answer;                         ///< has no default: a document without an answer does not compile
-  std::string heading;                   ///< "Go"
-  std::string sentence;                  ///< may begin with the heading and a colon
-  std::vector<std::string> not_in_it{};  ///< what the answer does not count, a sentence or two each
-  bool with_caution = false;             ///< a yes that the sentence limits: not in the colour of a yes
-  std::string not_in_it_heading = "Not in the verdict:";
-};
-
-/// How somebody gets the same again; in JSON "made".
-struct Made {
-  struct Input {
-    std::string file{};  ///< without its folder
-    std::string sha256{};
-  };
-  std::string command{};
-  std::string version{};
-  std::optional<std::uint64_t> seed{};  ///< empty: nothing was drawn
-  std::vector<std::string> changes{};   ///< "run.canard_fault=end_control"
-  std::vector<Input> inputs{};
-};
-
 struct Document {
   std::string kind{};  ///< "launch prediction"
   std::string title{};
@@ -103,8 +80,6 @@ struct Document {
   Made made{};
 };
 
-/// Its colour, on pages and terminals.
-[[nodiscard]] page::Tone tone(const Verdict& verdict);
 /// Colours words, or does not.
 using Paint = std::string (*)(page::Tone tone, std::string_view words);
 [[nodiscard]] std::string text(const Document& document, Paint paint = nullptr);
@@ -115,8 +90,6 @@ using Paint = std::string (*)(page::Tone tone, std::string_view words);
 [[nodiscard]] std::string csv(const Table& table);
 /// A cell as JSON has it, for Data.
 [[nodiscard]] json::Value json_of(const Unit& unit, const Cell& cell);
-/// The three that the JSON of every verb has, into an object that is made otherwise.
-void put_answer(json::Value& all, const Verdict& verdict, const Made& made);
 
 /// "Way turned: the largest angle between ... ."
 [[nodiscard]] std::string sentence_of(const Column& column);
@@ -169,12 +142,12 @@ template <typename Row>
   return worst;
 }
 
-/// "Way turned: the largest angle between ...", a sentence for each field that has a meaning.
+/// "Way turned: the largest angle between ... ." for each field that can be worse.
 template <typename Row>
 [[nodiscard]] std::vector<std::string> meanings(const Fields<Row> auto& fields) {
   std::vector<std::string> all;
   for (const Field<Row>& field : fields) {
-    if (!field.meaning.empty()) {
+    if (field.worse != Worse::neither) {
       all.push_back(sentence_of(column(field)));
     }
   }

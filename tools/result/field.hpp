@@ -12,9 +12,11 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
-#include "page/page.hpp"
+#include "result/answer.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::result {
@@ -50,12 +52,6 @@ struct Share {
   double high = 1.0;
   auto operator<=>(const Share&) const = default;
 };
-/// What a verb answers to the question that it was asked; none: it measures, and nothing was asked.
-enum class Answer : std::uint8_t { none, yes, no, undecided };
-[[nodiscard]] std::string_view name(Answer answer);
-/// The colour of a page and a terminal for it.
-[[nodiscard]] page::Tone tone(Answer answer);
-
 /// Words that are good or bad; in JSON with underscores.
 struct Judged {
   Answer answer = Answer::none;
@@ -80,7 +76,7 @@ struct Column {
   Worse worse = Worse::neither;
   Words words = nullptr;
   std::string absent = "-";  ///< what people read where the value is unknown
-  std::string meaning{};     ///< a sentence; empty where the label says it
+  std::string meaning{};     ///< a clause
 };
 struct Figure : Column {
   Cell value{};
@@ -143,8 +139,8 @@ struct Field {
   Unit unit;
   int decimals;
   Get<Row> get;
+  std::string_view meaning;  ///< a clause without a full stop, for the manual
   Worse worse = Worse::neither;
-  std::string_view meaning = {};
   Words words = nullptr;
   std::string_view absent = "-";
 };
@@ -152,12 +148,15 @@ struct Field {
 template <typename List, typename Row>
 concept Fields = std::ranges::range<List> && std::same_as<std::ranges::range_value_t<List>, Field<Row>>;
 
-/// A list of fields that does not compile when two have the same key or one has no label.
+/// A list of fields. It does not compile when two have the same key, or one has no label or no meaning.
 template <typename Row, std::size_t count>
 [[nodiscard]] consteval std::array<Field<Row>, count> fields(const Field<Row> (&list)[count]) {
   for (std::size_t i = 0; i < count; ++i) {
     if (list[i].key.empty() || list[i].label.empty()) {
       throw "a field without key or label";
+    }
+    if (list[i].meaning.empty() || list[i].meaning.ends_with('.')) {
+      throw "a field needs a meaning, a clause without a full stop";
     }
     if (list[i].worse != Worse::neither && !list[i].get.is_member()) {
       throw "a field that can be worse has to be a member";
@@ -171,6 +170,12 @@ template <typename Row, std::size_t count>
   return std::to_array(list);
 }
 
+/// The fields of one place in JSON ("worst", "effects[]") or of a spreadsheet ("runs.csv"), for the manual.
+struct Listed {
+  std::string place{};
+  std::vector<Column> columns{};
+};
+
 template <typename Row>
 [[nodiscard]] Column column(const Field<Row>& field) {
   return {.key = std::string{field.key},
@@ -181,6 +186,15 @@ template <typename Row>
           .words = field.words,
           .absent = std::string{field.absent},
           .meaning = std::string{field.meaning}};
+}
+
+template <typename Row, std::size_t count>
+[[nodiscard]] Listed listed(std::string place, const std::array<Field<Row>, count>& fields) {
+  Listed all{.place = std::move(place)};
+  for (const Field<Row>& field : fields) {
+    all.columns.push_back(column(field));
+  }
+  return all;
 }
 
 /// "6.28", "-", "+25", "6.3 (5.1 to 7.0)": without the unit, for people.

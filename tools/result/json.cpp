@@ -85,33 +85,13 @@ void add(Value& all, const Table& table) {
   }
 }
 
-Value inputs(const Made& made) {
-  Value all = Value::array();
-  for (const Made::Input& one : made.inputs) {
-    all.push_back({{"file", one.file}, {"sha256", one.sha256}});
-  }
-  return all;
-}
-
 }  // namespace
 
 json::Value json_of(const Unit& unit, const Cell& cell) { return std::visit(As{unit}, cell); }
 
-void put_answer(Value& all, const Verdict& verdict, const Made& made) {
-  Value how{{"command", made.command},
-            {"version", made.version},
-            {"seed", made.seed ? Value{*made.seed} : Value{}},
-            {"changes", made.changes},
-            {"inputs", inputs(made)}};
-  json::keep_exact(how, "seed");
-  put(all, "answer", name(verdict.answer));
-  put(all, "sentence", verdict.sentence);
-  put(all, "made", how);
-}
-
 std::string json(const Document& document) {
   Value all;
-  put_answer(all, document.verdict, document.made);
+  put_answer(all, document.verdict.answer, document.verdict.sentence, document.made);
   for (const Fact& fact : document.facts) {
     put(all, fact.key, fact.value);
     json::keep_exact(all, fact.key);

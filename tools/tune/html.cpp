@@ -145,13 +145,10 @@ std::string flights_table(const Tuning& t) {
 
 std::string tuning_html(const Tuning& t, const std::string& plan_file) {
   const std::string outside = model_sentence(t);
-  const page::Tone tone = t.is_better() && outside.empty() ? page::Tone::good
-                          : t.is_proposed()                ? page::Tone::unsure
-                                                           : page::Tone::bad;
   page::Page all{.kind = "Fantail tuning",
                  .title = t.scenario,
                  .subtitle = fmt::format("{}; {}; Fantail {}", t.vehicle, t.request.command, t.request.version),
-                 .tone = tone};
+                 .tone = result::tone(answer(t))};
   if (!t.after) {
     all.verdict_heading = "No gains";
     all.verdict = outside + (outside.empty() ? "" : " ") + t.why_none;

@@ -65,7 +65,13 @@ Json total(const Sum& sum) {
 
 }  // namespace
 
-std::string tuning_json(const Tuning& t, const std::string& plan_file) {
+result::Answer answer(const Tuning& t) {
+  return !t.is_proposed()                             ? result::Answer::no
+         : t.is_better() && model_sentence(t).empty() ? result::Answer::yes
+                                                      : result::Answer::undecided;
+}
+
+std::string tuning_json(const Tuning& t, const std::string& plan_file, const result::Made& made) {
   Json flights = Json::array();
   for (const Pair& pair : t.pairs) {
     flights.push_back({{"seed", pair.seed},
@@ -94,10 +100,10 @@ std::string tuning_json(const Tuning& t, const std::string& plan_file) {
   if (t.after) {
     all["flown_before"] = total(t.flown_before());
     all["flown_after"] = total(t.flown_after());
-    all["sentence"] = flights_sentence(t);
   }
   all["outside_model"] = json::text_or_null(model_sentence(t));
   all["flights"] = flights;
+  result::put_answer(all, answer(t), t.after ? flights_sentence(t) : t.why_none, made);
   return all.pretty();
 }
 

@@ -4,9 +4,13 @@
 #include <filesystem>
 #include <string>
 
+#include "result/answer.hpp"
 #include "tune/tuning.hpp"
 
 namespace fantail::tune {
+
+/// Is there a plan that is better? Undecided where it is not better, or outside of the model.
+[[nodiscard]] result::Answer answer(const Tuning& tuning);
 
 // Sentences that text, page and plan share.
 
@@ -27,7 +31,8 @@ namespace fantail::tune {
 /// For the terminal.
 [[nodiscard]] std::string tuning_text(const Tuning& tuning);
 /// `plan_file`: where the plan was written; empty: nowhere.
-[[nodiscard]] std::string tuning_json(const Tuning& tuning, const std::string& plan_file);
+[[nodiscard]] std::string tuning_json(const Tuning& tuning, const std::string& plan_file,
+                                      const result::Made& made = {});
 [[nodiscard]] std::string tuning_html(const Tuning& tuning, const std::string& plan_file);
 /// A plan file: every field, and where it came from. Only of a plan that is proposed.
 [[nodiscard]] std::string plan_text(const Tuning& tuning);

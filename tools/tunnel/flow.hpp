@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "result/answer.hpp"
 #include "text/wrapped.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
@@ -35,7 +36,7 @@ struct Flow {
 
 // What `fantail tunnel flow` prints, its flow.json, and its page.
 [[nodiscard]] std::string flow_text(const TunnelLog& log, const Flow& flow, std::size_t columns = text::any_width);
-[[nodiscard]] std::string flow_json(const TunnelLog& log, const Flow& flow);
+[[nodiscard]] std::string flow_json(const TunnelLog& log, const Flow& flow, const result::Made& made = {});
 [[nodiscard]] std::string flow_html(const TunnelLog& log, const Flow& flow);
 
 }  // namespace fantail::tunnel

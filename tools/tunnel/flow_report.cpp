@@ -129,6 +129,17 @@ std::string points_table(const Flow& flow) {
 
 }  // namespace
 
+namespace {
+
+std::string flow_sentence(const Flow& flow) {
+  return fmt::format("{} steady set point{}{}.", flow.points.size(), flow.points.size() == 1 ? "" : "s",
+                     flow.line ? fmt::format(", speed = {:.6f} m/s per rpm x fan {} {:.3f} m/s", flow.line->slope,
+                                             flow.line->offset < 0.0 ? "-" : "+", std::abs(flow.line->offset))
+                               : "");
+}
+
+}  // namespace
+
 std::string flow_text(const TunnelLog& log, const Flow& flow, std::size_t columns) {
   fmt::memory_buffer out;
   const auto print = [&out](const std::string& text) { out.append(text.data(), text.data() + text.size()); };
@@ -162,7 +173,7 @@ std::string flow_text(const TunnelLog& log, const Flow& flow, std::size_t column
   return fmt::to_string(out);
 }
 
-std::string flow_json(const TunnelLog& log, const Flow& flow) {
+std::string flow_json(const TunnelLog& log, const Flow& flow, const result::Made& made) {
   Json points = Json::array();
   for (const FlowPoint& p : flow.points) {
     points.push_back({{"fan_rpm", rounded(p.segment.fan_rpm)},
@@ -175,12 +186,13 @@ std::string flow_json(const TunnelLog& log, const Flow& flow) {
                       {"relative_deviation", rounded(p.relative_deviation)},
                       {"relative_deviation_of_rounding", rounded(p.rounding_share)}});
   }
-  const Json all = {{"log", log.name},
-                    {"set_points", points},
-                    {"line", flow.line ? line(*flow.line) : Json{}},
-                    {"rounding_m_s", rounded(flow.rounding_m_s)},
-                    {"rounding_deviation_m_s", rounded(rounding_deviation(flow.rounding_m_s))},
-                    {"remarks", flow.remarks}};
+  Json all = {{"log", log.name},
+              {"set_points", points},
+              {"line", flow.line ? line(*flow.line) : Json{}},
+              {"rounding_m_s", rounded(flow.rounding_m_s)},
+              {"rounding_deviation_m_s", rounded(rounding_deviation(flow.rounding_m_s))},
+              {"remarks", flow.remarks}};
+  result::put_answer(all, result::Answer::none, flow_sentence(flow), made);
   return all.pretty();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "result/answer.hpp"
 #include "text/wrapped.hpp"
 #include "tunnel/swing.hpp"
 #include "tunnel/tunnel_log.hpp"
@@ -76,7 +77,8 @@ struct StabilityHeading {
 // What `fantail tunnel stability` prints, its stability.json and swings.csv, and its page.
 [[nodiscard]] std::string stability_text(const StabilityHeading& heading, const Stability& stability,
                                          std::size_t columns = text::any_width);
-[[nodiscard]] std::string stability_json(const StabilityHeading& heading, const Stability& stability);
+[[nodiscard]] std::string stability_json(const StabilityHeading& heading, const Stability& stability,
+                                         const result::Made& made = {});
 [[nodiscard]] std::string stability_csv(const Stability& stability);
 [[nodiscard]] std::string stability_html(const StabilityHeading& heading, const Stability& stability);
 

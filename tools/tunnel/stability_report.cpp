@@ -21,6 +21,12 @@ using page::Mark;
 using page::Role;
 using text::fixed;
 
+result::Answer answer(StabilityVerdict verdict) {
+  return verdict == StabilityVerdict::stable     ? result::Answer::yes
+         : verdict == StabilityVerdict::unstable ? result::Answer::no
+                                                 : result::Answer::undecided;
+}
+
 std::string name(StabilityVerdict verdict) {
   switch (verdict) {
     case StabilityVerdict::stable: return "stable";
@@ -144,7 +150,7 @@ std::string stability_text(const StabilityHeading& heading, const Stability& sta
   return text;
 }
 
-std::string stability_json(const StabilityHeading& heading, const Stability& stability) {
+std::string stability_json(const StabilityHeading& heading, const Stability& stability, const result::Made& made) {
   Json swings = Json::array();
   for (const StabilitySwing& swing : stability.swings) {
     const auto& s = swing.result.swing;
@@ -160,20 +166,21 @@ std::string stability_json(const StabilityHeading& heading, const Stability& sta
                       {"logarithmic_decrement", s ? Json(rounded(s->logarithmic_decrement)) : Json{}},
                       {"stiffness_per_inertia_per_s2", s ? estimate(s->stiffness_per_s2) : Json{}}});
   }
-  const Json all = {{"logs", heading.logs},
-                    {"verdict", name(stability.verdict)},
-                    {"sentence", stability.sentence},
-                    {"density_kg_m3", rounded(heading.density_kg_m3)},
-                    {"transverse_inertia_kg_m2", rounded(heading.airframe.transverse_inertia_kg_m2)},
-                    {"normal_force_slope_per_rad", rounded(heading.airframe.normal_force_slope_per_rad)},
-                    {"cross_section_m2", rounded(heading.airframe.cross_section_m2)},
-                    {"mass_kg", rounded(heading.airframe.mass_kg)},
-                    {"margin_m", estimate(stability.margin_m)},
-                    {"taken_by_body_lift_m", rounded(stability.taken_by_body_lift_m)},
-                    {"without_wind_n_m_per_rad", estimate(stability.without_wind_n_m_per_rad)},
-                    {"chi_square", stability.line ? Json(rounded(stability.line->chi_square)) : Json{}},
-                    {"swings", swings},
-                    {"remarks", stability.remarks}};
+  Json all = {{"logs", heading.logs},
+              {"verdict", name(stability.verdict)},
+              {"sentence", stability.sentence},
+              {"density_kg_m3", rounded(heading.density_kg_m3)},
+              {"transverse_inertia_kg_m2", rounded(heading.airframe.transverse_inertia_kg_m2)},
+              {"normal_force_slope_per_rad", rounded(heading.airframe.normal_force_slope_per_rad)},
+              {"cross_section_m2", rounded(heading.airframe.cross_section_m2)},
+              {"mass_kg", rounded(heading.airframe.mass_kg)},
+              {"margin_m", estimate(stability.margin_m)},
+              {"taken_by_body_lift_m", rounded(stability.taken_by_body_lift_m)},
+              {"without_wind_n_m_per_rad", estimate(stability.without_wind_n_m_per_rad)},
+              {"chi_square", stability.line ? Json(rounded(stability.line->chi_square)) : Json{}},
+              {"swings", swings},
+              {"remarks", stability.remarks}};
+  result::put_answer(all, answer(stability.verdict), stability.sentence, made);
   return all.pretty();
 }
 
@@ -229,9 +236,7 @@ std::string stability_html(const StabilityHeading& heading, const Stability& sta
   }
   const page::Page page{.kind = "Fantail tunnel report: stability",
                         .title = fmt::format("{}", fmt::join(heading.logs, ", ")),
-                        .tone = stability.verdict == StabilityVerdict::stable     ? page::Tone::good
-                                : stability.verdict == StabilityVerdict::unstable ? page::Tone::bad
-                                                                                  : page::Tone::unsure,
+                        .tone = result::tone(answer(stability.verdict)),
                         .verdict_heading = stability.verdict == StabilityVerdict::stable     ? "Stable"
                                            : stability.verdict == StabilityVerdict::unstable ? "Unstable"
                                                                                              : "Not judged",

@@ -15,6 +15,7 @@
 #include "identify/make_record.hpp"
 #include "identify/model/roll_model.hpp"
 #include "logs/roll_log.hpp"
+#include "result/answer.hpp"
 #include "tunnel/between.hpp"
 #include "tunnel/tunnel_log.hpp"
 
@@ -139,10 +140,13 @@ struct StepsHeading {
 
 // What `fantail tunnel steps` prints, its steps.json, and its page.
 [[nodiscard]] std::string steps_text(const StepsHeading& heading, const StepTable& table);
-[[nodiscard]] std::string steps_json(const StepsHeading& heading, const StepTable& table);
+[[nodiscard]] std::string steps_json(const StepsHeading& heading, const StepTable& table,
+                                     const result::Made& made = {});
 [[nodiscard]] std::string steps_html(const StepsHeading& heading, const StepTable& table);
 
 /// "Between the steps alpha varies by 0.05 m2 ...": for each figure of `spreads` what is airframe and what measurement.
+/// The means of its steps, a sentence.
+[[nodiscard]] std::string steps_sentence(const StepTable& table);
 [[nodiscard]] std::vector<std::string> spread_sentences(const StepTable& table);
 
 /// Of a column's figures in texts and pages: alpha and beta of a small reference area are small numbers.

@@ -241,27 +241,28 @@ std::string steps_text(const StepsHeading& heading, const StepTable& table) {
   return text;
 }
 
-std::string steps_json(const StepsHeading& heading, const StepTable& table) {
+std::string steps_json(const StepsHeading& heading, const StepTable& table, const result::Made& made) {
   Json steps = Json::array();
   for (const StepResult& result : table.steps) {
     steps.push_back(json_of(result));
   }
-  const Json all = {{"log", heading.log},
-                    {"vehicle", airframe_source(heading)},
-                    {"inertia_kg_m2", rounded(heading.airframe.inertia_kg_m2)},
-                    {"reference_area_m2", heading.airframe.reference_area_m2},
-                    {"speed_m_s", rounded(heading.speed_m_s)},
-                    {"speed_source", heading.speed_source},
-                    {"density_kg_m3", rounded(heading.density_kg_m3)},
-                    {"density_source", heading.density_source},
-                    {"method", name(heading.options.method)},
-                    {"initial_state", name(heading.options.start)},
-                    {"seconds", rounded(heading.options.seconds)},
-                    {"steps", steps},
-                    {"mean", json_of(table.mean)},
-                    {"standard_deviation", table.standard_deviation ? json_of(*table.standard_deviation) : Json{}},
-                    {"between_steps", json_of(table.spreads)},
-                    {"remarks", table.remarks}};
+  Json all = {{"log", heading.log},
+              {"vehicle", airframe_source(heading)},
+              {"inertia_kg_m2", rounded(heading.airframe.inertia_kg_m2)},
+              {"reference_area_m2", heading.airframe.reference_area_m2},
+              {"speed_m_s", rounded(heading.speed_m_s)},
+              {"speed_source", heading.speed_source},
+              {"density_kg_m3", rounded(heading.density_kg_m3)},
+              {"density_source", heading.density_source},
+              {"method", name(heading.options.method)},
+              {"initial_state", name(heading.options.start)},
+              {"seconds", rounded(heading.options.seconds)},
+              {"steps", steps},
+              {"mean", json_of(table.mean)},
+              {"standard_deviation", table.standard_deviation ? json_of(*table.standard_deviation) : Json{}},
+              {"between_steps", json_of(table.spreads)},
+              {"remarks", table.remarks}};
+  result::put_answer(all, result::Answer::none, steps_sentence(table), made);
   return all.pretty();
 }
 

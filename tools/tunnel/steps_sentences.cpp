@@ -37,6 +37,12 @@ int decimals(const StepTable& table, const StepColumn& column) {
   return is_area_or_length && std::abs(column.printed(table.mean)) < 1.0 ? 5 : 3;
 }
 
+std::string steps_sentence(const StepTable& table) {
+  return fmt::format("Mean of {} step{}: damping alpha {} m2, torque beta {} m.", table.steps.size(),
+                     table.steps.size() == 1 ? "" : "s", text::brief(table.mean.alpha_m2, 5),
+                     text::brief(table.mean.beta_m, 5));
+}
+
 std::vector<std::string> spread_sentences(const StepTable& table) {
   std::vector<std::string> all;
   std::ranges::transform(table.spreads, std::back_inserter(all),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "logs/roll_log.hpp"
+#include "result/answer.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
 #include "tunnel/tunnel_log.hpp"
@@ -85,7 +86,7 @@ struct SwirlSessions {
 
 // What `fantail tunnel swirl` prints, its swirl.json, and its page.
 [[nodiscard]] std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl);
-[[nodiscard]] std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl);
+[[nodiscard]] std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl, const result::Made& made = {});
 [[nodiscard]] std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl);
 
 }  // namespace fantail::tunnel

@@ -192,7 +192,7 @@ std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl) {
   return text;
 }
 
-std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl) {
+std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl, const result::Made& made) {
   Json differences = Json::array();
   for (const OffsetDifference& d : swirl.differences) {
     differences.push_back({{"speed_m_s", rounded(d.speed_m_s)},
@@ -206,17 +206,18 @@ std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl) {
     return swirl.swirl ? angle(*swirl.swirl.*value) : Json{};
   };
   const bool has_deviation = swirl.swirl && swirl.swirl->deviation_rad;
-  const Json all = {{"swirl_deg", of_mean(&SwirlOffset::offset_rad)},
-                    {"swirl_standard_error_deg", of_mean(&SwirlOffset::standard_error_rad)},
-                    {"swirl_deviation_deg", has_deviation ? angle(*swirl.swirl->deviation_rad) : Json{}},
-                    {"from_speed_m_s", rounded(swirl.options.from_speed_m_s)},
-                    {"alpha_m2", rounded(swirl.options.roll.alpha_m2)},
-                    {"beta_m", rounded(swirl.options.roll.beta_m)},
-                    {"alpha_and_beta", swirl.options.roll.source},
-                    {"without", session(sessions.without, swirl.without)},
-                    {"with", session(sessions.with, swirl.with)},
-                    {"differences", differences},
-                    {"remarks", swirl.remarks}};
+  Json all = {{"swirl_deg", of_mean(&SwirlOffset::offset_rad)},
+              {"swirl_standard_error_deg", of_mean(&SwirlOffset::standard_error_rad)},
+              {"swirl_deviation_deg", has_deviation ? angle(*swirl.swirl->deviation_rad) : Json{}},
+              {"from_speed_m_s", rounded(swirl.options.from_speed_m_s)},
+              {"alpha_m2", rounded(swirl.options.roll.alpha_m2)},
+              {"beta_m", rounded(swirl.options.roll.beta_m)},
+              {"alpha_and_beta", swirl.options.roll.source},
+              {"without", session(sessions.without, swirl.without)},
+              {"with", session(sessions.with, swirl.with)},
+              {"differences", differences},
+              {"remarks", swirl.remarks}};
+  result::put_answer(all, swirl.swirl ? result::Answer::none : result::Answer::undecided, swirl_sentence(swirl), made);
   return all.pretty();
 }
 

@@ -155,14 +155,16 @@ Json object(const Study& study, const WindowFindings& window, const Identificati
 
 }  // namespace
 
-std::string as_json(const Study& study) {
+std::string as_json(const Study& study, const fantail::result::Made& made) {
   Json all = Json::array();
   for (const WindowFindings& window : study.windows) {
     for (const Identification& result : window.results) {
       all.push_back(object(study, window, result));
     }
   }
-  const Json& whole = all.size() == 1 ? all[0] : Json{{"results", all}};
+  Json whole = all.size() == 1 ? all[0] : Json{{"results", all}};
+  const fantail::result::Verdict said = verdict_of(study);
+  fantail::result::put_answer(whole, said.answer, said.sentence, made);
   return whole.pretty();
 }
 
@@ -210,8 +212,8 @@ std::vector<std::string> stale_models(const std::filesystem::path& folder, const
   return stale;
 }
 
-void write_study(const Study& study, const std::filesystem::path& folder) {
-  std::vector<text::NamedFile> files{{"report.html", as_html(study)}, {"identification.json", as_json(study)}};
+void write_study(const Study& study, const std::filesystem::path& folder, const fantail::result::Made& made) {
+  std::vector<text::NamedFile> files{{"report.html", as_html(study)}, {"identification.json", as_json(study, made)}};
   const std::vector<std::string> names = model_csv_names(study);
   std::size_t next = 0;
   for (const WindowFindings& window : study.windows) {

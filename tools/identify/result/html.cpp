@@ -181,42 +181,44 @@ std::string window_section(const Study& study, const WindowFindings& window) {
          search_sections(window) + remark_list(study, window);
 }
 
-void set_verdict(const WindowFindings& window, page::Page& page) {
+fantail::result::Verdict verdict_of(const WindowFindings& window) {
+  using enum fantail::result::Answer;
   const Identification& result = main_result(window);
-  page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
-  const auto doubt = misfit(window.record, result);
-  page.tone = determines_both(window) && !doubt ? page::Tone::good : page::Tone::unsure;
+  const std::string said = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
   if (!determines_both(window)) {
-    page.verdict_heading = "This window does not determine both damping and torque";
-    page.verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
-  } else if (doubt) {
-    page.verdict_heading = "Damping and torque, but the model does not fit well";
-    page.verdict = *doubt;
-  } else {
-    page.verdict_heading = "This window determines damping and torque";
-    page.verdict = sentence(result.uncertainty->verdict);
+    return {.answer = undecided, .heading = "This window does not determine both damping and torque", .sentence = said};
   }
+  if (const auto doubt = misfit(window.record, result)) {
+    return {.answer = undecided, .heading = "Damping and torque, but the model does not fit well", .sentence = *doubt};
+  }
+  return {.answer = yes, .heading = "This window determines damping and torque", .sentence = said};
 }
 
-void set_verdict_of_several(const Study& study, page::Page& page) {
+}  // namespace
+
+fantail::result::Verdict verdict_of(const Study& study) {
+  using enum fantail::result::Answer;
+  if (study.windows.size() == 1) {
+    return verdict_of(study.windows.front());
+  }
   const auto good = std::ranges::count_if(study.windows, determines_both);
   const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
     return misfit(window.record, main_result(window)).has_value();
   });
   const auto all = std::ssize(study.windows);
-  page.tone = good == all && doubtful == 0 ? page::Tone::good : page::Tone::unsure;
-  page.verdict_heading = fmt::format("{} of {} windows determine damping and torque", good, all);
+  fantail::result::Verdict verdict{.answer = good == all && doubtful == 0 ? yes : undecided,
+                                   .heading = fmt::format("{} of {} windows determine damping and torque", good, all),
+                                   .sentence = ""};
   for (const WindowFindings& window : study.windows) {
     const RollModel& model = main_result(window).model;
-    page.verdict += fmt::format("{}: alpha {}, beta {}. ", window.record.window, constant_text(model.alpha_m2),
-                                constant_text(model.beta_m));
+    verdict.sentence += fmt::format("{}{}: alpha {}, beta {}.", verdict.sentence.empty() ? "" : " ",
+                                    window.record.window, constant_text(model.alpha_m2), constant_text(model.beta_m));
   }
   if (doubtful > 0) {
-    page.verdict += fmt::format("In {} of them the model does not fit the log well; see the remarks.", doubtful);
+    verdict.sentence += fmt::format(" In {} of them the model does not fit the log well; see the remarks.", doubtful);
   }
+  return verdict;
 }
-
-}  // namespace
 
 std::string as_html(const Study& study) {
   page::Page page;
@@ -224,10 +226,13 @@ std::string as_html(const Study& study) {
   page.title = study.data;
   page.subtitle = printable(fmt::format("{}; density {}; speed {}", study.vehicle, study.density, study.speed));
   if (study.windows.size() == 1) {
-    set_verdict(study.windows.front(), page);
-  } else {
-    set_verdict_of_several(study, page);
+    const WindowFindings& window = study.windows.front();
+    page.subtitle += fmt::format("; window {}, {}", window.record.window, extent(window.record));
   }
+  const fantail::result::Verdict verdict = verdict_of(study);
+  page.tone = fantail::result::tone(verdict);
+  page.verdict_heading = verdict.heading;
+  page.verdict = verdict.sentence;
   for (const WindowFindings& window : study.windows) {
     page.body_html += window_section(study, window);
   }

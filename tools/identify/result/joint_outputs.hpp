@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "identify/result/joint_findings.hpp"
+#include "result/answer.hpp"
 #include "text/wrapped.hpp"
 
 namespace fantail::identify::result {
@@ -22,12 +23,15 @@ namespace fantail::identify::result {
 /// report.html, with alpha and beta of each window beside those of all.
 [[nodiscard]] std::string as_html(const JointFindings& findings);
 /// One object: alpha and beta with sd, correlation and interval, the chi-square, and a list "windows".
-[[nodiscard]] std::string as_json(const JointFindings& findings);
+/// Is it one roll model, and determined? Else undecided.
+[[nodiscard]] fantail::result::Answer answer(const JointFindings& findings);
+[[nodiscard]] std::string as_json(const JointFindings& findings, const fantail::result::Made& made = {});
 
 /// model_1.csv, model_2.csv, ... in the order of the windows.
 [[nodiscard]] std::vector<std::string> model_csv_names(const JointFindings& findings);
 
 /// Writes report.html, identification.json and the CSVs, all or none. Throws text::OutputError.
-void write_joint(const JointFindings& findings, const std::filesystem::path& folder);
+void write_joint(const JointFindings& findings, const std::filesystem::path& folder,
+                 const fantail::result::Made& made = {});
 
 }  // namespace fantail::identify::result

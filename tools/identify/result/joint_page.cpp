@@ -108,7 +108,7 @@ std::string as_html(const JointFindings& f) {
   page.kind = "Fantail identification report";
   page.title = fmt::format("{} windows, one roll model", f.windows.size());
   page.subtitle = printable(fmt::format("{}; density {}; speed {}", f.vehicle, f.density, f.speed));
-  page.tone = f.determines_both() && f.are_of_one_rocket() ? page::Tone::good : page::Tone::unsure;
+  page.tone = fantail::result::tone(answer(f));
   page.verdict_heading = heading_of(f);
   for (const std::string& sentence : conclusions(f)) {
     page.verdict += (page.verdict.empty() ? "" : " ") + sentence;

@@ -167,7 +167,12 @@ std::string as_text(const JointFindings& f, std::size_t columns) {
   return out;
 }
 
-std::string as_json(const JointFindings& f) {
+fantail::result::Answer answer(const JointFindings& f) {
+  using enum fantail::result::Answer;
+  return f.determines_both() && f.are_of_one_rocket() ? yes : undecided;
+}
+
+std::string as_json(const JointFindings& f, const fantail::result::Made& made) {
   const Constants& c = f.together;
   Json windows = Json::array();
   for (const JointWindow& window : f.windows) {
@@ -176,25 +181,26 @@ std::string as_json(const JointFindings& f) {
   std::vector<std::string> said = f.warnings;
   const std::vector<std::string> concluded = conclusions(f);
   said.insert(said.end(), concluded.begin(), concluded.end());
-  const Json whole{{"shared", Json::array({"alpha", "beta"})},
-                   {"alpha_m2", rounded(c.value(0))},
-                   {"beta_m", rounded(c.value(1))},
-                   {"alpha_sd_m2", rounded(std::sqrt(c.covariance(0, 0)))},
-                   {"beta_sd_m", rounded(std::sqrt(c.covariance(1, 1)))},
-                   {"alpha_beta_correlation", rounded(correlation(c))},
-                   {"degrees_of_freedom", rounded(c.degrees_of_freedom)},
-                   {"alpha_interval_m2", pair(interval_of(c, 0))},
-                   {"beta_interval_m", pair(interval_of(c, 1))},
-                   {"chi_square", rounded(f.agreement.chi_square)},
-                   {"chi_square_limit", rounded(f.agreement.limit)},
-                   {"agree", f.agreement.agree()},
-                   {"verdict", heading_of(f)},
-                   {"density", f.density},
-                   {"speed", f.speed},
-                   {"inertia_kg_m2", rounded(f.airframe.inertia_kg_m2)},
-                   {"reference_area_m2", rounded(f.airframe.reference_area_m2)},
-                   {"remarks", said},
-                   {"windows", windows}};
+  Json whole{{"shared", Json::array({"alpha", "beta"})},
+             {"alpha_m2", rounded(c.value(0))},
+             {"beta_m", rounded(c.value(1))},
+             {"alpha_sd_m2", rounded(std::sqrt(c.covariance(0, 0)))},
+             {"beta_sd_m", rounded(std::sqrt(c.covariance(1, 1)))},
+             {"alpha_beta_correlation", rounded(correlation(c))},
+             {"degrees_of_freedom", rounded(c.degrees_of_freedom)},
+             {"alpha_interval_m2", pair(interval_of(c, 0))},
+             {"beta_interval_m", pair(interval_of(c, 1))},
+             {"chi_square", rounded(f.agreement.chi_square)},
+             {"chi_square_limit", rounded(f.agreement.limit)},
+             {"agree", f.agreement.agree()},
+             {"verdict", heading_of(f)},
+             {"density", f.density},
+             {"speed", f.speed},
+             {"inertia_kg_m2", rounded(f.airframe.inertia_kg_m2)},
+             {"reference_area_m2", rounded(f.airframe.reference_area_m2)},
+             {"remarks", said},
+             {"windows", windows}};
+  fantail::result::put_answer(whole, answer(f), heading_of(f) + ".", made);
   return whole.pretty();
 }
 
@@ -206,8 +212,8 @@ std::vector<std::string> model_csv_names(const JointFindings& f) {
   return names;
 }
 
-void write_joint(const JointFindings& f, const std::filesystem::path& folder) {
-  std::vector<text::NamedFile> files{{"report.html", as_html(f)}, {"identification.json", as_json(f)}};
+void write_joint(const JointFindings& f, const std::filesystem::path& folder, const fantail::result::Made& made) {
+  std::vector<text::NamedFile> files{{"report.html", as_html(f)}, {"identification.json", as_json(f, made)}};
   const std::vector<std::string> names = model_csv_names(f);
   std::vector<std::filesystem::path> inputs;
   for (std::size_t i = 0; i < f.windows.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "identify/result/findings.hpp"
+#include "result/answer.hpp"
 #include "text/wrapped.hpp"
 
 namespace fantail::identify::result {
@@ -18,7 +19,10 @@ namespace fantail::identify::result {
 
 /// One object with the numbers of the one result; with several windows or methods {"results": [...]} of such objects,
 /// in the order of the windows. An open end of an interval is null.
-[[nodiscard]] std::string as_json(const Study& study);
+[[nodiscard]] std::string as_json(const Study& study, const fantail::result::Made& made = {});
+
+/// Do the windows determine damping and torque? Undecided where one does not, or where the model does not fit one well.
+[[nodiscard]] fantail::result::Verdict verdict_of(const Study& study);
 
 /// A row a sample, on the log's clock: time_s, roll_angle_deg, model_roll_angle_deg, roll_rate_deg_s,
 /// model_roll_rate_deg_s, canard_deg, disturbance_deg.
@@ -35,6 +39,6 @@ namespace fantail::identify::result {
 
 /// Writes report.html, identification.json and the CSVs, all or none; stale_models() are gone. Throws
 /// text::OutputError.
-void write_study(const Study& study, const std::filesystem::path& folder);
+void write_study(const Study& study, const std::filesystem::path& folder, const fantail::result::Made& made = {});
 
 }  // namespace fantail::identify::result

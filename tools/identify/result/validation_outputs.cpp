@@ -177,22 +177,46 @@ std::string as_text(const Validation& v) {
   return out;
 }
 
-std::string as_json(const Validation& v) {
+fantail::result::Answer answer(const Validation& v) {
+  using enum fantail::result::Answer;
+  const auto all = [&](auto is_so) { return std::ranges::all_of(v.windows, is_so); };
+  const bool told = all([](const ValidatedWindow& w) { return w.can_tell(); });
+  const bool good = told && all([](const ValidatedWindow& w) { return w.holds(); });
+  return good ? yes : told ? no : undecided;
+}
+
+namespace {
+
+std::string sentence_of(const Validation& v) {
+  if (v.windows.size() == 1) {
+    return verdict(v, v.windows.front());
+  }
+  std::string all;
+  for (const ValidatedWindow& window : v.windows) {
+    all += fmt::format("{}{}: {}.", all.empty() ? "" : " ", window.window.record.window, heading(window));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string as_json(const Validation& v, const fantail::result::Made& made) {
   Json windows = Json::array();
   for (const ValidatedWindow& window : v.windows) {
     windows.push_back(object(v, window));
   }
-  const Json whole{{"data", v.data},
-                   {"model", v.model.source},
-                   {"alpha_m2", rounded(v.model.constants.value(0))},
-                   {"beta_m", rounded(v.model.constants.value(1))},
-                   {"model_uncertainty_known", v.model.covariance_is_known},
-                   {"reference_area_m2", rounded(v.airframe.reference_area_m2)},
-                   {"inertia_kg_m2", rounded(v.airframe.inertia_kg_m2)},
-                   {"density", v.density},
-                   {"speed", v.speed},
-                   {"remarks", v.warnings},
-                   {"windows", windows}};
+  Json whole{{"data", v.data},
+             {"model", v.model.source},
+             {"alpha_m2", rounded(v.model.constants.value(0))},
+             {"beta_m", rounded(v.model.constants.value(1))},
+             {"model_uncertainty_known", v.model.covariance_is_known},
+             {"reference_area_m2", rounded(v.airframe.reference_area_m2)},
+             {"inertia_kg_m2", rounded(v.airframe.inertia_kg_m2)},
+             {"density", v.density},
+             {"speed", v.speed},
+             {"remarks", v.warnings},
+             {"windows", windows}};
+  fantail::result::put_answer(whole, answer(v), sentence_of(v), made);
   return whole.pretty();
 }
 
@@ -202,20 +226,11 @@ std::string as_html(const Validation& v) {
   page.title = v.data;
   page.subtitle = printable(
       fmt::format("the model of {}; {}; density {}; speed {}", v.model.source, v.vehicle, v.density, v.speed));
-  const auto all = [&](auto is_so) { return std::ranges::all_of(v.windows, is_so); };
-  const bool told = all([](const ValidatedWindow& w) { return w.can_tell(); });
-  const bool good = told && all([](const ValidatedWindow& w) { return w.holds(); });
-  page.tone = good ? page::Tone::good : told ? page::Tone::bad : page::Tone::unsure;
-  if (v.windows.size() == 1) {
-    page.verdict_heading = heading(v.windows.front());
-    page.verdict = verdict(v, v.windows.front());
-  } else {
-    page.verdict_heading = good ? "The model holds in all windows" : "The model does not hold in all windows";
-    for (const ValidatedWindow& window : v.windows) {
-      page.verdict +=
-          fmt::format("{}{}: {}.", page.verdict.empty() ? "" : " ", window.window.record.window, heading(window));
-    }
-  }
+  page.tone = fantail::result::tone(answer(v));
+  page.verdict_heading = v.windows.size() == 1                       ? heading(v.windows.front())
+                         : answer(v) == fantail::result::Answer::yes ? "The model holds in all windows"
+                                                                     : "The model does not hold in all windows";
+  page.verdict = sentence_of(v);
   for (const ValidatedWindow& window : v.windows) {
     page.body_html += section_of(v, window);
   }
@@ -233,8 +248,8 @@ std::vector<std::string> model_csv_names(const Validation& v) {
   return names;
 }
 
-void write_validation(const Validation& v, const std::filesystem::path& folder) {
-  std::vector<text::NamedFile> files{{"report.html", as_html(v)}, {"validation.json", as_json(v)}};
+void write_validation(const Validation& v, const std::filesystem::path& folder, const fantail::result::Made& made) {
+  std::vector<text::NamedFile> files{{"report.html", as_html(v)}, {"validation.json", as_json(v, made)}};
   const std::vector<std::string> names = model_csv_names(v);
   for (std::size_t i = 0; i < v.windows.size(); ++i) {
     const ValidatedWindow& window = v.windows[i];

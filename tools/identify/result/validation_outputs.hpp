@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "identify/result/validation_findings.hpp"
+#include "result/answer.hpp"
 
 namespace fantail::identify::result {
 
@@ -16,12 +17,15 @@ namespace fantail::identify::result {
 /// report.html, measured roll beside the model's.
 [[nodiscard]] std::string as_html(const Validation& validation);
 /// One object; its list "windows" has one for each window.
-[[nodiscard]] std::string as_json(const Validation& validation);
+/// Does the model hold in all windows? Undecided where some window cannot tell.
+[[nodiscard]] fantail::result::Answer answer(const Validation& validation);
+[[nodiscard]] std::string as_json(const Validation& validation, const fantail::result::Made& made = {});
 
 /// Of model.csv, model_2.csv, ...: as those of a study.
 [[nodiscard]] std::vector<std::string> model_csv_names(const Validation& validation);
 
 /// Writes report.html, validation.json and the CSVs, all or none. Throws text::OutputError.
-void write_validation(const Validation& validation, const std::filesystem::path& folder);
+void write_validation(const Validation& validation, const std::filesystem::path& folder,
+                      const fantail::result::Made& made = {});
 
 }  // namespace fantail::identify::result

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "hardover/study.hpp"
+#include "predict/answer.hpp"
+
+namespace fantail::result {
+namespace {
+
+std::string unit_of(const Column& column) { return std::string{column.unit.symbol}; }
+
+/// A table for each place: key, unit, label and meaning of its fields.
+std::string tables(const std::vector<Listed>& all) {
+  std::string text;
+  for (const Listed& one : all) {
+    text += fmt::format("{}| key | unit | label | meaning |\n|---|---|---|---|\n",
+                        one.place.empty() ? "" : fmt::format("`{}`:\n\n", one.place));
+    for (const Column& column : one.columns) {
+      text += fmt::format("| `{}{}` | {} | {} | {} |\n", column.key, column.unit.suffix, unit_of(column), column.label,
+                          column.meaning);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+constexpr const char* page_file = FANTAIL_TEST_SOURCE "/docs/results.md";
+constexpr std::string_view begin_mark =
+    "<!-- fields: written by FANTAIL_WRITE_MANUAL=1 build/host/test/result/test_result -->\n";
+
+TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
+  std::ifstream file{page_file};
+  std::string page{std::istreambuf_iterator<char>{file}, {}};
+  const std::size_t begin = page.find(begin_mark);
+  ASSERT_NE(begin, std::string::npos) << page_file;
+  const std::string fields = "\n## campaign hardover\n\n" + tables(hardover::listed_fields()) + "## predict\n\n" +
+                             tables(predict::listed_fields());
+  const std::string written = page.substr(0, begin) + std::string{begin_mark} + fields.substr(0, fields.size() - 1);
+  if (std::getenv("FANTAIL_WRITE_MANUAL") != nullptr) {  // NOLINT(concurrency-mt-unsafe): there is one thread
+    std::ofstream{page_file} << written;
+    page = written;
+  }
+  EXPECT_EQ(page, written) << "FANTAIL_WRITE_MANUAL=1 build/host/test/result/test_result writes it";
+}
+
+}  // namespace
+}  // namespace fantail::result
