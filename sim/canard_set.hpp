@@ -52,7 +52,6 @@ class CanardSet {
   void fail(std::size_t canard, ServoFault fault, std::optional<double> fault_angle_rad = std::nullopt) {
     servos_[canard].fail(fault, fault_angle_rad);
   }
-  void unplug_encoder(std::size_t canard) { encoders_.unplug(canard); }
   void make_encoder_noisy(std::size_t canard, double noise_counts) { encoders_.set_noise(canard, noise_counts); }
 
  private:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/flight_plan.hpp"
 #include "sim/canard_aerodynamics.hpp"
@@ -17,16 +16,16 @@ namespace {
 
 constexpr std::size_t canards = core::canard_count;
 
-/// The one that is in force at lift-off: a later fault of a canard takes the place of an earlier one.
-std::optional<Fault> fault_of(const Scenario& scenario, std::size_t canard) {
-  std::optional<Fault> last;
+/// The one that is in force at lift-off: a later fault of a gear takes the place of an earlier one. Null: none.
+const GearFault* fault_of(const Scenario& scenario, std::size_t canard) {
+  const Fault* last = nullptr;
   for (const Fault& fault : scenario.faults) {
-    if (fault.canard == canard && is_of_canard(fault.kind) && is_there_at_liftoff(fault) &&
-        (!last || fault.from_s >= last->from_s)) {
-      last = fault;
+    if (fault.canard == canard && broken_gear(fault) != nullptr && is_there_at_liftoff(fault) &&
+        (last == nullptr || fault.from_s >= last->from_s)) {
+      last = &fault;
     }
   }
-  return last;
+  return last == nullptr ? nullptr : broken_gear(*last);
 }
 
 /// What the pulse of the plan makes of a healthy servo.
@@ -49,14 +48,14 @@ double shaft_rad(const Scenario& scenario, const Servos& servos, std::size_t can
   const ServoParameters& servo = servos[canard];
   const double at_rest_rad = commanded_shaft_rad(scenario.plan, servo, canard, 0.0);
   double angle_rad = commanded_shaft_rad(scenario.plan, servo, canard, command_rad);
-  if (const auto fault = fault_of(scenario, canard)) {
-    switch (fault->kind) {
-      case FaultKind::canard_stuck: angle_rad = fault->angle_rad.value_or(at_rest_rad); break;
-      case FaultKind::canard_hardover: angle_rad = servo.stop_rad; break;
-      case FaultKind::canard_dead: angle_rad = 0.0; break;
-      case FaultKind::canard_slipping: angle_rad = at_rest_rad + slipping_grip * (angle_rad - at_rest_rad); break;
-      case FaultKind::canard_reversed: angle_rad = 2.0 * servo.centre_rad - angle_rad; break;
-      case FaultKind::canard_wrong_trim: angle_rad += fault->angle_rad.value_or(usual_wrong_trim_rad); break;
+  if (const GearFault* gear = fault_of(scenario, canard)) {
+    switch (gear->fault) {
+      case ServoFault::stuck: angle_rad = gear->angle_rad.value_or(at_rest_rad); break;
+      case ServoFault::hardover: angle_rad = servo.stop_rad; break;
+      case ServoFault::dead: angle_rad = 0.0; break;
+      case ServoFault::slipping: angle_rad = at_rest_rad + slipping_grip * (angle_rad - at_rest_rad); break;
+      case ServoFault::reversed: angle_rad = 2.0 * servo.centre_rad - angle_rad; break;
+      case ServoFault::wrong_trim: angle_rad += gear->angle_rad.value_or(usual_wrong_trim_rad); break;
       default: break;  // a slow one gets there, too
     }
   }
@@ -109,10 +108,10 @@ CanardResponse canard_response(const Scenario& scenario) {
   double follow = 0.0;
   double slow = 0.0;
   for (std::size_t i = 0; i < canards; ++i) {
-    const auto fault = fault_of(scenario, i);
-    const auto is = [&fault](FaultKind kind) { return fault && fault->kind == kind; };
-    follow += is(FaultKind::canard_stuck) || is(FaultKind::canard_hardover) || is(FaultKind::canard_dead) ? 0.0 : 1.0;
-    slow += is(FaultKind::canard_slow) ? 1.0 : 0.0;
+    const GearFault* gear = fault_of(scenario, i);
+    const auto is = [gear](ServoFault fault) { return gear != nullptr && gear->fault == fault; };
+    follow += is(ServoFault::stuck) || is(ServoFault::hardover) || is(ServoFault::dead) ? 0.0 : 1.0;
+    slow += is(ServoFault::slow) ? 1.0 : 0.0;
   }
   response.slow_share = follow > 0.0 ? slow / follow : 0.0;
   // Those that follow do the work of the others as well, once the monitor has seen it.
@@ -121,12 +120,5 @@ CanardResponse canard_response(const Scenario& scenario) {
   }
   return response;
 }
-
-bool is_of_canard(FaultKind kind) {
-  return !is_of_sensor(kind) && !is_reset(kind) && !is_of_device(kind) && kind != FaultKind::encoder_unplugged &&
-         kind != FaultKind::encoder_noisy;
-}
-
-bool is_there_at_liftoff(const Fault& fault) { return fault.from_s <= 0.0; }
 
 }  // namespace fantail::sim

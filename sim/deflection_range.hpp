@@ -28,9 +28,4 @@ struct CanardResponse {
 };
 [[nodiscard]] CanardResponse canard_response(const Scenario& scenario);
 
-/// Whether a fault concerns a servo or a shaft, and not a sensor.
-[[nodiscard]] bool is_of_canard(FaultKind kind);
-/// Whether it is there when the rocket lifts off.
-[[nodiscard]] bool is_there_at_liftoff(const Fault& fault);
-
 }  // namespace fantail::sim

@@ -16,7 +16,7 @@ struct RandomStream {
     servo_spread,
     shaking,
     second_imu_noise,
-    misbehaviour
+    faults
   };
 };
 

@@ -74,6 +74,7 @@ struct Scenario {
   std::vector<DisturbanceNode> disturbance;     ///< times after lift-off, or after control start in the tunnel
   std::optional<ImposedRoll> imposed_roll;
   std::vector<Fault> faults;
+  std::uint64_t fault_variant = 0;  ///< other random numbers of the faults (garbage, which bit) with the same seed
   /// Asked of the roll, and not flown: resting farther from its reference than this it is not where it was wanted.
   double rest_limit_rad = 10.0 * radians_per_degree;
   std::optional<std::string> tunnel_result;  ///< what a prediction of this flight starts from; not flown

@@ -146,7 +146,7 @@ struct EncoderParameters {
 /// The four canard shaft encoders: absolute, delivered as 14 bits a turn. From shaft angle to reading, in this order:
 ///   1. the zero of the encoder, and 2. noise are added, in counts;
 ///   3. rounding to the nearest step of the resolution;
-///   4. wrapping from 16383 to 0. An unplugged one then says no_reading.
+///   4. wrapping from 16383 to 0.
 ///
 /// Example: 1 degree is 45.5 counts; a zero of 10 degrees adds 455.1; noise of 1 count that draws +1 standard deviation
 /// makes 501.6; with 12 bits, 4 counts a step, it reads 500, and 502 with all 14.
@@ -154,9 +154,6 @@ class EncoderModel {
  public:
   /// `zero_rad`: what each encoder reads at shaft angle zero. Throws std::invalid_argument.
   EncoderModel(const std::array<double, hal::canards>& zero_rad, const EncoderParameters& parameters, Random random);
-
-  /// An unplugged encoder says no_reading; the noise of the others stays what it was.
-  void unplug(std::size_t canard, bool unplugged = true) { unplugged_[canard] = unplugged; }
 
   /// Standard deviation of one encoder's readings from now on, 0 to 1000 counts; the others keep theirs. Throws
   /// std::invalid_argument.
@@ -169,9 +166,6 @@ class EncoderModel {
     const std::array<double, hal::canards> noise = random_.gaussians<hal::canards>();
     for (std::size_t i = 0; i < hal::canards; ++i) {
       const double counts = shaft_angle_rad[i] * counts_per_radian + zero_counts_[i] + noise_counts_[i] * noise[i];
-      if (unplugged_[i]) {
-        continue;
-      }
       // Whole turns are added first: a conversion to integer rounds towards zero, so only upwards of it is it right.
       const double above_zero = counts + 1000.0 * hal::encoder_counts_per_turn;
       // NOLINTNEXTLINE(bugprone-incorrect-roundings): this far from zero, adding a half is right
@@ -189,7 +183,6 @@ class EncoderModel {
   std::array<double, hal::canards> noise_counts_{};
   std::uint32_t counts_per_step_;
   double steps_per_count_;
-  std::array<bool, hal::canards> unplugged_{};
   Random random_;
 };
 

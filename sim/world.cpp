@@ -38,18 +38,14 @@ std::span<const std::byte> without_blank_end(std::span<const std::byte> cells) {
 BoardPorts with_memory_for(const Scenario& scenario, BoardPorts ports) {
   // What has been damaged is mended from there, too.
   ports.has_backup_memory = std::ranges::any_of(scenario.faults, [](const Fault& fault) {
-    return is_reset(fault.kind) || (is_of_device(fault.kind) && fault.misbehaviour.device == Device::memory);
+    return std::holds_alternative<Reset>(fault.how) || fault.device == Device::memory;
   });
   return ports;
 }
 
-std::uint64_t seed_of_misbehaviour(const Scenario& scenario) {
+Random random_of_faults(const Scenario& scenario) {
   constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ULL;  // so that neighbours of a seed are none of its variants
-  std::uint64_t seed = scenario.seed;
-  for (const Fault& fault : scenario.faults) {
-    seed += golden * fault.misbehaviour.variant;
-  }
-  return seed;
+  return {scenario.seed + golden * scenario.fault_variant, RandomStream::faults};
 }
 
 std::string sensors_in_record(std::size_t changed_values) {
@@ -105,7 +101,6 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       imu_model_{scenario.vehicle.imu, Random{scenario.seed, RandomStream::imu_noise}},
       second_imu_model_{scenario.vehicle.second_imu, Random{scenario.seed, RandomStream::second_imu_noise}},
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, RandomStream::accelerometer_noise}},
-      fault_is_applied_(scenario.faults.size(), false),
       pad_{std::move(pad)},
       sensors_{sensors_in_record(scenario.changed_values)},
       board_{make(scenario.plan, with_memory_for(scenario, ports),
@@ -118,8 +113,8 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
   hardware_.second_imu_is_fitted = scenario.vehicle.second_imu_is_fitted;
   hardware_.second_imu_scale = second_imu_model_.scale();
   hardware_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
-  if (std::ranges::any_of(scenario.faults, is_of_device, &Fault::kind)) {
-    misbehaving_.emplace(scenario.faults, Random{seed_of_misbehaviour(scenario), RandomStream::misbehaviour});
+  if (!scenario.faults.empty()) {
+    faults_.emplace(scenario.faults, random_of_faults(scenario));
   }
   if (scenario.imposed_roll) {
     imposed_roll_after_liftoff_ = nearest_tick(scenario.imposed_roll->time_s);
@@ -129,16 +124,16 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
 World::~World() = default;
 
 const core::TickRecord& World::tick() {
-  if (!scenario_.faults.empty()) {
-    apply_faults();
+  if (faults_) {
+    begin_faults();
   }
   impose_roll();
   fill_hardware();
   if (pad_) {
     let_crew_act();
   }
-  if (misbehaving_) {
-    let_devices_misbehave();
+  if (faults_) {
+    spoil_hardware();
   }
   if (down_until_) {
     follow_reset();
@@ -164,7 +159,7 @@ void World::advance() {
   const double from_ignition_s = in_seconds(now_ - ignition_);
   const double density_before = environment_.density_kg_m3();
   const double speed_before = environment_.speed_m_s();
-  canards_.step(in_seconds(now_), tick_time_s, misbehaving_ ? misbehaving_->heard(hardware_.pulses) : hardware_.pulses,
+  canards_.step(in_seconds(now_), tick_time_s, faults_ ? faults_->heard(hardware_.pulses) : hardware_.pulses,
                 {.density_kg_m3 = density_before, .speed_m_s = speed_before, .roll_rate_rad_s = roll_.rate_rad_s});
   const double disturbance_before = disturbance_rad_;
   if (const auto side_area_m2 = scenario_.vehicle.canard_air.side_area_m2) {
@@ -243,12 +238,17 @@ void World::let_crew_act() {
   }
 }
 
-void World::let_devices_misbehave() {
-  misbehaving_->before_tick(now_ - ignition_, {.hardware = hardware_,
-                                               .board = *board_,
-                                               .canards = canards_,
-                                               .wire = pad_ ? &pad_->wire : nullptr,
-                                               .flash = pad_ ? &pad_->flash : nullptr});
+void World::begin_faults() {
+  if (const Reset* reset = faults_->begin_tick(now_ - ignition_, canards_, sensor_faults_)) {
+    begin_reset(*reset);
+  }
+}
+
+void World::spoil_hardware() {
+  faults_->spoil({.hardware = hardware_,
+                  .board = *board_,
+                  .wire = pad_ ? &pad_->wire : nullptr,
+                  .flash = pad_ ? &pad_->flash : nullptr});
 }
 
 std::optional<protocol::ArmReply> World::refusal_to_arm() const { return pad_ ? pad_->crew.refusal() : std::nullopt; }

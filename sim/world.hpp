@@ -13,8 +13,8 @@
 #include "core/tick_record.hpp"
 #include "hal/flash.hpp"
 #include "hal/sim/world_side.hpp"
+#include "sim/active_faults.hpp"
 #include "sim/canard_set.hpp"
-#include "sim/device_faults.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/environment.hpp"
 #include "sim/fin_wash.hpp"
@@ -36,13 +36,6 @@ struct Truth {
   double disturbance_rad;  ///< equivalent fin offset, swirl included
   /// The roll angle as a camera sees it (Twist), since the pad; in six degrees of freedom only.
   std::optional<double> geometric_roll_rad{};
-};
-
-/// What is wrong with an IMU now.
-struct ImuFault {
-  bool hangs = false;              ///< nothing is measured, and its last sample comes again
-  bool frozen = false;             ///< its gyro's last counts come again, as if they were new
-  double rate_offset_rad_s = 0.0;  ///< about the long axis
 };
 
 /// One run of one scenario. The world owns time: it fills the simulated hardware, lets the avionics have its tick, and
@@ -75,7 +68,7 @@ class World {
 
   /// Was there no avionics to have the last tick()?
   [[nodiscard]] bool is_down() const {
-    return down_until_.has_value() || (misbehaving_ && misbehaving_->processor_stands() && last_record_ != nullptr);
+    return down_until_.has_value() || (faults_ && faults_->processor_stands() && last_record_ != nullptr);
   }
 
   /// The truth that belongs to the last tick.
@@ -149,15 +142,13 @@ class World {
   [[nodiscard]] const std::vector<Gap>& gaps() const { return gaps_; }
 
  private:
-  void apply_faults();
-  void break_sensor(const Fault& fault);
-  void break_canard(const Fault& fault);
+  void begin_faults();
   void begin_reset(const Reset& reset);
   void follow_reset();
   void restart_board();
   void put_samples_on_clock_of_board(core::Microseconds ahead);
   void note_resume();
-  void let_devices_misbehave();
+  void spoil_hardware();
   void fill_hardware();
   struct LonePad;
   World(const Scenario& scenario, std::unique_ptr<LonePad> pad, const MakeFlightComputer& make);
@@ -199,19 +190,16 @@ class World {
   ImuModel imu_model_;
   ImuModel second_imu_model_;
   AccelerometerModel accelerometer_model_;
-  ImuFault imu_fault_;
-  ImuFault second_imu_fault_;
-  bool accelerometer_hangs_ = false;
+  SensorFaults sensor_faults_;
   bool roll_is_imposed_ = false;
   std::optional<core::Microseconds> down_until_{};
   Reset reset_{};                                  ///< the last one
   const core::TickRecord* last_record_ = nullptr;  ///< of the board, which has it until its next tick
   core::Microseconds board_ahead_{};               ///< of now_ is the board's clock; not 0 only after a reset
-  std::vector<bool> fault_is_applied_;             ///< in the scenario's order; not of sensors', which come and go
 
-  std::unique_ptr<LonePad> pad_;             ///< empty when somebody else is there
-  std::optional<DeviceFaults> misbehaving_;  ///< empty where no device does; goes before the wire it may be on
-  std::string sensors_;                      ///< as the record's header has it; outlives the board
+  std::unique_ptr<LonePad> pad_;        ///< empty when somebody else is there
+  std::optional<ActiveFaults> faults_;  ///< empty where there are none; goes before the wire it may be on
+  std::string sensors_;                 ///< as the record's header has it; outlives the board
   std::unique_ptr<FlightComputer> board_;
   hal::sim::WorldSide& hardware_;  ///< of the board
   core::Phase phase_ = core::Phase::safe;

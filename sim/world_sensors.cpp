@@ -40,21 +40,22 @@ void World::fill_hardware() {
   const BodyMotion& at_imu = by_imu ? *by_imu : motion;
   const BodyMotion& at_accelerometer = by_accelerometer ? *by_accelerometer : motion;
   const hal::EncoderReading encoders = canards_.read_encoders(now_);
+  const SensorFaults& wrong = sensor_faults_;
   const hal::ImuSample& imu =
-      imu_model_.sample(now_, with_offset(at_imu.rate_rad_s, imu_fault_), at_imu.specific_force_m_s2, imu_fault_.hangs);
+      imu_model_.sample(now_, with_offset(at_imu.rate_rad_s, wrong.imu), at_imu.specific_force_m_s2, wrong.imu.hangs);
   const hal::AccelerometerSample& accelerometer =
-      accelerometer_model_.sample(now_, at_accelerometer.specific_force_m_s2, accelerometer_hangs_);
+      accelerometer_model_.sample(now_, at_accelerometer.specific_force_m_s2, wrong.accelerometer_hangs);
   // All are measured before any is copied: a copy of freshly written counts makes the processor wait, and so it waits
   // once instead of three times.
   hardware_.time = now_ + board_ahead_;
   hardware_.encoders = encoders;
-  deliver(imu, imu_fault_, hardware_.imu);
+  deliver(imu, wrong.imu, hardware_.imu);
   hardware_.accelerometer = accelerometer;
   if (two_imus) {
     const BodyMotion& at_second = by_second_imu ? *by_second_imu : motion;
-    deliver(second_imu_model_.sample(now_, with_offset(at_second.rate_rad_s, second_imu_fault_),
-                                     at_second.specific_force_m_s2, second_imu_fault_.hangs),
-            second_imu_fault_, hardware_.second_imu);
+    deliver(second_imu_model_.sample(now_, with_offset(at_second.rate_rad_s, wrong.second_imu),
+                                     at_second.specific_force_m_s2, wrong.second_imu.hangs),
+            wrong.second_imu, hardware_.second_imu);
   }
   if (board_ahead_ != core::Microseconds{0}) {
     put_samples_on_clock_of_board(board_ahead_);

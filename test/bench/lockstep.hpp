@@ -54,7 +54,6 @@ struct LockStep {
       if (t == settle / 2) {
         for (std::size_t i = 0; i < 4; ++i) {
           servos[i].fail(fault[i]);
-          encoders.unplug(i, unplugged[i]);
         }
       }
       Each<double> shaft{};
@@ -65,7 +64,8 @@ struct LockStep {
       core::EncoderAngles read{};
       link::Tick tick{.number = t};
       for (std::size_t i = 0; i < 4; ++i) {
-        if (reading.each[i].status == hal::Status::ok) {
+        const bool answers = !unplugged[i] || t < settle / 2;
+        if (answers && reading.each[i].status == hal::Status::ok) {
           const int counts = reading.each[i].counts > 8191 ? reading.each[i].counts - 16384 : reading.each[i].counts;
           const double angle_rad = counts * 360.0 / 16384.0 * degree;
           read[i] = core::Angle::from_radians(static_cast<float>(angle_rad));

@@ -88,9 +88,9 @@ TEST_P(Emulated, FlightIsThatOfTheHostTickByTickAndByteByByte) {
 
 // In the middle of control, in seconds after ignition.
 const std::vector<sim::Fault> jammed_canard_and_dropouts{
-    {.kind = sim::FaultKind::canard_stuck, .canard = 1, .from_s = 2.0, .until_s = 0.0},
-    {.kind = sim::FaultKind::accelerometer_dropout, .canard = 0, .from_s = 1.0, .until_s = 1.3},
-    {.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 3.0, .until_s = 3.02}};
+    {.device = sim::Device::servo, .canard = 1, .how = sim::GearFault{sim::ServoFault::stuck}, .from_s = 2.0},
+    {.device = sim::Device::accelerometer, .how = sim::Behaviour::hangs, .from_s = 1.0, .until_s = 1.3},
+    {.device = sim::Device::imu, .how = sim::Behaviour::hangs, .from_s = 3.0, .until_s = 3.02}};
 
 // With the rocket's own model (sim/vehicles/tasha3_launch2.toml).
 const std::vector<std::string> observer_and_schedule{"offset.rejection=observer",

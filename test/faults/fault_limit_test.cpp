@@ -20,7 +20,7 @@ sim::Scenario launch_with(const std::vector<std::string>& changes) {
 
 TEST(FaultLimit, SaysHowTheRocketThatWasFlownBreaksTheRuleOfTheStop) {
   const auto about = [](const std::vector<std::string>& changes) {
-    return StopRule{launch_with(changes), "hardover_back"}.sentence();
+    return StopRule{launch_with(changes), hardover_back.fault}.sentence();
   };
   EXPECT_EQ(
       about({}),

@@ -211,8 +211,7 @@ TEST(FaultAlone, IsNotJudgedFurtherWhereTheWholeCellIsNot) {
 }
 
 TEST(FaultHeadline, OfAKnownLimitTheBarIsAmberAndTheWorstCellIsNamed) {
-  const KnownLimit limit{
-      .device = "servo", .fault = "hardover", .phases = 0, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
+  const KnownLimit limit{.recipe = hardover, .phases = 0, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
   const auto red = [](double apart_deg) {
     return faults::Run{.apart_deg = apart_deg,
                        .what = std::to_string(static_cast<int>(apart_deg)) + " deg off; and more"};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "faults/campaign.hpp"
+#include "input/fault_file.hpp"
 #include "input/scenario_file.hpp"
 #include "text/error.hpp"
 
@@ -30,34 +31,35 @@ TEST(FaultTable, SaysWhatIsAllowedForANameThatIsNoCell) {
   }
 }
 
+bool is_a_kind_of(std::span<const input::FaultWords> words, const sim::Fault& fault) {
+  return std::ranges::any_of(words, [&](const auto& one) { return sim::is_same_kind(one.fault, fault); });
+}
+
 TEST(FaultTable, HasOnlyFaultsThatTheSimulatorCanFly) {
   for (const FaultRow& row : fault_table()) {
-    const Recipe& recipe = row.recipe;
-    if (recipe.kind == sim::FaultKind::device) {
-      EXPECT_TRUE(sim::exists(recipe.device, recipe.behaviour)) << row.device << ' ' << row.fault;
-    }
+    EXPECT_TRUE(is_a_kind_of(input::device_faults(), row.recipe.fault) ||
+                is_a_kind_of(input::fault_kinds(), row.recipe.fault))
+        << row.device << ' ' << row.fault;
   }
 }
 
 TEST(FaultTable, FliesEveryBehaviourThatTheSimulatorHas) {
-  for (const sim::DeviceBehaviour& one : sim::misbehaviours) {
-    EXPECT_TRUE(std::ranges::any_of(fault_table(),
-                                    [&](const FaultRow& row) {
-                                      return row.recipe.kind == sim::FaultKind::device &&
-                                             row.recipe.device == one.device && row.recipe.behaviour == one.behaviour;
-                                    }))
-        << static_cast<int>(one.device) << ' ' << static_cast<int>(one.behaviour);
+  for (const input::FaultWords& words : input::device_faults()) {
+    EXPECT_TRUE(std::ranges::any_of(
+        fault_table(), [&](const FaultRow& row) { return sim::is_same_kind(row.recipe.fault, words.fault); }))
+        << input::name(words.fault.device) << ' ' << words.behaviour;
+  }
+}
+
+TEST(FaultTable, HasNoFaultTwiceSoThatALimitIsOfOneRow) {
+  for (const FaultRow& row : fault_table()) {
+    EXPECT_EQ(std::ranges::count(fault_table(), row.recipe, &FaultRow::recipe), 1) << row.device << ' ' << row.fault;
   }
 }
 
 TEST(FaultTable, KnowsNoLimitOfAFaultThatItHasNot) {
   for (const KnownLimit& limit : known_limits()) {
-    EXPECT_TRUE(std::ranges::any_of(fault_table(),
-                                    [&](const FaultRow& row) {
-                                      return row.device == limit.device &&
-                                             (limit.fault.empty() || row.fault == limit.fault);
-                                    }))
-        << limit.device << ' ' << limit.fault;
+    EXPECT_EQ(std::ranges::count(fault_table(), limit.recipe, &FaultRow::recipe), 1) << limit.why;
     EXPECT_NE(limit.phases, 0U);
     EXPECT_GE(limit.last_ms, 0);
     EXPECT_FALSE(limit.why.empty());
@@ -67,25 +69,25 @@ TEST(FaultTable, KnowsNoLimitOfAFaultThatItHasNot) {
 
 TEST(FaultTable, TakesAnotherCanardForEachRunAndAllWhereItSaysSo) {
   const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
-  const Recipe one{.device = sim::Device::servo};
+  const Recipe one = broken(sim::Device::servo, sim::Behaviour::dead);
   for (std::uint64_t run = 0; run < 8; ++run) {
     const auto faults = faults_of(one, 2.0, run, scenario);
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(faults[0].canard, run % 4);
     EXPECT_EQ(faults[0].from_s, 2.0);
   }
-  const Recipe four{.device = sim::Device::servo, .lasts_s = 0.05, .all_canards = true};
+  const Recipe four = all(sim::Device::servo, sim::Behaviour::dead, 0.05);
   const auto faults = faults_of(four, 2.0, 1, scenario);
   ASSERT_EQ(faults.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(faults[i].canard, i);
-    EXPECT_DOUBLE_EQ(faults[i].until_s, 2.05);
+    EXPECT_DOUBLE_EQ(faults[i].until_s.value(), 2.05);
   }
 }
 
 TEST(FaultTable, OfABootLoopEachResetIsAFifthOfASecondAfterTheOneBefore) {
   const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
-  const Recipe loop{.kind = sim::FaultKind::reset, .reset = {.gap_s = 0.06}, .times = 6};
+  const Recipe loop = reset(hal::ResetCause::watchdog, 0.06, 6);
   const auto faults = faults_of(loop, 1.0, 0, scenario);
   ASSERT_EQ(faults.size(), 6U);
   EXPECT_DOUBLE_EQ(faults[5].from_s, 2.0);
@@ -118,7 +120,7 @@ TEST(FaultCell, IsAsRedAsItsWorstRunAndALimitExcusesIt) {
   const faults::Run ended{.number = 1, .outcome = Outcome::over, .trim_after_s = 0.2};
   const faults::Run spun{.number = 2, .outcome = {}, .apart_deg = 3.0, .what = "it spun"};
   const KnownLimit limit{
-      .device = "imu", .fault = "dead", .phases = 1, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
+      .recipe = cell.row->recipe, .phases = 1, .with_one_gyro = false, .why = "w", .what_to_do = "d"};
   EXPECT_EQ(concluded(cell, {}, {}).colour, Colour::not_applicable);
   EXPECT_EQ(concluded(cell, {held, ended}, {}).colour, Colour::green);
   EXPECT_EQ(concluded(cell, {held, ended}, {&limit}).colour, Colour::limit_without_need);

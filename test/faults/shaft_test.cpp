@@ -133,7 +133,7 @@ TEST(FaultShaft, HasTheErrorsOfTheServosAndOfThePlanAndOfABrokenCanardNothingIsA
   EXPECT_NEAR(usual.travel_s, 0.18, 0.03);
   scenario.vehicle.servo.pulse_centre_us += 10.0;  // a degree
   EXPECT_NEAR(shaft_limits(scenario).off_rad[0] - usual.off_rad[0], 1.0 * degree, 1e-6);
-  scenario.faults.push_back({.kind = sim::FaultKind::canard_stuck, .canard = 2, .from_s = 1.0, .until_s = 2.0});
+  scenario.faults.push_back({.device = sim::Device::servo, .canard = 2, .how = sim::GearFault{}, .from_s = 1.0});
   EXPECT_TRUE(std::isinf(shaft_limits(scenario).off_rad[2]));
   EXPECT_TRUE(std::isfinite(shaft_limits(scenario).off_rad[1]));
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -76,11 +77,11 @@ std::string tables_of(std::span<const Field<Thing>> fields) {
   return tables + "\n";
 }
 
-std::vector<sim::FaultKind> kinds_of(const FaultField& row) {
-  std::vector<sim::FaultKind> kinds;
-  for (std::size_t i = 0; i < fault_texts().size(); ++i) {
-    if (row.belongs_to(static_cast<sim::FaultKind>(i))) {
-      kinds.push_back(static_cast<sim::FaultKind>(i));
+std::vector<const FaultWords*> kinds_of(const FaultField& row) {
+  std::vector<const FaultWords*> kinds;
+  for (const FaultWords& words : fault_kinds()) {
+    if (row.belongs_to(words)) {
+      kinds.push_back(&words);
     }
   }
   return kinds;
@@ -88,29 +89,39 @@ std::vector<sim::FaultKind> kinds_of(const FaultField& row) {
 
 std::string fault_tables() {
   std::string tables = "\n`[[faults]]`, as many as wanted\n\n" + std::string{head};
-  std::vector<std::string> own_keys(fault_texts().size());
+  std::map<std::string_view, std::string> own_keys;
   for (const FaultField& row : fault_fields()) {
-    const std::vector<sim::FaultKind> kinds = kinds_of(row);
-    const std::string of = kinds.size() == 1 ? " of `" + std::string{name(kinds[0])} + "`" : "";
-    tables += row_of(row.field, usual_fault(kinds[0]), of);
-    for (const sim::FaultKind kind : kinds) {
-      std::string& keys = own_keys[static_cast<std::size_t>(kind)];
-      if (kinds.size() < own_keys.size()) {
+    const std::vector<const FaultWords*> kinds = kinds_of(row);
+    const std::string of = kinds.size() == 1 ? " of `" + std::string{kinds[0]->kind} + "`" : "";
+    tables += row_of(row.field, kinds[0]->fault, of);
+    for (const FaultWords* words : kinds) {
+      std::string& keys = own_keys[words->kind];
+      if (kinds.size() < fault_kinds().size()) {
         keys += (keys.empty() ? "`" : ", `") + std::string{row.field.key} + "`";
       }
     }
   }
   tables += "\n| `kind` | what is broken | its keys beside `kind` and `from_s` |\n|---|---|---|\n";
-  for (std::size_t i = 0; i < own_keys.size(); ++i) {
-    tables.append("| `").append(fault_texts()[i].name).append("` | ").append(fault_texts()[i].meaning);
-    tables.append(" | ").append(own_keys[i]).append(" |\n");
+  for (const FaultWords& words : fault_kinds()) {
+    tables.append("| `").append(words.kind).append("` | ").append(words.meaning);
+    tables.append(" | ").append(own_keys[words.kind]).append(" |\n");
   }
   tables += "\n| `device` | `behaviour` | what it does |\n|---|---|---|\n";
-  for (const sim::DeviceBehaviour& one : sim::misbehaviours) {
-    tables.append("| `").append(name(one.device)).append("` | `").append(name(one.behaviour)).append("` | ");
-    tables.append(one.meaning).append(" |\n");
+  for (const FaultWords& words : device_faults()) {
+    tables.append("| `").append(name(words.fault.device)).append("` | `").append(words.behaviour).append("` | ");
+    tables.append(words.meaning).append(" |\n");
   }
   return tables + "\n";
+}
+
+// An end tells the two words of one fault apart: a servo that is stuck for good is a canard_stuck.
+TEST(FaultWords, AreThoseOfTheFaultThatIsReadByThem) {
+  for (const FaultWords& words : device_faults()) {
+    EXPECT_EQ(&words_of(words.fault), &words) << name(words.fault.device) << ' ' << words.behaviour;
+  }
+  for (const FaultWords& words : fault_kinds()) {
+    EXPECT_TRUE(words.kind == "device" || &words_of(words.fault) == &words) << words.kind;
+  }
 }
 
 std::string page() {

@@ -70,7 +70,8 @@ TEST(CanardReach, IsWhatTheFinsLeaveOfIt) {
 TEST(CanardReach, IsThatOfTheCanardsThatWorkWhereTheScenarioBreaksSome) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   for (const std::size_t canard : {0U, 1U}) {
-    scenario.faults.push_back({.kind = sim::FaultKind::canard_dead, .canard = canard, .from_s = 0.0, .until_s = 0.0});
+    scenario.faults.push_back(
+        {.device = sim::Device::servo, .canard = canard, .how = sim::GearFault{sim::ServoFault::dead}});
   }
   EXPECT_NEAR(degrees(canard_reach(scenario, radians(-4.9)).angle_rad), 4.5, 1e-5);
   EXPECT_EQ(canard_reach(scenario, radians(-4.9)).text(),
@@ -103,8 +104,8 @@ TEST_P(CanardReachInFlight, IsWhereTheTrueCanardsEnd) {
   }
 }
 
-void breaks(sim::Scenario& scenario, sim::FaultKind kind, std::size_t canard, std::optional<double> angle_rad = {}) {
-  scenario.faults.push_back({.kind = kind, .canard = canard, .from_s = 0.0, .until_s = 0.0, .angle_rad = angle_rad});
+void breaks(sim::Scenario& scenario, sim::ServoFault fault, std::size_t canard, std::optional<double> angle_rad = {}) {
+  scenario.faults.push_back({.device = sim::Device::servo, .canard = canard, .how = sim::GearFault{fault, angle_rad}});
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -121,14 +122,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mismatch{"trim_of_the_rocket_alone", [](sim::Scenario& s) { s.vehicle.canards[1].trim_rad = radians(3.0); }},
         Mismatch{"two_dead",
                  [](sim::Scenario& s) {
-                   breaks(s, sim::FaultKind::canard_dead, 0);
-                   breaks(s, sim::FaultKind::canard_dead, 2);
+                   breaks(s, sim::ServoFault::dead, 0);
+                   breaks(s, sim::ServoFault::dead, 2);
                  }},
-        Mismatch{"one_hard_over", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_hardover, 1); }},
-        Mismatch{"one_stuck", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_stuck, 1, radians(2.0)); }},
-        Mismatch{"one_reversed", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_reversed, 3); }},
-        Mismatch{"one_off_its_trim", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_wrong_trim, 3); }},
-        Mismatch{"one_slow", [](sim::Scenario& s) { breaks(s, sim::FaultKind::canard_slow, 0); }},
+        Mismatch{"one_hard_over", [](sim::Scenario& s) { breaks(s, sim::ServoFault::hardover, 1); }},
+        Mismatch{"one_stuck", [](sim::Scenario& s) { breaks(s, sim::ServoFault::stuck, 1, radians(2.0)); }},
+        Mismatch{"one_reversed", [](sim::Scenario& s) { breaks(s, sim::ServoFault::reversed, 3); }},
+        Mismatch{"one_off_its_trim", [](sim::Scenario& s) { breaks(s, sim::ServoFault::wrong_trim, 3); }},
+        Mismatch{"one_slow", [](sim::Scenario& s) { breaks(s, sim::ServoFault::slow, 0); }},
         Mismatch{"stall", [](sim::Scenario& s) { s.vehicle.canard_air.stall_rad = radians(6.0); }},
         Mismatch{"wash",
                  [](sim::Scenario& s) {

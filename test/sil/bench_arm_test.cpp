@@ -94,7 +94,7 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
 // It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.
 TEST(BenchArm, IsToldThatTheGyroIsGoneAndToldAgain) {
   sim::Scenario scenario = input::load_scenario("bench_healthy", {});
-  scenario.faults.push_back({.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = -1e6, .until_s = 1e6});
+  scenario.faults.push_back({.device = sim::Device::imu, .how = sim::Behaviour::hangs, .from_s = -1e6, .until_s = 1e6});
   BenchAtWorld place{scenario};
   link::AvionicsLink link{place.bus()};
   link::await_avionics(place, link);

@@ -83,7 +83,7 @@ TEST(FlownVerdict, CanardsThatCannotComeBackFarEnoughHaveNoAuthority) {
   scenario.disturbance = {{.time_s = 0.0, .angle_rad = text::radians(-2.0)}};
   for (const std::size_t canard : {0U, 1U}) {
     scenario.faults.push_back(
-        {.kind = sim::FaultKind::canard_hardover, .canard = canard, .from_s = 0.0, .until_s = 0.0});
+        {.device = sim::Device::servo, .canard = canard, .how = sim::GearFault{sim::ServoFault::hardover}});
   }
   const Judged flown = fly(scenario);
   EXPECT_LT(*flown.figures.authority_margin_rad, 0.0) << flown.verdict.text;
@@ -96,11 +96,8 @@ TEST(FlownVerdict, CanardsThatCannotComeBackFarEnoughHaveNoAuthority) {
 
 TEST(FlownVerdict, WhereACanardStandsAtItsStopTheFinOffsetIsNotBlamedAlone) {
   sim::Scenario scenario = launch2();
-  scenario.faults.push_back({.kind = sim::FaultKind::canard_stuck,
-                             .canard = 0,
-                             .from_s = 0.0,
-                             .until_s = 0.0,
-                             .angle_rad = -scenario.vehicle.servo.stop_rad});
+  scenario.faults.push_back(
+      {.device = sim::Device::servo, .how = sim::GearFault{sim::ServoFault::stuck, -scenario.vehicle.servo.stop_rad}});
   const Judged flown = fly(scenario);
   EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
   EXPECT_TRUE(flown.says("canard 1 does not follow its command, and the fin offset of -4.9 deg is, with that, beyond"))
@@ -132,7 +129,7 @@ TEST(FlownVerdict, AMotorBeyondTheRangeOfBothIsNotFlownToAnImaginedApogee) {
 
 TEST(FlownVerdict, AnOutageOfSevenMillisecondsNeitherEndsControlNorGoesUnsaid) {
   sim::Scenario scenario = launch2();
-  scenario.faults = {{.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 3.0, .until_s = 3.007}};
+  scenario.faults = {{.device = sim::Device::imu, .how = sim::Behaviour::hangs, .from_s = 3.0, .until_s = 3.007}};
   const Judged flown = fly(scenario);
   EXPECT_EQ(flown.verdict.outcome, Outcome::held);
   EXPECT_TRUE(flown.says("The gyro gave no usable rate for 0.006 s in all, first at 2.99 s")) << flown.verdict.text;
@@ -140,7 +137,7 @@ TEST(FlownVerdict, AnOutageOfSevenMillisecondsNeitherEndsControlNorGoesUnsaid) {
 
 TEST(FlownVerdict, ControlThatADeadGyroEndedIsJudgedUpToApogee) {
   sim::Scenario scenario = launch2();
-  scenario.faults = {{.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = 3.0, .until_s = 20.0}};
+  scenario.faults = {{.device = sim::Device::imu, .how = sim::Behaviour::hangs, .from_s = 3.0, .until_s = 20.0}};
   const Judged flown = fly(scenario);
   EXPECT_EQ(flown.verdict.outcome, Outcome::not_held);
   EXPECT_TRUE(

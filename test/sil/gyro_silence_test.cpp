@@ -34,8 +34,8 @@ struct Outcome {
 Outcome fly(const sim::Scenario& usual, const Silence& silence, double longest_gap_s) {
   sim::Scenario scenario = usual;
   scenario.plan.motion.longest_gyro_gap = core::from_seconds(static_cast<float>(longest_gap_s));
-  scenario.faults = {{.kind = sim::FaultKind::imu_dropout,
-                      .canard = 0,
+  scenario.faults = {{.device = sim::Device::imu,
+                      .how = sim::Behaviour::hangs,
                       .from_s = silence.from_s,
                       .until_s = silence.from_s + silence.length_s}};
   const flight::Flight flight = fly::fly_scenario(scenario);

@@ -70,8 +70,7 @@ TEST(JudgedFlight, WithResetsIsTheSame) {
     for (const sim::Reset& reset : {sim::Reset{}, sim::Reset{.cause = hal::ResetCause::brown_out},
                                     sim::Reset{.gap_s = 5.0}, sim::Reset{.memory = sim::MemoryAfterReset::lost}}) {
       sim::Scenario scenario = shipped("tasha3_launch2");
-      scenario.faults.push_back(
-          {.kind = sim::FaultKind::reset, .canard = 0, .from_s = time_s, .until_s = 0.0, .reset = reset});
+      scenario.faults.push_back({.device = sim::Device::processor, .how = reset, .from_s = time_s});
       expect_same(scenario, "reset at " + std::to_string(time_s));
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sil/random_launch.hpp"
 
+#include "input/fault_file.hpp"
 #include "input/scenario_file.hpp"
 #include "sim/units.hpp"
 
@@ -64,13 +65,16 @@ void draw_modes(core::FlightPlan& plan, const sim::RollPlant& plant, Draw& draw)
 
 void draw_fault(sim::Scenario& scenario, Draw& draw) {
   constexpr std::size_t kinds = 11;
-  sim::Fault fault{.kind = static_cast<sim::FaultKind>(draw.below(kinds)),
-                   .canard = draw.below(4),
-                   .from_s = draw.chance(0.1) ? before_power_up_s : draw.between(0.0, 9.0),
-                   .until_s = 0.0};
-  fault.until_s = fault.from_s + (draw.chance(0.7) ? draw.between(0.001, 0.4) : 30.0);
-  if (fault.kind == sim::FaultKind::canard_stuck || fault.kind == sim::FaultKind::canard_wrong_trim) {
-    fault.angle_rad = draw.between(-2.9, 2.9) * degree;
+  sim::Fault fault = input::fault_kinds()[draw.below(kinds)].fault;
+  fault.canard = draw.below(4);
+  fault.from_s = draw.chance(0.1) ? before_power_up_s : draw.between(0.0, 9.0);
+  const double until_s = fault.from_s + (draw.chance(0.7) ? draw.between(0.001, 0.4) : 30.0);
+  if (fault.until_s) {
+    fault.until_s = until_s;
+  }
+  auto* gear = std::get_if<sim::GearFault>(&fault.how);
+  if (gear != nullptr && (gear->fault == sim::ServoFault::stuck || gear->fault == sim::ServoFault::wrong_trim)) {
+    gear->angle_rad = draw.between(-2.9, 2.9) * degree;
   }
   scenario.faults.push_back(fault);
 }

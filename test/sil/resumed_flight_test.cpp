@@ -23,8 +23,7 @@ constexpr double degree = 3.14159265358979 / 180.0;
 sim::Scenario with_resets(const std::vector<double>& times_s, const sim::Reset& reset = {}) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   for (const double time_s : times_s) {
-    scenario.faults.push_back(
-        {.kind = sim::FaultKind::reset, .canard = 0, .from_s = time_s, .until_s = 0.0, .reset = reset});
+    scenario.faults.push_back({.device = sim::Device::processor, .how = reset, .from_s = time_s});
   }
   return scenario;
 }
@@ -63,7 +62,7 @@ TEST(ResumedFlight, AGapThatIsTakenForLongerTurnsIntoRollRateTimesTheError) {
   constexpr double clock_error_s = 0.04;
   sim::Scenario scenario = with_resets({3.0}, {.gap_s = 0.05});
   const auto [unused, right] = around_outage(fly::fly_scenario(scenario));
-  scenario.faults[0].reset.clock_error_s = clock_error_s;
+  std::get<sim::Reset>(scenario.faults[0].how).clock_error_s = clock_error_s;
   const auto [before, wrong] = around_outage(fly::fly_scenario(scenario));
   // From the seal on, which is up to 10 ms old, the rate goes evenly to the new one.
   const double mean_rate_rad_s = 0.5 * (before.roll_rate_rad_s + wrong.roll_rate_rad_s);

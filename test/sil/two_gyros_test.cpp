@@ -21,7 +21,8 @@ namespace {
 using core::CommandStatus;
 using core::GyroVote;
 using core::PhaseReason;
-using sim::FaultKind;
+using sim::Behaviour;
+using sim::Device;
 using text::degrees;
 
 constexpr double fault_s = 3.0;  // after ignition: in the middle of control
@@ -41,12 +42,11 @@ sim::Scenario launch2(bool two_gyros) {
   return scenario;
 }
 
-sim::Fault fault(FaultKind kind, double until_s, double offset_deg_s = 0.0) {
-  return {.kind = kind,
-          .canard = 0,
-          .from_s = fault_s,
-          .until_s = until_s,
-          .rate_offset_rad_s = text::radians(offset_deg_s)};
+sim::Fault fault(Device imu, sim::How how, double until_s) {
+  return {.device = imu, .how = how, .from_s = fault_s, .until_s = until_s};
+}
+sim::Fault offset(Device imu, double offset_deg_s, double until_s) {
+  return fault(imu, sim::RateOffset{text::radians(offset_deg_s)}, until_s);
 }
 
 struct Outcome {
@@ -102,10 +102,10 @@ TEST(TwoGyros, ThatAgreeFlyAsOneDoes) {
 }
 
 TEST(TwoGyros, WhereTheFirstFailsControlGoesOnByTheSecondWithoutACoast) {
-  for (const auto& [kind, what] : {std::pair{FaultKind::imu_dropout, "first hangs for good"},
-                                   std::pair{FaultKind::imu_frozen, "first frozen for good"}}) {
-    const Outcome one = fly(launch2(false), {fault(kind, 40.0)});
-    const Outcome two = fly(launch2(true), {fault(kind, 40.0)});
+  for (const auto& [how, what] : {std::pair{Behaviour::hangs, "first hangs for good"},
+                                  std::pair{Behaviour::gyro_frozen, "first frozen for good"}}) {
+    const Outcome one = fly(launch2(false), {fault(Device::imu, how, 40.0)});
+    const Outcome two = fly(launch2(true), {fault(Device::imu, how, 40.0)});
     print((std::string{"one, "} + what).c_str(), one);
     print((std::string{"two, "} + what).c_str(), two);
     EXPECT_EQ(two.reason, PhaseReason::apogee) << what;
@@ -118,8 +118,8 @@ TEST(TwoGyros, WhereTheFirstFailsControlGoesOnByTheSecondWithoutACoast) {
 
 TEST(TwoGyros, WhereTheSecondFailsNothingIsFelt) {
   const Outcome whole = fly(launch2(true), {});
-  for (const FaultKind kind : {FaultKind::second_imu_dropout, FaultKind::second_imu_frozen}) {
-    const Outcome failed = fly(launch2(true), {fault(kind, 40.0)});
+  for (const Behaviour how : {Behaviour::hangs, Behaviour::gyro_frozen}) {
+    const Outcome failed = fly(launch2(true), {fault(Device::second_imu, how, 40.0)});
     EXPECT_EQ(failed.votes.back(), GyroVote::first);
     EXPECT_EQ(failed.angle_error_deg, whole.angle_error_deg);
     EXPECT_EQ(failed.at_trim_s, 0.0);
@@ -128,28 +128,28 @@ TEST(TwoGyros, WhereTheSecondFailsNothingIsFelt) {
 
 // Nobody can say which one is wrong: canards at trim, and control again where they agree within the longest gap.
 TEST(TwoGyros, ThatDisagreeAreWaitedForAsASilentOneIs) {
-  const Outcome again = fly(launch2(true), {fault(FaultKind::imu_offset, fault_s + 0.1, 100.0)});
+  const Outcome again = fly(launch2(true), {offset(Device::imu, 100.0, fault_s + 0.1)});
   print("two, first 100 deg/s off for 0.1 s", again);
   EXPECT_EQ(again.reason, PhaseReason::apogee);
   // 20 ms until it is one; 20 ms, and the fifth sample, until it is none.
   EXPECT_NEAR(again.at_trim_s, 0.1 - 0.02 + 0.024, 0.002);
   EXPECT_LT(again.angle_error_deg, 10.0);
 
-  const Outcome ended = fly(launch2(true), {fault(FaultKind::second_imu_offset, 40.0, -100.0)});
+  const Outcome ended = fly(launch2(true), {offset(Device::second_imu, -100.0, 40.0)});
   print("two, second 100 deg/s off for good", ended);
   EXPECT_EQ(ended.reason, PhaseReason::gyro_failed);
   EXPECT_NEAR(ended.control_ended_s, fault_s + 0.02 + 0.25, 0.003);
   EXPECT_EQ(ended.votes.back(), GyroVote::disagree);
 
-  const Outcome one = fly(launch2(false), {fault(FaultKind::imu_offset, 40.0, 100.0)});
+  const Outcome one = fly(launch2(false), {offset(Device::imu, 100.0, 40.0)});
   print("one, 100 deg/s off for good", one);
   EXPECT_GT(one.rolled_deg, 360.0) << "steered by a wrong rate to apogee, it spins";
 }
 
 // What a resumed flight law remembers of the two comes with it.
 TEST(TwoGyros, AFrozenOneStaysAsideThroughAResetInFlight) {
-  const Outcome outcome = fly(launch2(true), {fault(FaultKind::imu_frozen, 40.0),
-                                              {.kind = FaultKind::reset, .canard = 0, .from_s = 5.0, .until_s = 0.0}});
+  const Outcome outcome = fly(launch2(true), {fault(Device::imu, Behaviour::gyro_frozen, 40.0),
+                                              {.device = Device::processor, .how = sim::Reset{}, .from_s = 5.0}});
   print("two, first frozen, reset at 5 s", outcome);
   EXPECT_EQ(outcome.reason, PhaseReason::apogee);
   EXPECT_EQ(outcome.votes, (std::vector{GyroVote::both, GyroVote::second}));
@@ -170,9 +170,9 @@ TEST(TwoGyros, OneTooManyThatIsNotFittedArmsNobody) {
 
 TEST(TwoGyros, TheLogGivesTheFlightAgainByteForByte) {
   for (const auto& faults : {std::vector<sim::Fault>{},
-                             {fault(FaultKind::imu_dropout, 3.5)},
-                             {fault(FaultKind::imu_offset, fault_s + 0.1, 100.0)},
-                             {fault(FaultKind::second_imu_frozen, 5.0)}}) {
+                             {fault(Device::imu, Behaviour::hangs, 3.5)},
+                             {offset(Device::imu, 100.0, fault_s + 0.1)},
+                             {fault(Device::second_imu, Behaviour::gyro_frozen, 5.0)}}) {
     const Outcome flown = fly(launch2(true), faults);
     const flight_log::LogFile file = flight_log::parse_log(flown.log, "two gyros");
     ASSERT_EQ(file.flights.size(), 1U);

@@ -25,7 +25,7 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 /// The IMU of a rocket with good fins dies late: control is cut short and little comes of it.
 void draw_a_quiet_end(sim::Scenario& scenario, Draw& draw) {
   scenario.faults.push_back(
-      {.kind = sim::FaultKind::imu_dropout, .canard = 0, .from_s = draw.between(5.0, 9.0), .until_s = 40.0});
+      {.device = sim::Device::imu, .how = sim::Behaviour::hangs, .from_s = draw.between(5.0, 9.0), .until_s = 40.0});
 }
 
 sim::Scenario random_launch(std::uint32_t seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faults of kind `device`: what the avionics is shown, and what the servos hear.
+// Faults of devices: what the avionics is shown, and what the servos hear.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,12 +17,8 @@ constexpr double end_s = 2.5;
 constexpr std::size_t broken = 1;
 constexpr std::int16_t most = std::numeric_limits<std::int16_t>::max();
 
-Fault misbehaves(Device device, Behaviour behaviour) {
-  return {.kind = FaultKind::device,
-          .canard = broken,
-          .from_s = begin_s,
-          .until_s = end_s,
-          .misbehaviour = {.device = device, .behaviour = behaviour}};
+Fault misbehaves(Device device, How how) {
+  return {.device = device, .canard = broken, .how = how, .from_s = begin_s, .until_s = end_s};
 }
 
 /// What is shown in each tick from 1.9 s to 2.6 s after ignition.
@@ -114,9 +110,7 @@ TEST(DeviceFault, GarbageIsAnotherInEveryTickAndTheSameWithTheSameSeed) {
 }
 
 TEST(DeviceFault, ADelayedSampleIsTheOneMeasuredThenWithItsOwnTime) {
-  Fault fault = misbehaves(Device::imu, Behaviour::delayed);
-  fault.misbehaviour.delay_s = 0.03;
-  const std::vector<Shown> all = watch(fault);
+  const std::vector<Shown> all = watch(misbehaves(Device::imu, Delayed{0.03}));
   const std::vector<Shown> whole = watch(misbehaves(Device::flash, Behaviour::dead));
   for (std::size_t i = 30; i < all.size(); ++i) {
     const std::size_t from = all[i].in_fault() ? i - 30 : i;
@@ -126,8 +120,8 @@ TEST(DeviceFault, ADelayedSampleIsTheOneMeasuredThenWithItsOwnTime) {
 
 TEST(DeviceFault, ThatComesAndGoesIsThereForOnAndGoneForOff) {
   Fault fault = misbehaves(Device::imu, Behaviour::dead);
-  fault.misbehaviour.on_s = 0.003;
-  fault.misbehaviour.off_s = 0.027;
+  fault.on_s = 0.003;
+  fault.off_s = 0.027;
   for (const Shown& shown : watch(fault)) {
     const auto ms = std::llround(1e3 * (shown.time_s - begin_s));
     const bool there = shown.in_fault() && ms % 30 < 3;
@@ -157,9 +151,9 @@ double encoder_deg(const FlownWorld& flown, double time_s, std::size_t canard) {
   return static_cast<double>(flown.at(time_s).record.encoders[canard]->radians()) / degree;
 }
 
-FlownWorld fly_servo(Behaviour behaviour) {
+FlownWorld fly_servo(How how) {
   Scenario s = scenario("tasha3_launch2");
-  s.faults = {misbehaves(Device::servo, behaviour)};
+  s.faults = {misbehaves(Device::servo, how)};
   return fly(s);
 }
 
@@ -174,7 +168,7 @@ TEST(DeviceFault, AServoWithoutPulsesStandsStillAndFollowsAgainAfterwards) {
 }
 
 TEST(DeviceFault, AServoAtItsStopComesBackAndOneWithRandomPulsesDoesNotFollow) {
-  const FlownWorld flown = fly_servo(Behaviour::saturated);
+  const FlownWorld flown = fly_servo(GearFault{ServoFault::hardover});
   EXPECT_NEAR(encoder_deg(flown, 2.4, broken), 25.0, 0.2);
   EXPECT_NEAR(encoder_deg(flown, 8.5, broken), encoder_deg(flown, 8.5, 0), 0.3);
   const FlownWorld random = fly_servo(Behaviour::garbage);

@@ -51,23 +51,6 @@ TEST(EncoderModel, NegativeAnglesAndWholeTurnsWrap) {
   EXPECT_EQ(reading.each[3].counts, 0);
 }
 
-TEST(EncoderModel, AnUnpluggedEncoderHasNoReadingAndTheOthersKeepTheirNoise) {
-  EncoderModel whole{{}, {.noise_counts = 5.0}, {seed, 0}};
-  EncoderModel broken{{}, {.noise_counts = 5.0}, {seed, 0}};
-  broken.unplug(1);
-  for (int tick = 0; tick < 100; ++tick) {
-    const hal::EncoderReading expected = whole.sample({}, {});
-    const hal::EncoderReading reading = broken.sample({}, {});
-    EXPECT_EQ(reading.each[1].status, hal::Status::no_reading);
-    for (const std::size_t i : {0U, 2U, 3U}) {
-      EXPECT_EQ(reading.each[i].status, hal::Status::ok);
-      EXPECT_EQ(reading.each[i].counts, expected.each[i].counts);
-    }
-  }
-  broken.unplug(1, false);
-  EXPECT_EQ(broken.sample({}, {}).each[1].status, hal::Status::ok);
-}
-
 TEST(EncoderModel, NoiseHasTheGivenStandardDeviationInCounts) {
   EncoderModel encoder{{}, {.noise_counts = 3.0}, {seed, 0}};
   double sum = 0.0;

@@ -20,11 +20,10 @@ inline Scenario jammed(const std::array<double, 4>& angles_deg, const std::vecto
   all.insert(all.end(), changes.begin(), changes.end());
   Scenario s = scenario("tunnel_steps", all);
   for (std::size_t i = 0; i < angles_deg.size(); ++i) {
-    s.faults.push_back({.kind = FaultKind::canard_stuck,
+    s.faults.push_back({.device = Device::servo,
                         .canard = i,
-                        .from_s = 0.5,
-                        .until_s = 0.0,
-                        .angle_rad = angles_deg[i] * degree});
+                        .how = GearFault{ServoFault::stuck, angles_deg[i] * degree},
+                        .from_s = 0.5});
   }
   return s;
 }

@@ -20,10 +20,14 @@ constexpr double liftoff_s = 0.013;  // after ignition
 constexpr double seen_s = fault_s - liftoff_s;
 constexpr std::size_t broken = 1;  // the second canard
 
-FlownWorld fly_with(FaultKind kind, double until_s = 0.0, const std::vector<std::string>& changes = {}) {
+FlownWorld fly_with(const Fault& fault, const std::vector<std::string>& changes = {}) {
   Scenario s = scenario("tasha3_launch2", changes);
-  s.faults = {{.kind = kind, .canard = broken, .from_s = fault_s, .until_s = until_s}};
+  s.faults = {fault};
   return fly(s);
+}
+
+FlownWorld fly_with(ServoFault fault, const std::vector<std::string>& changes = {}) {
+  return fly_with({.device = Device::servo, .canard = broken, .how = GearFault{fault}, .from_s = fault_s}, changes);
 }
 
 FlownWorld fly_with_these(const std::vector<Fault>& faults) {
@@ -51,7 +55,7 @@ void expect_noticed_on_the_broken_canard_only(const FlownWorld& flown) {
 }
 
 TEST(CanardFault, StuckStandsStillAndIsNoticed) {
-  const FlownWorld flown = fly_with(FaultKind::canard_stuck);
+  const FlownWorld flown = fly_with(ServoFault::stuck);
   const double stands_deg = encoder_deg(flown.at(seen_s + 0.01), broken);
   for (double time_s = seen_s + 0.01; time_s < 9.0; time_s += 0.01) {
     ASSERT_NEAR(encoder_deg(flown.at(time_s), broken), stands_deg, 0.2) << time_s;
@@ -60,7 +64,7 @@ TEST(CanardFault, StuckStandsStillAndIsNoticed) {
 }
 
 TEST(CanardFault, HardoverRunsToThePositiveStopAndIsNoticed) {
-  const FlownWorld flown = fly_with(FaultKind::canard_hardover);
+  const FlownWorld flown = fly_with(ServoFault::hardover);
   EXPECT_NEAR(encoder_deg(flown.at(seen_s + 0.2), broken), 25.0, 0.2);
   EXPECT_NEAR(encoder_deg(flown.at(9.0), broken), 25.0, 0.2);
   expect_noticed_on_the_broken_canard_only(flown);
@@ -69,7 +73,7 @@ TEST(CanardFault, HardoverRunsToThePositiveStopAndIsNoticed) {
 }
 
 TEST(CanardFault, DeadIsTurnedToZeroByTheAirAndIsNoticed) {
-  const FlownWorld flown = fly_with(FaultKind::canard_dead);
+  const FlownWorld flown = fly_with(ServoFault::dead);
   for (double time_s = seen_s + 0.3; time_s < 9.0; time_s += 0.01) {
     ASSERT_NEAR(encoder_deg(flown.at(time_s), broken), 0.0, 0.2) << time_s;
   }
@@ -77,7 +81,7 @@ TEST(CanardFault, DeadIsTurnedToZeroByTheAirAndIsNoticed) {
 }
 
 TEST(CanardFault, SlippingLosesItsPlaceAndIsNoticed) {
-  const FlownWorld flown = fly_with(FaultKind::canard_slipping);
+  const FlownWorld flown = fly_with(ServoFault::slipping);
   double largest_deg = 0.0;
   for (double time_s = seen_s + 0.1; time_s < 9.0; time_s += 0.01) {
     const Tick& tick = flown.at(time_s);
@@ -88,7 +92,7 @@ TEST(CanardFault, SlippingLosesItsPlaceAndIsNoticed) {
 }
 
 TEST(CanardFault, ReversedMirrorsItsNeighboursAndIsNoticed) {
-  const FlownWorld flown = fly_with(FaultKind::canard_reversed);
+  const FlownWorld flown = fly_with(ServoFault::reversed);
   for (double time_s = seen_s + 0.3; time_s < 9.0; time_s += 0.01) {
     const Tick& tick = flown.at(time_s);
     ASSERT_NEAR(encoder_deg(tick, broken), -encoder_deg(tick, 0), 0.6) << time_s;
@@ -97,7 +101,7 @@ TEST(CanardFault, ReversedMirrorsItsNeighboursAndIsNoticed) {
 }
 
 TEST(CanardFault, SlowLagsBehindItsNeighboursAndIsNoticed) {
-  const FlownWorld flown = fly_with(FaultKind::canard_slow);
+  const FlownWorld flown = fly_with(ServoFault::slow);
   double largest_deg = 0.0;
   for (double time_s = seen_s + 0.1; time_s < 9.0; time_s += 0.01) {
     const Tick& tick = flown.at(time_s);
@@ -108,7 +112,7 @@ TEST(CanardFault, SlowLagsBehindItsNeighboursAndIsNoticed) {
 }
 
 TEST(CanardFault, WrongTrimStandsBesideItsNeighboursAndIsNoticed) {
-  const FlownWorld flown = fly_with(FaultKind::canard_wrong_trim);
+  const FlownWorld flown = fly_with(ServoFault::wrong_trim);
   for (double time_s = seen_s + 0.01; time_s < 9.0; time_s += 0.01) {
     const Tick& tick = flown.at(time_s);
     ASSERT_NEAR(encoder_deg(tick, broken) - encoder_deg(tick, 0), 2.5, 0.3) << time_s;
@@ -119,8 +123,8 @@ TEST(CanardFault, WrongTrimStandsBesideItsNeighboursAndIsNoticed) {
 // 25 takes the place of 3 for good: a fault that were applied again and again would bring the canard back.
 TEST(CanardFault, IsAppliedOnceAndALaterOneTakesItsPlaceInWhateverOrderTheyAreWritten) {
   const Fault stuck{
-      .kind = FaultKind::canard_stuck, .canard = broken, .from_s = 1, .until_s = 0, .angle_rad = 3 * degree};
-  const Fault hardover{.kind = FaultKind::canard_hardover, .canard = broken, .from_s = 2, .until_s = 0};
+      .device = Device::servo, .canard = broken, .how = GearFault{ServoFault::stuck, 3 * degree}, .from_s = 1};
+  const Fault hardover{.device = Device::servo, .canard = broken, .how = GearFault{ServoFault::hardover}, .from_s = 2};
   for (const FlownWorld& flown : {fly_with_these({stuck, hardover}), fly_with_these({hardover, stuck})}) {
     EXPECT_NEAR(encoder_deg(flown.at(1.0 - liftoff_s), broken), 3.0, 0.1);
     EXPECT_NEAR(encoder_deg(flown.at(1.9), broken), 3.0, 0.1);
@@ -131,9 +135,9 @@ TEST(CanardFault, IsAppliedOnceAndALaterOneTakesItsPlaceInWhateverOrderTheyAreWr
 
 TEST(CanardFault, OfLongBeforePowerUpIsThereFromTheFirstTick) {
   const FlownWorld flown = fly_with_these(
-      {{.kind = FaultKind::canard_stuck, .canard = 0, .from_s = -600, .until_s = 0, .angle_rad = 3 * degree},
-       {.kind = FaultKind::canard_wrong_trim, .canard = 1, .from_s = -600, .until_s = 0},
-       {.kind = FaultKind::encoder_unplugged, .canard = 2, .from_s = -600, .until_s = 0}});
+      {{.device = Device::servo, .canard = 0, .how = GearFault{ServoFault::stuck, 3 * degree}, .from_s = -600},
+       {.device = Device::servo, .canard = 1, .how = GearFault{ServoFault::wrong_trim}, .from_s = -600},
+       {.device = Device::encoder, .canard = 2, .how = Behaviour::dead, .from_s = -600}});
   for (const std::size_t tick : {0U, 500U}) {
     EXPECT_NEAR(encoder_deg(flown.ticks[tick], 0), 3.0, 0.1) << tick;
     EXPECT_NEAR(encoder_deg(flown.ticks[tick], 1), 2.5, 0.1) << tick;
@@ -143,9 +147,9 @@ TEST(CanardFault, OfLongBeforePowerUpIsThereFromTheFirstTick) {
 }
 
 TEST(CanardFault, EndsControlOnlyWhenThePlanSaysSo) {
-  const FlownWorld goes_on = fly_with(FaultKind::canard_hardover);
+  const FlownWorld goes_on = fly_with(ServoFault::hardover);
   EXPECT_EQ(goes_on.first_in(Phase::finished)->record.reason, PhaseReason::apogee);
-  const FlownWorld ends = fly_with(FaultKind::canard_hardover, 0.0, {"run.canard_fault=end_control"});
+  const FlownWorld ends = fly_with(ServoFault::hardover, {"run.canard_fault=end_control"});
   EXPECT_EQ(ends.first_in(Phase::finished)->record.reason, PhaseReason::canard_fault);
   EXPECT_LT(ends.first_in(Phase::finished)->time_s, seen_s + 0.3);
 }
@@ -163,7 +167,7 @@ double sum_of_encoders_deg(const Tick& tick) {
 // kp.
 TEST(CanardFault, OfOneThatStandsStillCostsNothingAtRestWhereThePlanShares) {
   const auto flown_with = [](const char* policy) {
-    return fly_with(FaultKind::canard_dead, 0.0,
+    return fly_with(ServoFault::dead,
                     {std::string{"run.canard_fault="} + policy, "reference.kind=hold", "excitation.form=none"});
   };
   const FlownWorld shared = flown_with("share");
@@ -180,14 +184,15 @@ TEST(CanardFault, OfOneThatStandsStillCostsNothingAtRestWhereThePlanShares) {
 TEST(CanardFault, LeavesTheLoopItsGainWhereThePlanShares) {
   for (const auto& [policy, effectiveness] : {std::pair{"continue", 0.75}, std::pair{"share", 1.0}}) {
     Scenario s = scenario("tasha3_launch2", {std::string{"run.canard_fault="} + policy});
-    s.faults = {{.kind = FaultKind::canard_dead, .canard = broken, .from_s = 0.0, .until_s = 0.0}};
+    s.faults = {{.device = Device::servo, .canard = broken, .how = GearFault{ServoFault::dead}}};
     EXPECT_NEAR(canard_response(s).effectiveness, effectiveness, 1e-6) << policy;
   }
 }
 
 // Nobody flies by an encoder that is silent, so the flight itself is the same to the last bit.
 TEST(EncoderUnplugged, IsEmptyAndDeadAndChangesNothingElse) {
-  const FlownWorld flown = fly_with(FaultKind::encoder_unplugged);
+  const FlownWorld flown =
+      fly_with({.device = Device::encoder, .canard = broken, .how = Behaviour::dead, .from_s = fault_s});
   const FlownWorld whole = fly("tasha3_launch2");
   ASSERT_EQ(flown.ticks.size(), whole.ticks.size());
   for (std::size_t i = 0; i < flown.ticks.size(); ++i) {
@@ -203,8 +208,7 @@ TEST(EncoderUnplugged, IsEmptyAndDeadAndChangesNothingElse) {
 // 60 counts are 1.32 deg. Before anybody arms it, a canard stands still.
 TEST(EncoderNoisy, IsSoFromItsBeginningAndChangesNothingElse) {
   constexpr double from_s = -9.5;  // after ignition: half a second after power-up
-  const FlownWorld flown =
-      fly_with_these({{.kind = FaultKind::encoder_noisy, .canard = broken, .from_s = from_s, .until_s = 0}});
+  const FlownWorld flown = fly_with({.device = Device::encoder, .canard = broken, .how = Noisy{}, .from_s = from_s});
   const FlownWorld whole = fly("tasha3_launch2");
   ASSERT_EQ(flown.ticks.size(), whole.ticks.size());
   double squares = 0.0;
@@ -222,14 +226,14 @@ TEST(EncoderNoisy, IsSoFromItsBeginningAndChangesNothingElse) {
 
 TEST(ImuDropout, OfMillisecondsIsBridgedAndControlGoesOn) {
   for (const double length_s : {0.003, 0.008, 0.1}) {
-    const FlownWorld flown = fly_with(FaultKind::imu_dropout, fault_s + length_s);
+    const FlownWorld flown = fly_with({.how = Behaviour::hangs, .from_s = fault_s, .until_s = fault_s + length_s});
     EXPECT_EQ(flown.first_in(Phase::finished)->record.reason, PhaseReason::apogee) << length_s;
   }
 }
 
 // One that came just before the dropout is too old at the tick after the longest gap.
 TEST(ImuDropout, LongerThanThePlansLongestGapEndsControl) {
-  const FlownWorld flown = fly_with(FaultKind::imu_dropout, fault_s + 0.5);
+  const FlownWorld flown = fly_with({.how = Behaviour::hangs, .from_s = fault_s, .until_s = fault_s + 0.5});
   const Tick* end = flown.first_in(Phase::finished);
   ASSERT_NE(end, nullptr);
   EXPECT_EQ(end->record.reason, PhaseReason::gyro_failed);
@@ -241,7 +245,7 @@ TEST(ImuDropout, LongerThanThePlansLongestGapEndsControl) {
 TEST(AccelerometerDropout, OfOneOfTwoStopsDetectionUnlessThePlanAllowsASingleOne) {
   const auto dropped = [](const char* single_allowed) {
     Scenario s = scenario("tasha3_launch2", {std::string{"launch_detection.single_allowed="} + single_allowed});
-    s.faults = {{.kind = FaultKind::accelerometer_dropout, .canard = 0, .from_s = -1.0, .until_s = 20.0}};
+    s.faults = {{.device = Device::accelerometer, .how = Behaviour::hangs, .from_s = -1.0, .until_s = 20.0}};
     return fly(s);
   };
   const FlownWorld refused = dropped("false");

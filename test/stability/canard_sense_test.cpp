@@ -53,11 +53,11 @@ TEST(CanardSense, AServoThatAFaultHasTurnedIsNotBlamedOnPlanAndVehicle) {
   sim::Scenario scenario = with_reversed({});
   for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
     scenario.faults.push_back(
-        {.kind = sim::FaultKind::canard_reversed, .canard = canard, .from_s = 0.0, .until_s = 0.0});
+        {.device = sim::Device::servo, .canard = canard, .how = sim::GearFault{sim::ServoFault::reversed}});
   }
   EXPECT_EQ(why_uncontrollable(scenario), "all canards turn the rocket against the roll command");
   for (sim::Fault& fault : scenario.faults) {
-    fault.kind = sim::FaultKind::canard_dead;
+    fault.how = sim::GearFault{sim::ServoFault::dead};
   }
   EXPECT_EQ(why_uncontrollable(scenario), "the canards follow the roll command hardly or not at all");
   scenario.faults.resize(2);

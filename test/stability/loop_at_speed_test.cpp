@@ -123,23 +123,23 @@ TEST(LoopAtSpeed, HasTheCanardFaultsThatAreThereAtLiftOff) {
   sim::Scenario weak = slow;
   weak.plan.controller.proportional_gain *= 0.75F;
   weak.plan.controller.derivative_gain_s *= 0.75F;
-  const auto breaks = [](sim::FaultKind kind, std::size_t canard, double from_s) {
-    return sim::Fault{.kind = kind, .canard = canard, .from_s = from_s, .until_s = 0.0};
+  const auto breaks = [](sim::ServoFault fault, std::size_t canard, double from_s) {
+    return sim::Fault{.device = sim::Device::servo, .canard = canard, .how = sim::GearFault{fault}, .from_s = from_s};
   };
   sim::Scenario dead = slow;
-  dead.faults.push_back(breaks(sim::FaultKind::canard_dead, 2, -1.0));
+  dead.faults.push_back(breaks(sim::ServoFault::dead, 2, -1.0));
   EXPECT_NEAR(margin_deg(dead), healthy_deg, 1e-3) << "the others do its part";
   dead.plan.run.canard_fault = core::CanardFaultPolicy::continue_control;
   EXPECT_NEAR(margin_deg(dead), margin_deg(weak), 1e-3) << "a quarter of the gain is gone";
   double before_deg = healthy_deg;
   for (std::size_t canard = 0; canard < 4; ++canard) {
-    slow.faults.push_back(breaks(sim::FaultKind::canard_slow, canard, 0.0));
+    slow.faults.push_back(breaks(sim::ServoFault::slow, canard, 0.0));
     EXPECT_LT(margin_deg(slow), before_deg);
     before_deg = margin_deg(slow);
   }
   EXPECT_NEAR(margin_deg(slow), margin_deg(lagging), 1e-6);
   sim::Scenario later = input::load_scenario("tasha3_launch2", {});
-  later.faults.push_back(breaks(sim::FaultKind::canard_dead, 2, 3.0));
+  later.faults.push_back(breaks(sim::ServoFault::dead, 2, 3.0));
   EXPECT_EQ(margin_deg(later), healthy_deg) << "the flight says that it is not in the margins";
 }
 

@@ -104,15 +104,16 @@ std::vector<std::string> take_trajectory(const FlyOptions& options, sim::Scenari
 }
 
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
-  const auto damages = [](const sim::Fault& fault) {
-    return sim::is_of_device(fault.kind) && fault.misbehaviour.device == sim::Device::memory;
-  };
-  if (options.computer.on != "host" && std::ranges::any_of(scenario.faults, damages)) {
+  const auto resets = [](const sim::Fault& fault) { return std::holds_alternative<sim::Reset>(fault.how); };
+  if (options.computer.on == "host") {
+    return;
+  }
+  if (std::ranges::find(scenario.faults, sim::Device::memory, &sim::Fault::device) != scenario.faults.end()) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       fmt::format("{}: faults.device = \"memory\" cannot be flown with --on {}; allowed: --on host",
                                   scenario.name, options.computer.on)};
   }
-  if (options.computer.on != "host" && std::ranges::any_of(scenario.faults, sim::is_reset, &sim::Fault::kind)) {
+  if (std::ranges::any_of(scenario.faults, resets)) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       fmt::format("{}: faults.kind = \"reset\" cannot be flown with --on {}; allowed: --on host",
                                   scenario.name, options.computer.on)};

@@ -133,12 +133,11 @@ class Node {
 /// Bus and flash of a node are the PC's, and nothing here can break them.
 void check_faults(const sim::Scenario& scenario) {
   for (const sim::Fault& fault : scenario.faults) {
-    const sim::Device device = fault.misbehaviour.device;
-    if (sim::is_of_device(fault.kind) && (device == sim::Device::bus || device == sim::Device::flash)) {
+    if (fault.device == sim::Device::bus || fault.device == sim::Device::flash) {
       throw text::Error{text::ErrorKind::bad_configuration,
                         fmt::format("{}: faults.device = \"{}\" cannot be run as a node, whose bus and flash are this "
                                     "machine's; allowed: the other devices",
-                                    scenario.name, input::name(device))};
+                                    scenario.name, input::name(fault.device))};
     }
   }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
+#include <variant>
 
 #include "faults/fault_table.hpp"
-#include "sim/units.hpp"
 
 // How the faults of the table are made, and which of them a scenario can have.
 namespace fantail::faults {
@@ -11,16 +10,6 @@ namespace {
 
 constexpr double for_good_s = 3600.0;
 constexpr double between_resets_s = 0.2;
-
-bool is_of_one_canard(const Recipe& recipe) {
-  return recipe.kind == sim::FaultKind::device ? sim::is_of_canard(recipe.device)
-                                               : !sim::is_of_sensor(recipe.kind) && !sim::is_reset(recipe.kind);
-}
-
-bool is_of_second_imu(const Recipe& recipe) {
-  return recipe.kind == sim::FaultKind::device ? recipe.device == sim::Device::second_imu
-                                               : sim::is_of_second_imu(recipe.kind);
-}
 
 }  // namespace
 
@@ -49,12 +38,13 @@ std::vector<std::string_view> device_names() {
 std::string why_not(const FaultRow& row, const sim::Scenario& scenario) {
   const bool is_fitted =
       scenario.vehicle.second_imu_is_fitted && scenario.plan.sensors.gyros == core::GyroRule::two_agree;
-  return is_of_second_imu(row.recipe) && !is_fitted ? "the rocket does not fly on a second IMU" : "";
+  return row.recipe.fault.device == sim::Device::second_imu && !is_fitted ? "the rocket does not fly on a second IMU"
+                                                                          : "";
 }
 
 double end_of(const Recipe& recipe, double begin_s) {
-  if (sim::is_reset(recipe.kind)) {
-    return begin_s + between_resets_s * (recipe.times - 1) + recipe.reset.gap_s;
+  if (const auto* reset = std::get_if<sim::Reset>(&recipe.fault.how)) {
+    return begin_s + between_resets_s * (recipe.times - 1) + reset->gap_s;
   }
   return recipe.lasts_s > 0.0 ? begin_s + recipe.lasts_s : for_good_s;
 }
@@ -76,34 +66,22 @@ Shafts shafts_of(const FaultRow& row, std::uint64_t run) {
 
 std::vector<sim::Fault> faults_of(const Recipe& recipe, double begin_s, std::uint64_t run,
                                   const sim::Scenario& scenario) {
-  sim::Fault fault{.kind = recipe.kind,
-                   .canard = run % hal::canards,
-                   .from_s = begin_s,
-                   .until_s = end_of(recipe, begin_s),
-                   .rate_offset_rad_s = recipe.offset_deg_s * sim::radians_per_degree,
-                   .reset = recipe.reset,
-                   .misbehaviour = {.device = recipe.device,
-                                    .behaviour = recipe.behaviour,
-                                    .on_s = recipe.on_s,
-                                    .off_s = recipe.off_s,
-                                    .delay_s = recipe.delay_s,
-                                    .variant = run}};
-  if (recipe.angle_deg != 0.0) {
-    fault.angle_rad = std::clamp(recipe.angle_deg * sim::radians_per_degree, -scenario.vehicle.servo.stop_rad,
-                                 scenario.vehicle.servo.stop_rad);
+  sim::Fault fault = recipe.fault;
+  fault.from_s = begin_s;
+  if (fault.until_s) {
+    fault.until_s = end_of(recipe, begin_s);
   }
-  std::vector<sim::Fault> faults{fault};
-  for (int i = 1; i < recipe.times; ++i) {
-    faults.push_back(fault);
-    faults.back().from_s = begin_s + between_resets_s * i;
+  if (auto* gear = std::get_if<sim::GearFault>(&fault.how); gear != nullptr && gear->angle_rad) {
+    const double stop_rad = scenario.vehicle.servo.stop_rad;
+    gear->angle_rad = std::clamp(*gear->angle_rad, -stop_rad, stop_rad);
   }
-  for (std::size_t canard = 0; recipe.all_canards && canard < hal::canards; ++canard) {
-    faults.resize(hal::canards, fault);
-    faults[canard].canard = canard;
-  }
-  if (!is_of_one_canard(recipe)) {
-    for (sim::Fault& each : faults) {
-      each.canard = 0;
+  std::vector<sim::Fault> faults(recipe.all_canards ? hal::canards : static_cast<std::size_t>(recipe.times), fault);
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    if (recipe.all_canards) {
+      faults[i].canard = i;
+    } else {
+      faults[i].canard = sim::is_of_canard(fault.device) ? run % hal::canards : 0;
+      faults[i].from_s = begin_s + between_resets_s * static_cast<double>(i);
     }
   }
   return faults;

@@ -10,6 +10,8 @@ namespace {
 
 using sim::Behaviour;
 using sim::Device;
+using sim::GearFault;
+using sim::ServoFault;
 using enum Outcome;
 using enum Shaft;
 
@@ -52,26 +54,6 @@ constexpr Cells resumed{any_of(not_armed, holds), any_of(no_control), any_of(no_
 constexpr Cells not_resumed{any_of(not_armed, holds), never, with(any_of(no_control, over), 0.5),
                             with(any_of(over), 0.5), with(stays, 0.5)};
 
-constexpr Recipe broken(Device device, Behaviour behaviour) { return {.device = device, .behaviour = behaviour}; }
-constexpr Recipe for_s(Device device, double lasts_s) { return {.device = device, .lasts_s = lasts_s}; }
-constexpr Recipe again(Device device, Behaviour behaviour, double on_s, double off_s) {
-  return {.device = device, .behaviour = behaviour, .on_s = on_s, .off_s = off_s};
-}
-constexpr Recipe delayed(Device device, double delay_s) {
-  return {.device = device, .behaviour = Behaviour::delayed, .delay_s = delay_s};
-}
-constexpr Recipe offset(sim::FaultKind kind, double offset_deg_s) {
-  return {.kind = kind, .offset_deg_s = offset_deg_s};
-}
-constexpr Recipe gear(sim::FaultKind kind, double angle_deg = 0.0) { return {.kind = kind, .angle_deg = angle_deg}; }
-constexpr Recipe all(Device device, Behaviour behaviour, double lasts_s = 0.0) {
-  return {.device = device, .behaviour = behaviour, .lasts_s = lasts_s, .all_canards = true};
-}
-constexpr Recipe reset(hal::ResetCause cause, double gap_s, int times = 1,
-                       sim::MemoryAfterReset memory = sim::MemoryAfterReset::kept) {
-  return {.kind = sim::FaultKind::reset, .reset = {.cause = cause, .gap_s = gap_s, .memory = memory}, .times = times};
-}
-
 /// What is safe where a sensor is wrong for good, has spikes, is silent for a while or comes and goes.
 struct SensorCells {
   Cells for_good;
@@ -95,22 +77,22 @@ constexpr std::array<FaultRow, 14> sensor(std::string_view name, Device device, 
     {name, "repeated", "its last sample comes again, with its old time", broken(device, Behaviour::repeated), safe.for_good},
     {name, "saturated", "along the long axis it stands at the upper end of its range", broken(device, Behaviour::saturated), safe.for_good},
     {name, "garbage", "random counts, without an error", broken(device, Behaviour::garbage), safe.for_good},
-    {name, "spike", "one sample of random counts in 50", again(device, Behaviour::garbage, 0.001, 0.049), safe.spike},
-    {name, "slow", "one new sample in 10 ms", again(device, Behaviour::repeated, 0.009, 0.001), safe.for_good},
-    {name, "delayed", "its samples come 20 ms late", delayed(device, 0.02), safe.for_good},
+    {name, "spike", "one sample of random counts in 50", spike(device), safe.spike},
+    {name, "slow", "one new sample in 10 ms", slow_samples(device), safe.for_good},
+    {name, "delayed", "its samples come 20 ms late", broken(device, sim::Delayed{0.02}), safe.for_good},
     {name, "nan", "the counts that stand for none, without an error", broken(device, Behaviour::nan), safe.for_good},
-    {name, "silent_3ms", "does not answer for 3 ms", for_s(device, 0.003), safe.silent_3ms},
-    {name, "silent_50ms", "does not answer for 50 ms", for_s(device, 0.05), safe.silent_50ms},
-    {name, "silent_2s", "does not answer for 2 s", for_s(device, 2.0), safe.silent_2s},
+    {name, "silent_3ms", "does not answer for 3 ms", silent_for(0.003, device), safe.silent_3ms},
+    {name, "silent_50ms", "does not answer for 50 ms", silent_for(0.05, device), safe.silent_50ms},
+    {name, "silent_2s", "does not answer for 2 s", silent_for(2.0, device), safe.silent_2s},
     {name, "flickers_3ms", "does not answer for 3 ms of 30", again(device, Behaviour::dead, 0.003, 0.027), safe.flickers},
     {name, "flickers_100ms", "does not answer for 0.1 s of 0.5 s", again(device, Behaviour::dead, 0.1, 0.4), safe.flickers},
   }};
 }
 
-constexpr std::array<FaultRow, 2> offsets(std::string_view name, sim::FaultKind kind, const Cells& safe) {
+constexpr std::array<FaultRow, 2> offsets(std::string_view name, Device device, const Cells& safe) {
   return {{
-    {name, "offset_100", "its gyro reads 100 deg/s more about the long axis", offset(kind, 100.0), safe},
-    {name, "offset_15", "its gyro reads 15 deg/s more about the long axis", offset(kind, 15.0), safe},
+    {name, "offset_100", "its gyro reads 100 deg/s more about the long axis", offset(device, 100.0), safe},
+    {name, "offset_15", "its gyro reads 15 deg/s more about the long axis", offset(device, 15.0), safe},
   }};
 }
 
@@ -119,33 +101,33 @@ constexpr auto others = std::to_array<FaultRow>({
   {"encoder", "stuck", "its last reading comes again", broken(Device::encoder, Behaviour::stuck), harmless},
   {"encoder", "saturated", "reads the last count of its turn", broken(Device::encoder, Behaviour::saturated), harmless},
   {"encoder", "garbage", "random readings, without an error", broken(Device::encoder, Behaviour::garbage), harmless},
-  {"encoder", "spike", "one random reading in 50", again(Device::encoder, Behaviour::garbage, 0.001, 0.049), harmless},
-  {"encoder", "delayed", "its readings come 0.1 s late", delayed(Device::encoder, 0.1), harmless},
+  {"encoder", "spike", "one random reading in 50", spike(Device::encoder), harmless},
+  {"encoder", "delayed", "its readings come 0.1 s late", broken(Device::encoder, sim::Delayed{0.1}), harmless},
   {"encoder", "nan", "readings beyond a turn, without an error", broken(Device::encoder, Behaviour::nan), harmless},
-  {"encoder", "silent_3ms", "does not answer for 3 ms", for_s(Device::encoder, 0.003), harmless},
-  {"encoder", "silent_50ms", "does not answer for 50 ms", for_s(Device::encoder, 0.05), harmless},
-  {"encoder", "silent_2s", "does not answer for 2 s", for_s(Device::encoder, 2.0), harmless},
+  {"encoder", "silent_3ms", "does not answer for 3 ms", silent_for(0.003, Device::encoder), harmless},
+  {"encoder", "silent_50ms", "does not answer for 50 ms", silent_for(0.05, Device::encoder), harmless},
+  {"encoder", "silent_2s", "does not answer for 2 s", silent_for(2.0, Device::encoder), harmless},
   {"encoder", "flickers_3ms", "does not answer for 3 ms of 30", again(Device::encoder, Behaviour::dead, 0.003, 0.027), harmless},
   {"encoder", "flickers_1s", "does not answer for 1 s of 2 s", again(Device::encoder, Behaviour::dead, 1.0, 1.0), harmless},
   {"encoder", "all_dead", "all four do not answer", all(Device::encoder, Behaviour::dead), harmless},
   {"encoder", "all_stuck", "the last readings of all four come again", all(Device::encoder, Behaviour::stuck), harmless},
 
   {"servo", "dead", "hears no pulses; friction holds the shaft", broken(Device::servo, Behaviour::dead), harmless, stays_short},
-  {"servo", "torn_off", "the air turns the shaft back to zero", gear(sim::FaultKind::canard_dead), harmless, stays_short},
-  {"servo", "stuck", "jammed where it stands", broken(Device::servo, Behaviour::stuck), harmless, stays_short},
-  {"servo", "hardover", "runs to its positive stop", broken(Device::servo, Behaviour::saturated), harmless, runs_away},
-  {"servo", "hardover_back", "stands at its negative stop", gear(sim::FaultKind::canard_stuck, -90.0), harmless, runs_away},
-  {"servo", "slipping", "loses a third of every movement", gear(sim::FaultKind::canard_slipping), harmless, stays_short},
+  {"servo", "torn_off", "the air turns the shaft back to zero", gear(ServoFault::dead), harmless, stays_short},
+  {"servo", "stuck", "jammed where it stands", broken(Device::servo, GearFault{ServoFault::stuck}), harmless, stays_short},
+  {"servo", "hardover", "runs to its positive stop", hardover, harmless, runs_away},
+  {"servo", "hardover_back", "stands at its negative stop", hardover_back, harmless, runs_away},
+  {"servo", "slipping", "loses a third of every movement", gear(ServoFault::slipping), harmless, stays_short},
   {"servo", "repeated", "hears its last pulse again and again", broken(Device::servo, Behaviour::repeated), harmless, stays_short},
   {"servo", "garbage", "hears random pulses of 500 to 2500 us", broken(Device::servo, Behaviour::garbage), harmless, runs_away},
   {"servo", "spike", "hears random pulses for 3 ms of 100", again(Device::servo, Behaviour::garbage, 0.003, 0.097), harmless, jolts},
   {"servo", "cut_pulse", "hears pulses cut at a random width", broken(Device::servo, Behaviour::cut), harmless, runs_away},
-  {"servo", "cut_once", "hears pulses cut at a random width for 3 ms", {.device = Device::servo, .behaviour = Behaviour::cut, .lasts_s = 0.003}, harmless, jolts},
+  {"servo", "cut_once", "hears pulses cut at a random width for 3 ms", broken(Device::servo, Behaviour::cut, 0.003), harmless, jolts},
   {"servo", "nan", "hears pulses without width", broken(Device::servo, Behaviour::nan), harmless, stays_short},
-  {"servo", "slow", "four times the lag, a quarter of the rate limit", broken(Device::servo, Behaviour::slow), harmless, late},
-  {"servo", "delayed", "hears its pulses 0.1 s late", delayed(Device::servo, 0.1), harmless, late},
-  {"servo", "silent_50ms", "hears no pulses for 50 ms", for_s(Device::servo, 0.05), harmless, stays_short},
-  {"servo", "silent_2s", "hears no pulses for 2 s", for_s(Device::servo, 2.0), harmless, stays_short},
+  {"servo", "slow", "four times the lag, a quarter of the rate limit", broken(Device::servo, GearFault{ServoFault::slow}), harmless, late},
+  {"servo", "delayed", "hears its pulses 0.1 s late", broken(Device::servo, sim::Delayed{0.1}), harmless, late},
+  {"servo", "silent_50ms", "hears no pulses for 50 ms", silent_for(0.05, Device::servo), harmless, stays_short},
+  {"servo", "silent_2s", "hears no pulses for 2 s", silent_for(2.0, Device::servo), harmless, stays_short},
   {"servo", "flickers_3ms", "hears no pulses for 3 ms of 30", again(Device::servo, Behaviour::dead, 0.003, 0.027), harmless, late},
   {"servo", "flickers_1s", "hears no pulses for 1 s of 2 s", again(Device::servo, Behaviour::dead, 1.0, 1.0), harmless, stays_short},
   {"servo", "all_dead", "none of the four hears pulses", all(Device::servo, Behaviour::dead), no_servo, stays_short},
@@ -155,24 +137,24 @@ constexpr auto others = std::to_array<FaultRow>({
   {"bus", "dead", "carries nothing", broken(Device::bus, Behaviour::dead), harmless},
   {"bus", "flooded", "30 random frames a millisecond", broken(Device::bus, Behaviour::garbage), harmless},
   {"bus", "repeated", "what was sent before is sent again, nine frames a millisecond", broken(Device::bus, Behaviour::repeated), harmless},
-  {"bus", "silent_2s", "carries nothing for 2 s", for_s(Device::bus, 2.0), harmless},
+  {"bus", "silent_2s", "carries nothing for 2 s", silent_for(2.0, Device::bus), harmless},
   {"bus", "flickers_30ms", "carries nothing for 30 ms of 60", again(Device::bus, Behaviour::dead, 0.03, 0.03), harmless},
 
   {"flash", "dead", "does not answer", broken(Device::flash, Behaviour::dead), harmless},
   {"flash", "busy", "stays busy", broken(Device::flash, Behaviour::stuck), harmless},
   {"flash", "slow", "busy for 3 ms of 4", again(Device::flash, Behaviour::stuck, 0.003, 0.001), harmless},
-  {"flash", "silent_50ms", "does not answer for 50 ms", for_s(Device::flash, 0.05), harmless},
-  {"flash", "silent_2s", "does not answer for 2 s", for_s(Device::flash, 2.0), harmless},
+  {"flash", "silent_50ms", "does not answer for 50 ms", silent_for(0.05, Device::flash), harmless},
+  {"flash", "silent_2s", "does not answer for 2 s", silent_for(2.0, Device::flash), harmless},
 
   {"supply", "sagging", "the processor's is found too low, and stays so", broken(Device::supply, Behaviour::sagging), harmless},
-  {"supply", "sags_50ms", "found too low for 50 ms", {.device = Device::supply, .behaviour = Behaviour::sagging, .lasts_s = 0.05}, harmless},
+  {"supply", "sags_50ms", "found too low for 50 ms", broken(Device::supply, Behaviour::sagging, 0.05), harmless},
   {"supply", "flickers_30ms", "found too low for 30 ms of 0.3 s", again(Device::supply, Behaviour::sagging, 0.03, 0.27), harmless},
   {"supply", "brown_out", "the processor is reset by it, and back 60 ms later", reset(hal::ResetCause::brown_out, 0.06), not_resumed},
 
   {"arm_switch", "open", "opens", broken(Device::arm_switch, Behaviour::dead), {unfit, never, not_seen_or_holds, holds_on, stays}},
   {"arm_switch", "stuck", "stays as it stands", broken(Device::arm_switch, Behaviour::stuck), harmless},
   {"arm_switch", "chatters", "open for 30 ms of 60", again(Device::arm_switch, Behaviour::dead, 0.03, 0.03), harmless},
-  {"arm_switch", "open_50ms", "open for 50 ms", for_s(Device::arm_switch, 0.05), {any_of(not_armed, no_control, holds), never, not_seen_or_holds, holds_on, stays}},
+  {"arm_switch", "open_50ms", "open for 50 ms", silent_for(0.05, Device::arm_switch), {any_of(not_armed, no_control, holds), never, not_seen_or_holds, holds_on, stays}},
 
   {"memory", "flight_law", "one bit of the flight law flips", broken(Device::memory, Behaviour::law_bit_flipped), {whatever, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays}},
   {"memory", "plan", "one bit of the plan flips", broken(Device::memory, Behaviour::plan_bit_flipped), {whatever, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays}},
@@ -183,8 +165,8 @@ constexpr auto others = std::to_array<FaultRow>({
   {"processor", "reset_button", "is reset, and back 60 ms later", reset(hal::ResetCause::pin, 0.06), not_resumed},
   {"processor", "memory_lost", "is reset by its watchdog, and its backup memory is empty", reset(hal::ResetCause::watchdog, 0.06, 1, sim::MemoryAfterReset::lost), not_resumed},
   {"processor", "boot_loop", "is reset by its watchdog six times, 0.2 s apart", reset(hal::ResetCause::watchdog, 0.06, 6), {any_of(not_armed, holds), never, with(any_of(no_control, holds, recovers, over), 1.6), with(any_of(holds, recovers, over), 1.6), with(stays, 1.6)}},
-  {"processor", "stands_3ms", "has no ticks for 3 ms", for_s(Device::processor, 0.003), harmless},
-  {"processor", "stands_45ms", "has no ticks for 45 ms", for_s(Device::processor, 0.045), {any_of(not_armed, no_control, holds), any_of(no_control, holds), any_of(no_control, holds, over), any_of(over), stays}},
+  {"processor", "stands_3ms", "has no ticks for 3 ms", silent_for(0.003, Device::processor), harmless},
+  {"processor", "stands_45ms", "has no ticks for 45 ms", silent_for(0.045, Device::processor), {any_of(not_armed, no_control, holds), any_of(no_control, holds), any_of(no_control, holds, over), any_of(over), stays}},
   {"processor", "flickers_3ms", "has no ticks for 3 ms of 30", again(Device::processor, Behaviour::dead, 0.003, 0.027), {any_of(not_armed, no_control, holds, over), any_of(no_control, over), any_of(no_control, over), with(any_of(over), 1.0), stays}},
 });
 // clang-format on
@@ -197,11 +179,10 @@ constexpr auto joined(const std::array<FaultRow, sizes>&... parts) {
   return all;
 }
 
-constexpr auto table =
-    joined(sensor("imu", Device::imu, of_imu), offsets("imu", sim::FaultKind::imu_offset, of_imu.for_good),
-           sensor("second_imu", Device::second_imu, of_second_imu),
-           offsets("second_imu", sim::FaultKind::second_imu_offset, of_second_imu.for_good),
-           sensor("accelerometer", Device::accelerometer, of_accelerometer), others);
+constexpr auto table = joined(sensor("imu", Device::imu, of_imu), offsets("imu", Device::imu, of_imu.for_good),
+                              sensor("second_imu", Device::second_imu, of_second_imu),
+                              offsets("second_imu", Device::second_imu, of_second_imu.for_good),
+                              sensor("accelerometer", Device::accelerometer, of_accelerometer), others);
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "faults/shaft.hpp"
 #include "sim/fault.hpp"
 #include "sim/scenario.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::faults {
 
@@ -23,25 +24,52 @@ inline constexpr std::size_t phases = 5;
 [[nodiscard]] std::string_view name(Phase phase);
 [[nodiscard]] std::string_view meaning(Phase phase);
 
-/// How a fault is made in the simulator.
+/// A fault of the simulator, when it begins at 0: which it is, how long it lasts, and of how many. Two that are equal
+/// are the same fault.
 struct Recipe {
-  sim::FaultKind kind = sim::FaultKind::device;
-  sim::Device device = sim::Device::imu;
-  sim::Behaviour behaviour = sim::Behaviour::dead;
-  double lasts_s = 0.0;  ///< 0: to the end of the flight
-  double on_s = 0.0;     ///< Misbehaviour
-  double off_s = 0.0;
-  double delay_s = 0.02;
-  double offset_deg_s = 0.0;  ///< of an offset
-  double angle_deg = 0.0;     ///< of canard_stuck
-  sim::Reset reset{};         ///< of a reset
-  int times = 1;              ///< resets, 0.2 s apart
-  bool all_canards = false;   ///< of encoders and servos; else one, which the number of the run says
+  sim::Fault fault{};        ///< its canard and its times are set for each flight
+  double lasts_s = 0.0;      ///< 0: to the end of the flight
+  int times = 1;             ///< resets, 0.2 s apart
+  bool all_canards = false;  ///< of encoders and servos; else one, which the number of the run says
+  friend constexpr bool operator==(const Recipe&, const Recipe&) = default;
 };
+
+constexpr Recipe broken(sim::Device device, sim::How how, double lasts_s = 0.0) {
+  return {.fault = {.device = device, .how = how, .until_s = 0.0}, .lasts_s = lasts_s};
+}
+constexpr Recipe silent_for(double lasts_s, sim::Device device) {
+  return broken(device, sim::Behaviour::dead, lasts_s);
+}
+constexpr Recipe again(sim::Device device, sim::How how, double on_s, double off_s) {
+  return {.fault = {.device = device, .how = how, .until_s = 0.0, .on_s = on_s, .off_s = off_s}};
+}
+/// One sample of random counts in 50.
+constexpr Recipe spike(sim::Device device) { return again(device, sim::Behaviour::garbage, 0.001, 0.049); }
+/// One new sample in 10 ms.
+constexpr Recipe slow_samples(sim::Device device) { return again(device, sim::Behaviour::repeated, 0.009, 0.001); }
+constexpr Recipe offset(sim::Device device, double offset_deg_s) {
+  return broken(device, sim::RateOffset{offset_deg_s * sim::radians_per_degree});
+}
+/// The gear stays broken.
+constexpr Recipe gear(sim::ServoFault fault, std::optional<double> angle_rad = {}) {
+  return {.fault = {.device = sim::Device::servo, .how = sim::GearFault{fault, angle_rad}}};
+}
+/// At its positive stop, and at its negative one.
+inline constexpr Recipe hardover = broken(sim::Device::servo, sim::GearFault{sim::ServoFault::hardover});
+inline constexpr Recipe hardover_back = gear(sim::ServoFault::stuck, -90.0 * sim::radians_per_degree);
+constexpr Recipe all(sim::Device device, sim::Behaviour behaviour, double lasts_s = 0.0) {
+  return {.fault = broken(device, behaviour).fault, .lasts_s = lasts_s, .all_canards = true};
+}
+constexpr Recipe reset(hal::ResetCause cause, double gap_s, int times = 1,
+                       sim::MemoryAfterReset memory = sim::MemoryAfterReset::kept) {
+  return {
+      .fault = {.device = sim::Device::processor, .how = sim::Reset{.cause = cause, .gap_s = gap_s, .memory = memory}},
+      .times = times};
+}
 
 /// One fault of one device, with what is safe in each phase.
 struct FaultRow {
-  std::string_view device;
+  std::string_view device;  ///< what a person calls them, on the command line and in results
   std::string_view fault;
   std::string_view meaning;
   Recipe recipe;
@@ -68,10 +96,9 @@ enum class Excuse : std::uint8_t {
 
 /// Why a cell may be red all the same, and what a team has to do about it.
 struct KnownLimit {
-  std::string_view device;
-  std::string_view fault;  ///< empty: every one of the device
-  unsigned phases;         ///< bits, 1 << Phase
-  bool with_one_gyro;      ///< only where the plan flies on one gyro
+  Recipe recipe;
+  unsigned phases;     ///< bits, 1 << Phase
+  bool with_one_gyro;  ///< only where the plan flies on one gyro
   std::string_view why;
   std::string_view what_to_do;
   int last_ms = 0;  ///< only of a fault that begins so late in its phase; 0: whenever it begins

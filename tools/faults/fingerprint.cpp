@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "faults/fingerprint.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
 #include <fmt/core.h>
 
 #include "campaign/stored_parts.hpp"
+#include "input/fault_file.hpp"
 
 namespace fantail::faults {
 namespace {
 
+/// The words of a file for it, with every number that such a fault has.
 std::string text_of(const Recipe& recipe) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", static_cast<int>(recipe.kind),
-                     static_cast<int>(recipe.device), static_cast<int>(recipe.behaviour), recipe.lasts_s, recipe.on_s,
-                     recipe.off_s, recipe.delay_s, recipe.offset_deg_s, recipe.angle_deg, recipe.times,
-                     recipe.all_canards, recipe.reset.gap_s, static_cast<int>(recipe.reset.cause),
-                     static_cast<int>(recipe.reset.memory), recipe.reset.clock_error_s);
+  const input::FaultWords& words = input::words_of(recipe.fault);
+  std::string text =
+      fmt::format("{} {} {} {} {}", words.kind, words.behaviour, recipe.lasts_s, recipe.times, recipe.all_canards);
+  for (const auto& [field, belongs_to] : input::fault_fields()) {
+    if (belongs_to(words) && field.place.get != nullptr) {
+      text += fmt::format(" {} {}", field.key, field.place.get(recipe.fault, 0));
+    }
+  }
+  return text + '\n';
 }
 
 std::string text_of(const Findings& findings) {
@@ -29,7 +36,8 @@ std::string text_of(const Findings& findings) {
 
 std::string fingerprint(const Twins& twins) {
   // One that the law must notice, one that only the shafts show, and one that goes through the board's watchdog.
-  constexpr std::array cells{"imu/dead/controlling", "servo/hardover/controlling", "processor/watchdog/controlling"};
+  constexpr std::array recipes{broken(sim::Device::imu, sim::Behaviour::dead), hardover,
+                               reset(hal::ResetCause::watchdog, 0.06)};
   constexpr int step_ms = 10;
   constexpr int every = 50;
   const Twin& twin = twins.twins.front();
@@ -44,8 +52,9 @@ std::string fingerprint(const Twins& twins) {
       all += sentence(expected) + '\n';
     }
   }
-  for (const char* const name : cells) {
-    const Cell cell = cell_of(name);
+  for (const Recipe& recipe : recipes) {
+    const auto row = std::ranges::find(fault_table(), recipe, &FaultRow::recipe);
+    const Cell cell{.row = &*row, .phase = Phase::controlling};
     all += text_of(fly_run(twins, cell, Grid{twins, cell.phase, step_ms, every}[0], 0));
   }
   return campaign::short_digest(all);

@@ -165,6 +165,7 @@ sim::Scenario scenario_of(const Twins& twins, const Cell& cell, const Grid::Run&
   scenario.seed = twins.seeds[run.seed];
   for (const sim::Fault& fault : faults_of(cell.row->recipe, 1e-3 * run.begin_ms, number, scenario)) {
     scenario.faults.push_back(fault);
+    scenario.fault_variant += number;
   }
   return scenario;
 }

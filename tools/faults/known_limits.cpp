@@ -9,6 +9,9 @@
 namespace fantail::faults {
 namespace {
 
+using sim::Behaviour;
+using sim::Device;
+
 constexpr unsigned at(auto... each) { return ((1U << static_cast<unsigned>(each)) | ...); }
 constexpr unsigned controlling = at(Phase::controlling);
 constexpr unsigned launched = at(Phase::launched, Phase::controlling);
@@ -44,35 +47,35 @@ constexpr std::string_view nearer = "let the linkage stop a canard a little beyo
 
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
-    {"imu", "stuck", launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md in the sources), and the simulator has none", fit_a_second},
-    {"imu", "garbage", launched, one_gyro, believed, fit_a_second},
-    {"imu", "spike", armed, one_gyro, believed, fit_a_second},
-    {"imu", "offset_100", armed, one_gyro, believed, fit_a_second},
-    {"imu", "offset_15", armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
-    {"imu", "slow", launched, one_gyro, "samples 10 ms apart are each a silence: canards wait at trim nearly all the time, nothing holds the roll, and control does not end", fit_a_second},
-    {"imu", "stuck", launched, false, wrong_force, look_at_bus},
-    {"imu", "spike", armed, false, wrong_force, look_at_bus},
-    {"imu", "silent_2s", before_launch, false, late, look_at_bus},
-    {"accelerometer", "spike", at(Phase::pad) | before_launch, false, late, look_at_bus},
-    {"accelerometer", "stuck", at(Phase::launched), false, late, look_at_bus},
-    {"accelerometer", "silent_2s", before_launch, false, late, look_at_bus},
-    {"processor", "stands_45ms", at(Phase::launched), false, "a gap while a launch is being detected begins the detection anew: roll angle, height and speed begin a tenth of a second late, and control ends before apogee, at trim", "do not launch with a board that misses ticks: it counts them on the bus as overruns; after a flight look at the time of detection"},
-    {"servo", "hardover", armed, false, too_far, stop_near, 0, Excuse::three_lack},
-    {"servo", "hardover", armed, false, turned, nearer, 0, Excuse::comes_back},
-    {"servo", "hardover_back", armed, false, too_far, stop_near, 0, Excuse::three_lack},
-    {"servo", "hardover_back", armed, false, turned, nearer, 0, Excuse::comes_back},
-    {"servo", "hardover", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
-    {"servo", "hardover_back", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
-    {"servo", "garbage", at(Phase::pad), false, untested, stop_near, for_garbage_ms, Excuse::three_lack},
-    {"servo", "cut_pulse", at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
-    {"servo", "garbage", armed, false, too_far, stop_near, 0, Excuse::three_lack},
-    {"servo", "garbage", armed, false, turned, nearer, 0, Excuse::comes_back},
-    {"servo", "cut_pulse", armed, false, too_far, stop_near, 0, Excuse::three_lack},
-    {"servo", "cut_pulse", armed, false, turned, nearer, 0, Excuse::comes_back},
-    {"servo", "hardover", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
-    {"servo", "hardover_back", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
-    {"servo", "garbage", at(Phase::pad), false, turned, nearer, for_garbage_ms, Excuse::comes_back},
-    {"servo", "cut_pulse", at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
+    {broken(Device::imu, Behaviour::stuck), launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md in the sources), and the simulator has none", fit_a_second},
+    {broken(Device::imu, Behaviour::garbage), launched, one_gyro, believed, fit_a_second},
+    {spike(Device::imu), armed, one_gyro, believed, fit_a_second},
+    {offset(Device::imu, 100.0), armed, one_gyro, believed, fit_a_second},
+    {offset(Device::imu, 15.0), armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
+    {slow_samples(Device::imu), launched, one_gyro, "samples 10 ms apart are each a silence: canards wait at trim nearly all the time, nothing holds the roll, and control does not end", fit_a_second},
+    {broken(Device::imu, Behaviour::stuck), launched, false, wrong_force, look_at_bus},
+    {spike(Device::imu), armed, false, wrong_force, look_at_bus},
+    {silent_for(2.0, Device::imu), before_launch, false, late, look_at_bus},
+    {spike(Device::accelerometer), at(Phase::pad) | before_launch, false, late, look_at_bus},
+    {broken(Device::accelerometer, Behaviour::stuck), at(Phase::launched), false, late, look_at_bus},
+    {silent_for(2.0, Device::accelerometer), before_launch, false, late, look_at_bus},
+    {silent_for(0.045, Device::processor), at(Phase::launched), false, "a gap while a launch is being detected begins the detection anew: roll angle, height and speed begin a tenth of a second late, and control ends before apogee, at trim", "do not launch with a board that misses ticks: it counts them on the bus as overruns; after a flight look at the time of detection"},
+    {hardover, armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {hardover, armed, false, turned, nearer, 0, Excuse::comes_back},
+    {hardover_back, armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {hardover_back, armed, false, turned, nearer, 0, Excuse::comes_back},
+    {hardover, at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {hardover_back, at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {broken(Device::servo, Behaviour::garbage), at(Phase::pad), false, untested, stop_near, for_garbage_ms, Excuse::three_lack},
+    {broken(Device::servo, Behaviour::cut), at(Phase::pad), false, untested, stop_near, after_self_test_ms, Excuse::three_lack},
+    {broken(Device::servo, Behaviour::garbage), armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {broken(Device::servo, Behaviour::garbage), armed, false, turned, nearer, 0, Excuse::comes_back},
+    {broken(Device::servo, Behaviour::cut), armed, false, too_far, stop_near, 0, Excuse::three_lack},
+    {broken(Device::servo, Behaviour::cut), armed, false, turned, nearer, 0, Excuse::comes_back},
+    {hardover, at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
+    {hardover_back, at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
+    {broken(Device::servo, Behaviour::garbage), at(Phase::pad), false, turned, nearer, for_garbage_ms, Excuse::comes_back},
+    {broken(Device::servo, Behaviour::cut), at(Phase::pad), false, turned, nearer, after_self_test_ms, Excuse::comes_back},
 });
 // clang-format on
 
@@ -81,10 +84,9 @@ constexpr auto limits = std::to_array<KnownLimit>({
 std::span<const KnownLimit> known_limits() { return limits; }
 
 const KnownLimit* known_limit(const FaultRow& row, Phase phase, const sim::Scenario& scenario) {
-  const bool balances = StopRule{scenario, row.fault}.is_kept();
+  const bool balances = StopRule{scenario, row.recipe.fault}.is_kept();
   const auto found = std::ranges::find_if(limits, [&](const KnownLimit& limit) {
-    return limit.device == row.device && (limit.fault.empty() || limit.fault == row.fault) &&
-           (limit.phases & at(phase)) != 0 &&
+    return limit.recipe == row.recipe && (limit.phases & at(phase)) != 0 &&
            (!limit.with_one_gyro || scenario.plan.sensors.gyros == core::GyroRule::one) &&
            (limit.excuse == Excuse::any || (limit.excuse == Excuse::comes_back) == balances);
   });

@@ -11,11 +11,6 @@ namespace {
 constexpr double numeric_rad = 0.01 * sim::radians_per_degree;
 constexpr double lags_to_rest = 7.0;  // a thousandth is left of a movement
 
-bool breaks_a_servo(const sim::Fault& fault) {
-  return fault.kind == sim::FaultKind::device ? fault.misbehaviour.device == sim::Device::servo
-                                              : fault.kind <= sim::FaultKind::canard_wrong_trim;
-}
-
 /// By how much a servo of the batch's middle stands off an angle that the plan asks for.
 double misunderstood_rad(const core::CanardPlan& canard, const sim::ServoParameters& servo, double asked_rad) {
   const double pulse_us =
@@ -53,7 +48,7 @@ ShaftLimits shaft_limits(const sim::Scenario& scenario) {
     limits.off_rad[i] = numeric_rad + 0.5 * longer * servo.backlash_rad + spread.centre_rad + farthest_rad;
   }
   for (const sim::Fault& fault : scenario.faults) {
-    if (breaks_a_servo(fault)) {
+    if (fault.device == sim::Device::servo) {
       limits.off_rad[fault.canard] = std::numeric_limits<double>::infinity();
     }
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include <fmt/core.h>
 
@@ -17,16 +18,23 @@ namespace {
 
 std::string shown(double angle_rad) { return text::brief(text::degrees(angle_rad), 1); }
 
+/// 1: the positive stop, -1: the negative one, 0: either.
+double side_of_stop(const sim::Fault& fault) {
+  const auto* gear = std::get_if<sim::GearFault>(&fault.how);
+  if (gear == nullptr) {
+    return 0.0;
+  }
+  return gear->fault == sim::ServoFault::hardover ? 1.0 : gear->angle_rad ? std::copysign(1.0, *gear->angle_rad) : 0.0;
+}
+
 /// The largest one that turns the rocket as the stop does.
-double offset_with_stop_rad(const sim::Scenario& scenario, std::string_view fault) {
+double offset_with_stop_rad(const sim::Scenario& scenario, const sim::Fault& fault) {
+  const double side = side_of_stop(fault);
   double most_rad = -std::numeric_limits<double>::infinity();
   for (const sim::DisturbanceNode& node : scenario.disturbance) {
     for (const sim::CanardMounting& canard : scenario.vehicle.canards) {
       const double at_positive_stop_rad = canard.reversed ? -node.angle_rad : node.angle_rad;
-      const double with_stop_rad = fault == "hardover"        ? at_positive_stop_rad
-                                   : fault == "hardover_back" ? -at_positive_stop_rad
-                                                              : std::abs(node.angle_rad);
-      most_rad = std::max(most_rad, with_stop_rad);
+      most_rad = std::max(most_rad, side == 0.0 ? std::abs(node.angle_rad) : side * at_positive_stop_rad);
     }
   }
   return most_rad;
@@ -49,7 +57,7 @@ std::string flown_with_nearest_stop(const Cell& cell, const Run& run, const Twin
 
 }  // namespace
 
-StopRule::StopRule(const sim::Scenario& scenario, std::string_view fault)
+StopRule::StopRule(const sim::Scenario& scenario, const sim::Fault& fault)
     : offset_rad_{offset_with_stop_rad(scenario, fault)},
       limit_rad_{static_cast<double>(scenario.plan.controller.canard_limit.radians())},
       stop_rad_{scenario.vehicle.servo.stop_rad},
@@ -81,7 +89,7 @@ std::string about_stop(const CellResult& cell, const Twins& twins) {
   if (cell.limit == nullptr || cell.limit->excuse == Excuse::any) {
     return {};
   }
-  const StopRule rule{twins.scenario, cell.cell.row->fault};
+  const StopRule rule{twins.scenario, cell.cell.row->recipe.fault};
   const std::string of_rocket = rule.is_kept() ? std::string{} : rule.sentence();
   if (cell.colour != Colour::known_limit || rule.stop_rad() <= rule.nearest_rad()) {
     return of_rocket;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "faults/campaign.hpp"
 #include "faults/fault_table.hpp"
@@ -17,7 +16,7 @@ namespace fantail::faults {
 class StopRule {
  public:
   /// `fault`, of a servo: at which stop the canard is; one that is at none may come to either.
-  StopRule(const sim::Scenario& scenario, std::string_view fault);
+  StopRule(const sim::Scenario& scenario, const sim::Fault& fault);
 
   [[nodiscard]] bool is_kept() const { return stop_rad_ >= limit_rad_ && acts_as_rad_ < farthest_rad(); }
   /// Of a rocket that breaks it, and whether another stop would keep it.

@@ -8,7 +8,6 @@
 #include <fmt/core.h>
 
 #include "airframe/model/build_up.hpp"
-#include "fly/fault_text.hpp"
 #include "sim/deflection_range.hpp"
 #include "sim/roll_inertia_course.hpp"
 #include "stability/canard_sense.hpp"
@@ -120,7 +119,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
     flight.notes.push_back(fault_text(fault, scenario));
   }
   if (std::ranges::any_of(scenario.faults, [](const sim::Fault& fault) {
-        return sim::is_of_canard(fault.kind) && !sim::is_there_at_liftoff(fault);
+        return sim::broken_gear(fault) != nullptr && !sim::is_there_at_liftoff(fault);
       })) {
     flight.notes.emplace_back("Authority and stability margins leave out the canard faults that began after lift-off.");
   }

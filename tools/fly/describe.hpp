@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "flight/flight.hpp"
 #include "sim/scenario.hpp"
@@ -11,6 +12,9 @@ namespace fantail::fly {
 /// What is known of a flight before it is flown: what flies by which plan, and in notes what was assumed and is broken.
 /// Not Flight::side_moment_m3.
 [[nodiscard]] flight::Flight describe(const sim::Scenario& scenario);
+
+/// What is broken, since when and by how much: "Fault: canard_stuck, canard 1, from 2.5 s after ignition."
+[[nodiscard]] std::string fault_text(const sim::Fault& fault, const sim::Scenario& scenario);
 
 /// Of one canard: side force over 1/2 rho v^2 and its angle, and where it acts, from the tip of the nose.
 struct CanardSide {

@@ -102,16 +102,12 @@ Effect effect_of(const Flown& failed, const Flown& sound, Effect effect, const S
 }
 
 sim::Fault fault_of(const Effect& effect, Failure failure) {
-  sim::Fault fault{.kind = sim::FaultKind::canard_stuck,
-                   .canard = effect.canard,
-                   .from_s = effect.from_s,
-                   .until_s = 0.0,
-                   .angle_rad = effect.stop_rad};
+  sim::Fault fault{.device = sim::Device::servo, .canard = effect.canard, .from_s = effect.from_s};
   if (failure == Failure::cut_pulses) {
-    fault.kind = sim::FaultKind::device;
-    fault.angle_rad.reset();
+    fault.how = sim::Behaviour::cut;
     fault.until_s = effect.from_s + cut_s;
-    fault.misbehaviour = {.device = sim::Device::servo, .behaviour = sim::Behaviour::cut};
+  } else {
+    fault.how = sim::GearFault{sim::ServoFault::stuck, effect.stop_rad};
   }
   return fault;
 }

@@ -88,21 +88,18 @@ std::optional<double> value_of(const input::ScenarioFiles& files, const Control&
 /// The kinds that numbers alone describe, with those that have to be there.
 json::Value faults() {
   json::Value all = json::Value::array();
-  for (std::size_t i = 0; i < input::fault_texts().size(); ++i) {
-    const auto kind = static_cast<sim::FaultKind>(i);
+  for (const input::FaultWords& words : input::fault_kinds()) {
     json::Value numbers = json::Value::array();
     bool has_words = false;
     for (const auto& [field, belongs_to] : input::fault_fields().subspan(1)) {  // behind the kind
-      if (field.presence == input::Presence::may || !belongs_to(kind)) {
+      if (field.presence == input::Presence::may || !belongs_to(words)) {
         continue;
       }
       has_words = has_words || field.allowed.kind == input::FieldKind::choice;
       numbers.push_back({{"key", field.key}, {"unit", field.allowed.unit.name}, {"meaning", field.meaning}});
     }
-    if (!has_words && !sim::is_of_second_imu(kind)) {
-      all.push_back({{"kind", input::fault_texts()[i].name},
-                     {"meaning", input::fault_texts()[i].meaning},
-                     {"fields", std::move(numbers)}});
+    if (!has_words && words.fault.device != sim::Device::second_imu) {
+      all.push_back({{"kind", words.kind}, {"meaning", words.meaning}, {"fields", std::move(numbers)}});
     }
   }
   return all;

@@ -54,7 +54,7 @@ CanardReach canard_reach(const sim::Scenario& scenario, double offset_rad) {
   CanardReach found{.angle_rad = offset_rad > 0.0 ? -range.lowest_rad : range.highest_rad,
                     .set_by = stopped_by(scenario)};
   const bool broken = std::ranges::any_of(scenario.faults, [](const sim::Fault& fault) {
-    return sim::is_of_canard(fault.kind) && sim::is_there_at_liftoff(fault);
+    return sim::broken_gear(fault) != nullptr && sim::is_there_at_liftoff(fault);
   });
   const double limit_rad = flight::canard_limit_rad(scenario.plan);
   if (broken) {
