@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "input/copied.hpp"
-
 #include <fstream>
 #include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "input/file_checks.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "scratch_file.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "input/balance_checks.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "input/file_checks.hpp"
 #include "input/messages.hpp"
 #include "input/section.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "input/copied.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
 
+#include "input/file_checks.hpp"
 #include "input/shipped.hpp"
 
 namespace fantail::input {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "input/file_kind.hpp"
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "input/file_checks.hpp"
 #include "input/plan_file.hpp"
 #include "input/scenario_file.hpp"
 #include "input/vehicle_file.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "input/geometry_checks.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -8,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "input/file_checks.hpp"
 #include "input/messages.hpp"
 #include "input/section.hpp"
 

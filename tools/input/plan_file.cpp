@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/flight_plan_fields.hpp"
-#include "input/file_kind.hpp"
+#include "input/file_checks.hpp"
 #include "input/section.hpp"
 #include "text/decimal.hpp"
 #include "text/error.hpp"

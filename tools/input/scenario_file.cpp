@@ -6,10 +6,8 @@
 #include <initializer_list>
 #include <iterator>
 
-#include "input/balance_checks.hpp"
-#include "input/copied.hpp"
 #include "input/fault_file.hpp"
-#include "input/file_kind.hpp"
+#include "input/file_checks.hpp"
 #include "input/messages.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"

@@ -7,9 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "input/copied.hpp"
-#include "input/file_kind.hpp"
-#include "input/geometry_checks.hpp"
+#include "input/file_checks.hpp"
 #include "input/messages.hpp"
 #include "input/rasp_file.hpp"
 #include "input/shipped.hpp"

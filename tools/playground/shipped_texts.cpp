@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "input/copied.hpp"
+#include "input/file_checks.hpp"
 #include "input/file_text.hpp"
 #include "input/messages.hpp"
 #include "input/shipped.hpp"
