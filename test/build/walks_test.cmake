@@ -8,11 +8,11 @@ set(most_rooms 12)
 
 file(READ ${ROOT}/docs/architecture.md page)
 string(REPLACE ";" "," page "${page}")  # or CMake takes it for the end of an element
-string(REGEX MATCH "\n## Four walks\n.*" page "${page}")
+string(REGEX MATCH "\n## Walks\n.*" page "${page}")
 string(REGEX MATCHALL "\n```walk\n[^`]*```" walks "${page}")
 list(LENGTH walks count)
-if(NOT count EQUAL 4)
-  message(SEND_ERROR "docs/architecture.md: ${count} walks below \"Four walks\"")
+if(count LESS 5)
+  message(SEND_ERROR "docs/architecture.md: ${count} walks below \"Walks\"")
 endif()
 
 # May `from` include `to`? Both are folders of the table.
