@@ -76,7 +76,6 @@ set(FANTAIL_SINGLE_FILES
   "tools/text/input_file.cpp|fcntl\\.h poll\\.h unistd\\.h sys/"
   "tools/text/output_folder.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/text/folder_lock.cpp|fcntl\\.h unistd\\.h sys/"
-  "tools/fantail/card_output.cpp|spawn\\.h"
   "tools/fantail/command_line.cpp|CLI/"
   "tools/text/deflate.cpp|zlib\\.h"
   "tools/text/sha256.cpp|sha256\\.h"

@@ -122,6 +122,16 @@ TEST(CommandLine, AnUnknownOptionLeadsToTheNearest) {
   EXPECT_NE(far.err.find("unknown option --frobnicate; allowed: "), std::string::npos) << far.err;
 }
 
+TEST(CommandLine, AnOptionThatHasLeftSaysWhatToDoInstead) {
+  for (const Words& words : {Words{"fly", "--card"}, Words{"report", "flown.ftl", "--card"}}) {
+    const Outcome outcome = fantail(words);
+    EXPECT_EQ(outcome.exit_code, 64);
+    EXPECT_NE(outcome.err.find("--card draws no card.png any more: take a screenshot of report.html"),
+              std::string::npos)
+        << outcome.err;
+  }
+}
+
 TEST(CommandLine, NoWordBehindABareDoubleDashIsAnOptionOrAVerb) {
   const Outcome file = fantail({"report", "--", "--odd.csv"});
   EXPECT_NE(file.err.find("--odd.csv: no such file"), std::string::npos) << file.err;

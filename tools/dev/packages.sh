@@ -19,14 +19,13 @@ mutation_packages="$test_packages python3-clang-19 libclang-common-19-dev"
 soak_packages="$test_packages clang-19 libclang-rt-19-dev"
 bench_packages="$fly_packages libbenchmark-dev libceres-dev python3-venv"
 browser_packages="chromium chromium-driver poppler-utils"
-card_packages="librsvg2-bin fonts-dejavu-core"
 playground_packages="$fly_packages clang-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc"
 docs_packages="$fly_packages $can_packages doxygen chromium chromium-driver python3-venv"
 package_packages="$fly_packages $firmware_packages dpkg-dev file"
 shell_packages="zsh fish"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
-all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages $card_packages $playground_packages $shell_packages locales nodejs"
+all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages $playground_packages $shell_packages locales nodejs"
 
 system_name() {
   # shellcheck disable=SC1091

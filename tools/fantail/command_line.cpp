@@ -2,6 +2,7 @@
 #include "fantail/command_line.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,10 +11,11 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "fantail/examples.hpp"
 #include "fantail/terminal.hpp"
+#include "fantail/verb_table.hpp"
 #include "input/messages.hpp"
 #include "text/number.hpp"
 
@@ -37,35 +39,36 @@ const CLI::App& innermost(const CLI::App& app) {
   return parsed.empty() ? app : innermost(*parsed.front());
 }
 
+std::string meant_or_allowed(const std::string& word, const std::vector<std::string>& names) {
+  const auto meant = input::suggestion(word, names);
+  return meant ? "did you mean " + *meant + "?" : fmt::format("allowed: {}", fmt::join(names, ", "));
+}
+
 std::string complaint_about_surplus(const CLI::App& verb, const std::vector<std::string>& surplus) {
   // No word behind a bare -- is an option.
   const auto dashes = std::ranges::find(surplus, "--");
-  const auto option =
-      std::find_if(surplus.begin(), dashes, [](const std::string& word) { return word.starts_with('-'); });
+  const auto option = std::ranges::find(surplus.begin(), dashes, '-', [](const auto& word) { return word[0]; });
   if (option == dashes) {
     return '"' + surplus[dashes == surplus.begin() ? 1 : 0] + "\" is one word too many for " + verb.get_name();
   }
   const std::string word = option->substr(0, option->find('='));
+  const auto removed = std::ranges::find(removed_options, verb.get_name() + " " + word, &RemovedOption::option);
+  if (removed != removed_options.end()) {
+    return fmt::format("{} {}", word, removed->said);
+  }
   std::vector<std::string> names;
-  std::string list;
   for (const CLI::Option* known : verb.get_options()) {
     for (const std::string& name : known->get_lnames()) {
       names.push_back("--" + name);
-      list += (list.empty() ? "" : ", ") + names.back();
     }
   }
-  const auto meant = input::suggestion(word, names);
-  return "unknown option " + word + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list);
+  return fmt::format("unknown option {}; {}", word, meant_or_allowed(word, names));
 }
 
 // One line on what is wrong with the words, naming the one that is.
 std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   std::vector<std::string> verbs;
-  std::string list;
-  for (const CLI::App* verb : innermost(program).get_subcommands(nullptr)) {
-    verbs.push_back(verb->get_name());
-    list += (list.empty() ? "" : ", ") + verbs.back();
-  }
+  std::ranges::transform(innermost(program).get_subcommands(nullptr), std::back_inserter(verbs), &CLI::App::get_name);
   const std::vector<std::string> surplus = program.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !surplus.empty()) {
     return complaint_about_surplus(innermost(program), surplus);
@@ -75,17 +78,16 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
     return error.what();
   }
   if (surplus.empty()) {
-    return "a verb is missing; allowed: " + list;
+    return fmt::format("a verb is missing; allowed: {}", fmt::join(verbs, ", "));
   }
   const std::string& word = surplus.front();
   if (std::ranges::find(verbs, word) != verbs.end()) {
     return '"' + word + "\" is no verb behind a bare --";
   }
   if (word.starts_with('-')) {
-    return "unknown option " + word + "; a verb comes first: " + list;
+    return fmt::format("unknown option {}; a verb comes first: {}", word, fmt::join(verbs, ", "));
   }
-  const auto meant = input::suggestion(word, verbs);
-  return "unknown verb \"" + word + '"' + (meant ? "; did you mean " + *meant + "?" : "; allowed: " + list);
+  return fmt::format("unknown verb \"{}\"; {}", word, meant_or_allowed(word, verbs));
 }
 
 // What every verb has.
@@ -165,20 +167,18 @@ manual::Command command_of(const std::string& name, const std::string& meaning, 
 
 void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
                        std::vector<std::string> words) {
-  const std::unique_ptr<CLI::App> owner = program_with(name, meaning, fill);
-  CLI::App& program = *owner;
-  // CLI11 takes the words from behind.
-  std::ranges::reverse(words);
+  const std::unique_ptr<CLI::App> program = program_with(name, meaning, fill);
+  std::ranges::reverse(words);  // CLI11 takes them from behind
   words.push_back(name);
   try {
-    program.parse(std::move(words));
+    program->parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
-      throw UsageError{complaint(program, error)};
+      throw UsageError{complaint(*program, error)};
     }
     // Asked for. CLI11 puts the examples at its end.
-    const std::string help = program.help();
-    const std::string examples = innermost(program).get_footer();
+    const std::string help = program->help();
+    const std::string examples = innermost(*program).get_footer();
     const std::size_t end = examples.empty() ? help.size() : std::min(help.rfind(examples), help.size());
     show_text(help.substr(0, end));
     fmt::print("{}", end == help.size() ? "" : examples_text(examples, output_columns()));

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "campaign/repeat.hpp"
-#include "fantail/card_output.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
@@ -28,7 +27,6 @@
 #include "fly/fly_scenario.hpp"
 #include "fly/without_control.hpp"
 #include "hil/wire.hpp"
-#include "report/card.hpp"
 #include "report/results.hpp"
 #include "text/printable.hpp"
 #include "text/shell_word.hpp"
@@ -47,7 +45,6 @@ struct FlyOptions {
   FlightComputerOptions computer;
   PageOptions page;
   bool realtime = false;
-  bool card = false;
   bool json = false;
 };
 
@@ -166,9 +163,6 @@ void fly_and_report(const FlyOptions& options) {
   if (options.page.wanted() && !options.realtime) {
     throw UsageError{"--page shows a flight while it is flown, by the clock: add --realtime"};
   }
-  if (options.card) {
-    check_card_program();
-  }
   auto [scenario, changes, notes, usual_folder, made_from] = options.run ? campaign_task(options) : task_of(options);
   check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
@@ -188,10 +182,7 @@ void fly_and_report(const FlyOptions& options) {
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   Chapters chapters{"report", 1, "figures, files and page"};
-  report::Results results = report::results(flight, made_with(made_from, flight.seed, flight.changes));
-  if (options.card) {
-    results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
-  }
+  const report::Results results = report::results(flight, made_with(made_from, flight.seed, flight.changes));
   const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
   give_up_if_interrupted();
   const std::vector<std::string> written = report::write_results(flight, results, folder, made_from);
@@ -210,9 +201,6 @@ void fly_and_report(const FlyOptions& options) {
   }
   if (!flight.log.empty()) {
     show("  log     {}/flight.ftl\n", where);
-  }
-  if (options.card) {
-    show("  card    {}/card.png\n{}", where, note_on_letters(flight));
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     show("  lcm     {}\n", sent);
@@ -250,7 +238,6 @@ void fill(const Verb& verb) {
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
   add_page_options(verb, options->page);
   verb.flag("--realtime", options->realtime, "Fly no faster than real time; the files are the same");
-  add_card_option(verb, options->card);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "Exit code 0: flown, whether or not the roll was held: `outcome` in summary.json and --json says that (held, "

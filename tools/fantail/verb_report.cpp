@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "fantail/card_output.hpp"
 #include "fantail/compare_results.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
@@ -21,7 +20,6 @@
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
-#include "report/card.hpp"
 #include "report/results.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
@@ -40,7 +38,6 @@ struct ReportOptions {
   std::string align = "none";
   std::optional<double> shift_s;
   bool remove_offset = false;
-  bool card = false;
   bool json = false;
 };
 
@@ -52,10 +49,7 @@ void report_one(const ReportOptions& options) {
   flight.command = "fantail report " + text::shell_word(options.a);
   give_up_if_interrupted();
   chapters.next("figures and page");
-  report::Results results = report::results(flight, made_with({options.a}));
-  if (options.card) {
-    results.card_png = png_of(report::card_svg(flight, results.figures, results.verdict));
-  }
+  const report::Results results = report::results(flight, made_with({options.a}));
   const std::filesystem::path folder =
       options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
   report::write_report(flight, results, folder, options.a);
@@ -73,9 +67,6 @@ void report_one(const ReportOptions& options) {
   }
   const std::string where = text::printable(folder.string());
   show("\n  report  {0}/report.html\n  data    {0}/flight.csv\n", where);
-  if (options.card) {
-    show("  card    {}/card.png\n{}", where, note_on_letters(flight));
-  }
 }
 
 void report_two(const ReportOptions& options) {
@@ -143,7 +134,6 @@ void fill(const Verb& verb) {
       .needs(b);
   verb.flag("--remove-offset", options->remove_offset, "Roll angles count from different zeros: let both begin at A's")
       .needs(b);
-  add_card_option(verb, options->card);
   verb.flag("--json", options->json, "Print summary.json, of two flights compare.json, instead of the text");
   verb.examples(
       "Exit code 0: the page was written, whether or not the roll was held: of one flight `outcome` in summary.json "
@@ -158,15 +148,7 @@ void fill(const Verb& verb) {
       "                                                       a table from elsewhere, for a script\n"
       "\n"
       "Figures of how far two flights are apart, with limits for a script: fantail compare.");
-  verb.action([options] {
-    if (options->card && !options->b.empty()) {
-      throw UsageError{"--card shows one flight, not two over each other"};
-    }
-    if (options->card) {
-      check_card_program();
-    }
-    options->b.empty() ? report_one(*options) : report_two(*options);
-  });
+  verb.action([options] { options->b.empty() ? report_one(*options) : report_two(*options); });
 }
 
 }  // namespace

@@ -43,4 +43,15 @@ inline constexpr std::array verb_table{
     VerbEntry{"report", "A page on a flight that was logged, or on two beside each other"},
 };
 
+/// An option of an earlier version, and what is said to somebody who gives it.
+struct RemovedOption {
+  std::string_view option;  ///< behind its verb
+  std::string_view said;
+};
+
+inline constexpr std::array removed_options{
+    RemovedOption{"fly --card", "draws no card.png any more: take a screenshot of report.html"},
+    RemovedOption{"report --card", "draws no card.png any more: take a screenshot of report.html"},
+};
+
 }  // namespace fantail::tool

@@ -48,7 +48,7 @@ std::vector<std::string> write_results(const flight::Flight& flight, const Resul
                                        const std::filesystem::path& folder,
                                        const std::vector<std::filesystem::path>& made_from) {
   std::vector<text::NamedFile> files = result_files(flight, results);
-  std::vector<std::string> of_others;
+  std::vector<std::string> of_others{"card.png"};  // which earlier versions drew
   const auto add = [&](const char* name, bool there, const auto& content) {
     if (there) {
       files.push_back({name, content()});
@@ -60,7 +60,6 @@ std::vector<std::string> write_results(const flight::Flight& flight, const Resul
   add(own_readings, !flight.tunnel_readings.empty(), [&] { return flight::tunnel_csv(flight); });
   add(own_path, !flight.path.empty(), [&] { return flight::trajectory_csv(flight.path, flight.path_frame); });
   add(own_turning, !flight.turning.empty(), [&] { return flight::turning_csv(flight.turning); });
-  add("card.png", !results.card_png.empty(), [&] { return results.card_png; });
   add(own_free_roll, !flight.without_control.empty(), [&] { return flight::free_roll_csv(flight.without_control); });
   text::OutputFolder{folder, made_from}.write(files, of_others);
   std::vector<std::string> names;
@@ -78,11 +77,7 @@ void write_report(const flight::Flight& flight, const Results& results, const st
                               "another folder"};
     }
   }
-  std::vector<text::NamedFile> files = result_files(flight, results);
-  if (!results.card_png.empty()) {
-    files.push_back({"card.png", results.card_png});
-  }
-  text::OutputFolder{folder, {input}}.write(files);
+  text::OutputFolder{folder, {input}}.write(result_files(flight, results));
 }
 
 }  // namespace fantail::report

@@ -16,7 +16,6 @@ struct Results {
   Figures figures;
   Verdict verdict;
   std::string summary;
-  std::string card_png{};  ///< card_svg() as a picture, for card.png; empty: nobody wants it
 };
 
 /// `made` goes into the summary.
