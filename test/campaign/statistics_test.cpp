@@ -7,7 +7,7 @@
 #include "campaign/confidence_sequence.hpp"
 #include "campaign/sensitivity.hpp"
 #include "campaign/unit_points.hpp"
-#include "linear/student.hpp"
+#include "distributions/quantiles.hpp"
 #include "seed.hpp"
 #include "sim/random.hpp"
 
@@ -120,7 +120,7 @@ TEST(Sensitivity, LeavesOutEachRunAsIfItHadNotBeenFlown) {
     fourth += std::pow(value - mean, 4);
   }
   const double kurtosis = runs * fourth / (squares * squares);
-  const double quantile = linear::student_975(2.0 * runs / (1.5 * (kurtosis - 1.0)));
+  const double quantile = distributions::student_975(2.0 * runs / (1.5 * (kurtosis - 1.0)));
   EXPECT_NEAR(slope.high - slope.value, quantile * std::sqrt((runs - 1.0) / runs * squares), 1e-9);
   EXPECT_NEAR(slope.value - slope.low, slope.high - slope.value, 1e-12);
 }

@@ -5,27 +5,15 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "campaign/normal_quantile.hpp"
 #include "campaign/seed_of_run.hpp"
 
 namespace fantail::campaign {
 namespace {
-
-TEST(NormalQuantile, IsTheInverseOfTheNormalLaw) {
-  EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-14);
-  EXPECT_NEAR(normal_quantile(0.5), 0.0, 1e-16);
-  EXPECT_NEAR(normal_quantile(1e-10), -6.361340902404056, 1e-12);
-  for (double probability = 1e-12; probability < 1.0; probability = std::max(1.7 * probability, probability + 1e-3)) {
-    const double back = 0.5 * std::erfc(-normal_quantile(probability) / std::numbers::sqrt2);
-    EXPECT_NEAR(back / probability, 1.0, 1e-12) << probability;
-  }
-}
 
 TEST(Seeds, EveryRunHasOneOfItsOwn) {
   std::set<std::uint64_t> seeds;

@@ -130,13 +130,5 @@ TEST(JointFit, RefusesLogsWithDifferentReferenceAreas) {
   test::expect_refused(text::ErrorKind::bad_configuration, {"--shared alpha,beta", "reference area", "--vehicle"},
                        [&] { (void)fit_jointly(studies); });
 }
-
-// Of tables: 5.991, 9.488 and 18.307.
-TEST(Agreement, KnowsTheQuantilesOfTheChiSquareDistribution) {
-  EXPECT_NEAR(chi_square_95(2), 5.991, 0.06);
-  EXPECT_NEAR(chi_square_95(4), 9.488, 0.04);
-  EXPECT_NEAR(chi_square_95(10), 18.307, 0.02);
-}
-
 }  // namespace
 }  // namespace fantail::identify

@@ -12,16 +12,6 @@
 namespace fantail::tunnel {
 namespace {
 
-// Tables of the chi-square distribution.
-TEST(ChiSquareQuantile, IsThatOfTheTables) {
-  EXPECT_NEAR(chi_square_quantile(0.025, 1.0), 0.000982, 1e-6);
-  EXPECT_NEAR(chi_square_quantile(0.975, 1.0), 5.02389, 1e-5);
-  EXPECT_NEAR(chi_square_quantile(0.025, 7.0), 1.68987, 1e-5);
-  EXPECT_NEAR(chi_square_quantile(0.975, 7.0), 16.01276, 1e-5);
-  EXPECT_NEAR(chi_square_quantile(0.975, 100.0), 129.5612, 1e-4);
-  EXPECT_NEAR(chi_square_quantile(0.5, 2.0), 2.0 * std::log(2.0), 1e-9);
-}
-
 TEST(BetweenValues, TakesTheVarianceOfMeasurementOff) {
   const Between b = between_values(std::vector{13.0, 22.0, 25.0}, std::vector{1.0, 2.0, 4.0});
   EXPECT_DOUBLE_EQ(b.seen, std::sqrt(39.0));

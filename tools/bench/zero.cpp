@@ -2,11 +2,11 @@
 #include "bench/zero.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
 
+#include "distributions/quantiles.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -60,12 +60,6 @@ std::optional<std::string> does_not_follow(const Figures& f) {
   return std::nullopt;
 }
 
-// Of 0.975, by degrees of freedom from 1 on.
-double student(std::size_t freedom) {
-  constexpr std::array<double, 9> table{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262};
-  return table[std::min(freedom, table.size()) - 1];
-}
-
 Measured mean_of(std::span<const ZeroRun> runs, double ZeroRun::* value, double resolution) {
   const auto n = static_cast<double>(runs.size());
   double mean = 0.0;
@@ -77,7 +71,7 @@ Measured mean_of(std::span<const ZeroRun> runs, double ZeroRun::* value, double 
     squares += (run.*value - mean) * (run.*value - mean);
   }
   const double deviation = std::sqrt(squares / (n - 1.0));
-  return {.value = mean, .plus_minus = student(runs.size() - 1) * deviation / std::sqrt(n) + resolution};
+  return {.value = mean, .plus_minus = distributions::student_975(n - 1.0) * deviation / std::sqrt(n) + resolution};
 }
 
 double wrapped_deg(double angle_deg) { return angle_deg - 360.0 * std::round(angle_deg / 360.0); }

@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
-#include "campaign/normal_quantile.hpp"
 #include "campaign/seed_of_run.hpp"
+#include "distributions/quantiles.hpp"
 #include "sim/random.hpp"
 #include "text/error.hpp"
 
@@ -26,7 +26,7 @@ std::vector<double> normal(const Spread& spread, std::span<const double> unit) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     double sum = 0.0;
     for (std::size_t k = 0; k <= i; ++k) {
-      sum += spread.correlation_root[place++] * normal_quantile(unit[k]);
+      sum += spread.correlation_root[place++] * distributions::normal_quantile(unit[k]);
     }
     numbers[i] += spread.standard_deviations[i] * sum;
   }
@@ -47,7 +47,7 @@ std::vector<double> numbers_of(const Spread& spread, std::span<const double> uni
     case Law::triangular: return {triangular(spread, unit[0])};
     case Law::next_row: {
       std::vector<double> normals(unit.size());
-      std::ranges::transform(unit, normals.begin(), normal_quantile);
+      std::ranges::transform(unit, normals.begin(), distributions::normal_quantile);
       return spread.next_row->draw(normals);
     }
     case Law::rows: break;

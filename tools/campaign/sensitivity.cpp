@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "distributions/quantiles.hpp"
 #include "linear/dense.hpp"
-#include "linear/student.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -37,7 +37,7 @@ double jackknife_reach(const VectorXd& without_each, double most_freedom) {
   const double kurtosis = count * squares.squaredNorm() / (sum * sum);
   constexpr double fewest_freedom = 3.0;
   const double freedom = 2.0 * count / (1.5 * std::max(kurtosis - 1.0, 1e-3));
-  return linear::student_975(std::clamp(freedom, fewest_freedom, std::max(fewest_freedom, most_freedom))) *
+  return distributions::student_975(std::clamp(freedom, fewest_freedom, std::max(fewest_freedom, most_freedom))) *
          std::sqrt((count - 1.0) / count * sum);
 }
 

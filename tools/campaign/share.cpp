@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "distributions/quantiles.hpp"
+
 namespace fantail::campaign {
 namespace {
 
@@ -21,7 +23,7 @@ Share share(std::size_t count, std::size_t of) {
   if (of == 0) {
     return {};
   }
-  constexpr double z = 1.959963984540054;  // of the normal law, 2.5 % above it
+  constexpr double z = distributions::normal_975;
   const auto n = static_cast<double>(of);
   const double p = static_cast<double>(count) / n;
   const double scale = 1.0 / (1.0 + z * z / n);

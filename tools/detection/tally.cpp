@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "detection/shapes.hpp"
+#include "distributions/quantiles.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::detection {
@@ -48,38 +49,6 @@ void count_launch(Count& count, std::uint64_t event, const Answer& answer, const
     count.distance_cm.add(whole(100.0 * static_cast<double>(answer.distance_m)));
     count.inside_guide += answer.distance_m < guide_m ? 1 : 0;
   }
-}
-
-/// The continued fraction of the incomplete beta function (Lentz), for x < (a + 1) / (a + b + 2).
-double beta_fraction(double a, double b, double x) {
-  constexpr double tiny = 1e-300;
-  double c = 1.0;
-  double d = 1.0 - (a + b) * x / (a + 1.0);
-  d = 1.0 / (std::abs(d) < tiny ? tiny : d);
-  double result = d;
-  for (int m = 1; m <= 10'000; ++m) {
-    const double n = m;
-    for (const double numerator : {n * (b - n) * x / ((a + 2.0 * n - 1.0) * (a + 2.0 * n)),
-                                   -(a + n) * (a + b + n) * x / ((a + 2.0 * n) * (a + 2.0 * n + 1.0))}) {
-      d = 1.0 + numerator * d;
-      d = 1.0 / (std::abs(d) < tiny ? tiny : d);
-      c = 1.0 + numerator / c;
-      c = std::abs(c) < tiny ? tiny : c;
-      result *= c * d;
-    }
-    if (std::abs(c * d - 1.0) < 1e-14) {
-      break;
-    }
-  }
-  return result;
-}
-
-/// Regularised incomplete beta function.
-double beta_share(double a, double b, double x) {
-  const double front =
-      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x));
-  return x < (a + 1.0) / (a + b + 2.0) ? front * beta_fraction(a, b, x) / a
-                                       : 1.0 - front * beta_fraction(b, a, 1.0 - x) / b;
 }
 
 }  // namespace
@@ -184,15 +153,9 @@ double upper_bound_95(std::uint64_t count, std::uint64_t of) {
   if (count == 0) {
     return -std::expm1(std::log(0.05) / n);
   }
-  // At the bound, at most so many come with a probability of 5 %: one less the share of the beta law below it.
+  // At the bound, at most so many come with a probability of 5 %.
   const auto k = static_cast<double>(count);
-  double low = k / n;
-  double high = 1.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (1.0 - beta_share(k + 1.0, n - k, middle) > 0.05 ? low : high) = middle;
-  }
-  return high;
+  return distributions::beta_quantile(0.95, k + 1.0, n - k);
 }
 
 }  // namespace fantail::detection

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distributions/quantiles.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::predict {
@@ -14,7 +15,7 @@ constexpr std::uint64_t airframe_stream = 1000;
 constexpr std::uint64_t area_stream = 1001;
 
 double draw_factor(const AreaFactor& area, std::uint64_t seed) {
-  constexpr double z = 1.959963984540054;  // of the normal law, 2.5 % above it
+  constexpr double z = distributions::normal_975;
   sim::Random random{seed, area_stream};
   const double middle = 0.5 * (std::log(area.low) + std::log(area.high));
   const double deviation = 0.5 * (std::log(area.high) - std::log(area.low)) / z;

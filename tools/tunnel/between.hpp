@@ -21,8 +21,4 @@ struct Between {
 /// scatter.
 [[nodiscard]] Between between_values(std::span<const double> values, std::span<const double> standard_errors);
 
-/// Below which a sum of `degrees_of_freedom` squared normal numbers lies with a probability. To nine digits;
-/// probability between zero and one, degrees of freedom above zero.
-[[nodiscard]] double chi_square_quantile(double probability, double degrees_of_freedom);
-
 }  // namespace fantail::tunnel

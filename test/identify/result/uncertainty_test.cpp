@@ -10,7 +10,6 @@
 #include "identify/model/open_loop.hpp"
 #include "identify/model/planted.hpp"
 #include "identify/model/roll_model.hpp"
-#include "linear/student.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -21,14 +20,6 @@ Identification of(const Planting& planting, const Noise& noise, std::size_t inte
   Record record = planted_record(planting);
   add_noise(record, noise, 3);
   return identify(record, tasha, {.nodes = EvenNodes{intervals}, .with_error_map = false});
-}
-
-TEST(Uncertainty, StudentsQuantilesAreThoseOfTheTables) {
-  EXPECT_NEAR(linear::student_975(1e9), 1.9600, 1e-4);
-  EXPECT_NEAR(linear::student_975(30), 2.0423, 1e-3);
-  EXPECT_NEAR(linear::student_975(10), 2.2281, 2e-3);
-  EXPECT_NEAR(linear::student_975(5), 2.5706, 1e-2);
-  EXPECT_NEAR(linear::student_975(3), 3.1824, 3e-2);
 }
 
 TEST(Uncertainty, CanardsThatMoveMakeBothNumbersKnown) {

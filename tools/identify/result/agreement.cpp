@@ -8,14 +8,14 @@
 
 #include <Eigen/LU>
 
-#include "linear/student.hpp"
+#include "distributions/quantiles.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
 double limit(std::size_t numbers, double fewest_degrees_of_freedom) {
-  const double widening = linear::student_975(fewest_degrees_of_freedom) / linear::student_975(1e9);
-  return widening * widening * chi_square_95(static_cast<double>(numbers));
+  const double widening = distributions::student_975(fewest_degrees_of_freedom) / distributions::normal_975;
+  return widening * widening * distributions::chi_square_quantile(0.95, static_cast<double>(numbers));
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ Constants constants_of(const Identification& result) {
 
 Interval interval_of(const Constants& constants, Eigen::Index which) {
   const double reach =
-      linear::student_975(constants.degrees_of_freedom) * std::sqrt(constants.covariance(which, which));
+      distributions::student_975(constants.degrees_of_freedom) * std::sqrt(constants.covariance(which, which));
   return {.low = constants.value(which) - reach, .high = constants.value(which) + reach};
 }
 
@@ -59,13 +59,6 @@ Agreement difference(const Constants& a, const Constants& b) {
   const Eigen::Matrix2d covariance = a.covariance + b.covariance;
   return {.chi_square = away.dot(covariance.inverse() * away),
           .limit = limit(2, std::min(a.degrees_of_freedom, b.degrees_of_freedom))};
-}
-
-double chi_square_95(double degrees_of_freedom) {
-  constexpr double z = 1.6448536269514722;
-  const double share = 2.0 / (9.0 * degrees_of_freedom);
-  const double root = 1.0 - share + z * std::sqrt(share);
-  return degrees_of_freedom * root * root * root;
 }
 
 }  // namespace fantail::identify::result

@@ -41,7 +41,4 @@ inline constexpr double no_matter = 0.02;
 /// Of two estimates, of which one may be exact: no covariance and endless degrees of freedom.
 [[nodiscard]] Agreement difference(const Constants& a, const Constants& b);
 
-/// 95 % of the chi-square distribution lie below (Wilson and Hilferty, 1931): to 1 % from 2 degrees of freedom on.
-[[nodiscard]] double chi_square_95(double degrees_of_freedom);
-
 }  // namespace fantail::identify::result

@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "linear/student.hpp"
+#include "distributions/quantiles.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -149,11 +149,12 @@ FrequencyLine line(double frequency_hz, const Spectra& s, bool plain, double ind
                            2.0 * (std::conj(gain) * s[rate][canard]).real();
   const double variance = std::max(left_over, 0.0) * s[instrument][instrument].real() /
                           (std::norm(s[canard][instrument]) * (independent_segments - 1.0));
-  result.estimate = {.gain_per_s = std::abs(gain),
-                     .phase_rad = phase_rad(gain),
-                     .reach_per_s = linear::student_975(2.0 * (independent_segments - 1.0)) * std::sqrt(0.5 * variance),
-                     .model_gain_per_s = std::abs(model_gain),
-                     .model_phase_rad = phase_rad(model_gain)};
+  result.estimate = {
+      .gain_per_s = std::abs(gain),
+      .phase_rad = phase_rad(gain),
+      .reach_per_s = distributions::student_975(2.0 * (independent_segments - 1.0)) * std::sqrt(0.5 * variance),
+      .model_gain_per_s = std::abs(model_gain),
+      .model_phase_rad = phase_rad(model_gain)};
   return result;
 }
 

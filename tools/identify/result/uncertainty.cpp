@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "distributions/quantiles.hpp"
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/least_squares.hpp"
@@ -14,7 +15,6 @@
 #include "identify/result/formatting.hpp"
 #include "identify/result/residual.hpp"
 #include "linear/dense.hpp"
-#include "linear/student.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -169,7 +169,7 @@ Uncertainty uncertainty_of(const Record& record, const RollModel& model, const S
   // Half of the samples go into finding out what the noise is like.
   result.degrees_of_freedom =
       std::max(0.5 * (noise.effective_samples(record.time_s) - static_cast<double>(fitted.cols())), 2.0);
-  const double quantile = linear::student_975(result.degrees_of_freedom);
+  const double quantile = distributions::student_975(result.degrees_of_freedom);
   const Index own = sensitivities.numbers.cols();
   const VectorXd all_deviations = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   const VectorXd deviation = all_deviations.head(own);
