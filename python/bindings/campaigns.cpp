@@ -49,16 +49,13 @@ struct FlownRuns {
 };
 
 campaign::Campaign campaign_of(const CampaignRequest& asked) {
-  const auto sampling = std::ranges::find(campaign::sampling_names, asked.sampling);
-  if (sampling == campaign::sampling_names.end()) {
-    throw text::Error{text::ErrorKind::usage,
-                      "sampling = \"" + asked.sampling + "\"; allowed: independent, latin_hypercube, sobol"};
+  if (const std::string objection = campaign::objection_to_sampling(asked.sampling); !objection.empty()) {
+    throw text::Error{text::ErrorKind::usage, objection};
   }
   campaign::Campaign campaign{.scenario = asked.scenario,
                               .changes = {},
                               .seed = asked.seed ? *asked.seed : campaign::seed_of(asked.scenario),
                               .runs = asked.runs,
-                              .sampling = static_cast<campaign::Sampling>(sampling - campaign::sampling_names.begin()),
                               .shard = {.number = asked.shard.first, .of = asked.shard.second}};
   for (const std::string& change : asked.changes) {
     campaign.changes.push_back(input::parse_override(change));

@@ -12,7 +12,7 @@ void campaign_run(::benchmark::State& state) {
   constexpr std::uint64_t seed = 1;
   constexpr std::uint64_t runs = 1'000'000;
   input::ScenarioFiles files = input::ScenarioFiles::load("tasha3_launch2");
-  const campaign::Drawer drawer{{}, campaign::Sampling::independent, seed, runs};
+  const campaign::Drawer drawer{{}, seed};
   std::uint64_t run = 0;
   for ([[maybe_unused]] auto _ : state) {
     const campaign::FlownRun flown = campaign::fly_run(files, drawer, seed, run++ % runs);

@@ -112,9 +112,8 @@ TEST_F(ACampaign, StopsAfterTheSameRunsWithEveryNumberOfThreadsAndIsReadBack) {
   asked.stop->required = 0.95;
   EXPECT_NE(refusal("early").find("stop is outcome=held decided at 0.9 there and"), std::string::npos)
       << refusal("early");
-  asked.sampling = Sampling::sobol;
-  EXPECT_NE(refusal("other").find("only as a whole and with independent sampling"), std::string::npos)
-      << refusal("other");
+  asked.shard = {.number = 1, .of = 2};
+  EXPECT_NE(refusal("other").find("only as a whole"), std::string::npos) << refusal("other");
 }
 
 TEST_F(ACampaign, IsNotFlownAgainFromAScenarioThatHasChanged) {
@@ -131,6 +130,21 @@ TEST_F(ACampaign, IsNotFlownAgainFromAScenarioThatHasChanged) {
     EXPECT_NE(std::string{error.what()}.find(
                   "this campaign cannot be flown again: scenario has another content there than now (SHA-256 "),
               std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(ACampaign, OfAnEarlierVersionWhoseRunsWereNotDrawnIndependentlyIsNotFlownAgain) {
+  asked.runs = 1;
+  fly("old");
+  std::string words = content(folder / "old" / "campaign.json");
+  words.replace(words.find("independent"), std::string_view{"independent"}.size(), "latin_hypercube");
+  std::ofstream{folder / "old" / "campaign.json"} << words;
+  try {
+    (void)campaign_in(folder / "old", "test");
+    FAIL() << "it was taken";
+  } catch (const text::Error& error) {
+    EXPECT_NE(std::string{error.what()}.find("sampling = \"latin_hypercube\"; allowed: independent"), std::string::npos)
         << error.what();
   }
 }

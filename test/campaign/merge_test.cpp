@@ -35,7 +35,6 @@ class Shards : public testing::Test {
                             .changes = {},
                             .seed = seed,
                             .runs = 3 * runs_of_a_chunk + 10,
-                            .sampling = Sampling::latin_hypercube,
                             .shard = shard};
     (void)fly_campaign(campaign, out, "test", 2, [](std::uint64_t) {});
   }

@@ -6,7 +6,6 @@
 
 #include "campaign/confidence_sequence.hpp"
 #include "campaign/sensitivity.hpp"
-#include "campaign/unit_points.hpp"
 #include "distributions/quantiles.hpp"
 #include "seed.hpp"
 #include "sim/random.hpp"
@@ -60,13 +59,13 @@ TEST(ConfidenceSequence, GetsNarrow) {
   EXPECT_GT(bounds.high, 0.9);
 }
 
-/// Even points, one list a quantity.
-std::vector<std::vector<double>> points(std::size_t dimensions, std::uint64_t runs) {
-  const UnitPoints unit{Sampling::sobol, 3, runs};
-  std::vector<std::vector<double>> all(dimensions);
-  for (std::size_t i = 0; i < dimensions; ++i) {
+/// Even points, one list a quantity: multiples of roots that no whole numbers relate, without what is before the point.
+std::vector<std::vector<double>> even_points(std::uint64_t runs) {
+  std::vector<std::vector<double>> all;
+  for (const double root : {std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0)}) {
+    std::vector<double>& list = all.emplace_back();
     for (std::uint64_t run = 0; run < runs; ++run) {
-      all[i].push_back(unit.at(run, i));
+      list.push_back(std::fmod(root * static_cast<double>(run), 1.0));
     }
   }
   return all;
@@ -75,7 +74,7 @@ std::vector<std::vector<double>> points(std::size_t dimensions, std::uint64_t ru
 // y = 3 a - 4 b + c with even quantities of the same width: slopes 3, -4 and 1 over sqrt(26).
 TEST(Sensitivity, OfStraightLinesIsTheirClosedForm) {
   constexpr std::uint64_t runs = 4096;
-  const auto x = points(3, runs);
+  const auto x = even_points(runs);
   std::vector<double> y;
   for (std::size_t run = 0; run < runs; ++run) {
     y.push_back(7.0 + 3.0 * x[0][run] - 4.0 * x[1][run] + x[2][run]);

@@ -89,8 +89,8 @@ TEST(Campaign, GoesOnAfterACtrlCAndASecondOneInItsFolderIsRefused) {
 TEST(Campaign, InShardsIsTheSameBytesAsInOne) {
   const Folder folder;
   for (const char* number : {"1", "2"}) {
-    const Outcome shard = fantail({"campaign", "--runs", "100", "--sampling", "sobol", "--shard",
-                                   std::string{number} + "/2", "--out", folder / number});
+    const Outcome shard =
+        fantail({"campaign", "--runs", "100", "--shard", std::string{number} + "/2", "--out", folder / number});
     EXPECT_EQ(shard.exit_code, 0) << shard.err;
     EXPECT_FALSE(fs::exists(fs::path{folder / number} / "summary.json"));
   }
@@ -99,7 +99,7 @@ TEST(Campaign, InShardsIsTheSameBytesAsInOne) {
   const Outcome merged = fantail({"campaign", "merge", folder / "2", folder / "1", "--out", folder / "merged"});
   EXPECT_EQ(merged.exit_code, 0) << merged.err;
   for (const char* name : {"merged", "whole"}) {
-    EXPECT_EQ(fantail({"campaign", "--runs", "100", "--sampling", "sobol", "--out", folder / name}).exit_code, 0);
+    EXPECT_EQ(fantail({"campaign", "--runs", "100", "--sampling", "independent", "--out", folder / name}).exit_code, 0);
   }
   for (const char* file : {"runs.csv.gz", "campaign.json", "summary.json"}) {
     EXPECT_EQ(content(fs::path{folder / "merged"} / file), content(fs::path{folder / "whole"} / file)) << file;
@@ -161,7 +161,8 @@ TEST(Campaign, OfWordsThatMakeNoSenseIsRefused) {
   const Refusal shards{{}, {"campaign", "--runs", "10", "--shard", "1/2"}, 78, {"of at most 1"}};
   const Refusal certain{{}, {"campaign", "tasha3_launch1"}, 78, {"says of nothing how it is spread"}};
   const Refusal early{
-      {}, {"campaign", "--until-within", "5", "--sampling", "sobol"}, 78, {"only as a whole and with independent"}};
+      {}, {"campaign", "--runs", "100", "--until-within", "5", "--shard", "1/2"}, 78, {"stop early only as a whole"}};
+  const Refusal sobol{{}, {"campaign", "--sampling", "sobol"}, 64, {"\"sobol\"; allowed: independent", "have left"}};
   const Refusal alone{{}, {"fly", "--run", "3"}, 64, {"--campaign"}};
   const Refusal nowhere{{}, {"fly", "--campaign", "nowhere", "--run", "3"}, 66, {"nowhere"}};
   const Refusal changed{{}, {"fly", "--campaign", ".", "--run", "3", "--seed", "3"}, 64, {"is flown as it was"}};

@@ -74,10 +74,8 @@ void check(const Campaign& campaign) {
                     "runs are flown by {} together",
                     shard.number, shard.of, chunks, campaign.runs, runs_of_a_chunk));
   }
-  if (campaign.stop && (shard.of > 1 || campaign.sampling != Sampling::independent)) {
-    refuse(
-        "a campaign can stop early only as a whole and with independent sampling: the bounds that it stops by hold "
-        "for runs that do not depend on each other, in their order");
+  if (campaign.stop && shard.of > 1) {
+    refuse("a campaign can stop early only as a whole: the bounds that it stops by hold for its runs in their order");
   }
 }
 

@@ -11,7 +11,6 @@
 #include "campaign/flown_run.hpp"
 #include "campaign/runs_folder.hpp"
 #include "campaign/stop_rule.hpp"
-#include "campaign/unit_points.hpp"
 
 namespace fantail::campaign {
 
@@ -27,9 +26,8 @@ struct Campaign {
   std::vector<input::Override> changes{};  ///< the same in every run
   std::uint64_t seed = 1;                  ///< of all runs
   std::uint64_t runs = 1'000;              ///< 1 or more
-  Sampling sampling = Sampling::independent;
-  Shard shard{};                   ///< of these runs; the others are left to others
-  std::optional<StopRule> stop{};  ///< not of a shard, and only of independent runs
+  Shard shard{};                           ///< of these runs; the others are left to others
+  std::optional<StopRule> stop{};          ///< not of a shard
 };
 
 /// What was flown.

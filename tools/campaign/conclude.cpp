@@ -30,9 +30,6 @@ std::string command_of(const Campaign& campaign, const Question& question, std::
   if (campaign.seed != Campaign{}.seed) {
     words += fmt::format(" --seed {}", campaign.seed);
   }
-  if (campaign.sampling != Sampling::independent) {
-    words += fmt::format(" --sampling {}", sampling_names[static_cast<std::size_t>(campaign.sampling)]);
-  }
   words += " --share " + text::shell_word(question.text());
   if (required) {
     words += " --at-least " + text::brief(100.0 * *required, decimals);

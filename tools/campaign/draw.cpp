@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -17,8 +16,13 @@
 namespace fantail::campaign {
 namespace {
 
-constexpr std::uint64_t again_stream = 3'000;  ///< of a run; one for each spread
+/// Of the random numbers of a run; those of the world begin at one.
+constexpr std::uint64_t first_stream = 2'000;
+constexpr std::uint64_t again_stream = 3'000;  ///< one for each spread
 constexpr int most_draws = 1'000;
+
+/// The middle of a step, so that neither 0 nor 1 is ever drawn.
+double open_unit(std::uint64_t random_bits) { return (static_cast<double>(random_bits >> 12U) + 0.5) * 0x1p-52; }
 
 std::vector<double> normal(const Spread& spread, std::span<const double> unit) {
   std::vector<double> numbers = spread.means;
@@ -91,17 +95,8 @@ std::optional<Leaves> first_outside(const Spread& spread, const std::vector<doub
 
 }  // namespace
 
-Drawer::Drawer(std::vector<Spread> spreads, Sampling sampling, std::uint64_t master_seed, std::uint64_t runs)
-    : spreads_{std::move(spreads)}, points_{sampling, master_seed, runs}, master_seed_{master_seed} {
-  std::size_t dimensions = 0;
-  for (const Spread& spread : spreads_) {
-    dimensions += spread.dimensions();
-  }
-  if (sampling == Sampling::sobol && dimensions > most_sobol_dimensions) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("sobol has {} dimensions, and the spreads take {}; allowed: latin_hypercube",
-                                  most_sobol_dimensions, dimensions)};
-  }
+double unit_coordinate(std::uint64_t master_seed, std::uint64_t run, std::size_t dimension) {
+  return open_unit(sim::Random{key_of_run(master_seed, run), first_stream + dimension}.bits());
 }
 
 Draw Drawer::draw(std::uint64_t run) const {
@@ -111,7 +106,7 @@ Draw Drawer::draw(std::uint64_t run) const {
     const Spread& spread = spreads_[s];
     std::vector<double> unit;
     for (std::size_t i = 0; i < spread.dimensions(); ++i) {
-      unit.push_back(points_.at(run, dimension++));
+      unit.push_back(unit_coordinate(master_seed_, run, dimension++));
     }
     std::vector<double> numbers = numbers_of(spread, unit);
     sim::Random random{key_of_run(master_seed_, run), again_stream + s};

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "campaign/spread.hpp"
-#include "campaign/unit_points.hpp"
 
 namespace fantail::campaign {
+
+/// A coordinate of the point of the unit cube by which a run draws: above 0 and below 1, even in steps of 2^-52. It is
+/// the same with any number of runs, in whatever order and on whatever machine they are flown.
+[[nodiscard]] double unit_coordinate(std::uint64_t master_seed, std::uint64_t run, std::size_t dimension);
 
 /// What one run draws.
 struct Draw {
@@ -19,8 +24,8 @@ struct Draw {
 /// Draws the unknown quantities of every run. The same run draws the same in every order and on every machine.
 class Drawer {
  public:
-  /// `runs`: as UnitPoints. Throws text::Error (bad_configuration) for more dimensions than `sobol` has.
-  Drawer(std::vector<Spread> spreads, Sampling sampling, std::uint64_t master_seed, std::uint64_t runs);
+  Drawer(std::vector<Spread> spreads, std::uint64_t master_seed)
+      : spreads_{std::move(spreads)}, master_seed_{master_seed} {}
 
   /// Throws text::Error (bad_configuration) for a value that its field does not allow, naming run, field, value, range,
   /// and the spread's place; with Outside::truncate when a thousand draws in a row left it.
@@ -28,7 +33,6 @@ class Drawer {
 
  private:
   std::vector<Spread> spreads_;
-  UnitPoints points_;
   std::uint64_t master_seed_;
 };
 

@@ -163,9 +163,8 @@ std::string report_html(const Report& report) {
   return page::html(
       {.kind = "Fantail campaign",
        .title = flown.scenario,
-       .subtitle = fmt::format("{}, plan {}; {} runs, {}, seed {}; Fantail {}{}", flown.vehicle, flown.plan,
-                               flown.runs.size(), sampling_names[static_cast<std::size_t>(campaign.sampling)],
-                               campaign.seed, report.version, changes),
+       .subtitle = fmt::format("{}, plan {}; {} runs, independent, seed {}; Fantail {}{}", flown.vehicle, flown.plan,
+                               flown.runs.size(), campaign.seed, report.version, changes),
        .tone = tone(report),
        .verdict_heading = heading(report.analysis.judgement),
        .verdict = headline(report),

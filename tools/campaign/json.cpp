@@ -102,7 +102,7 @@ std::string report_json(const Report& report) {
            {"changes", changes},
            {"version", report.version},
            {"seed", campaign.seed},
-           {"sampling", sampling_names[static_cast<std::size_t>(campaign.sampling)]},
+           {"sampling", "independent"},
            {"runs", report.flown.runs.size()},
            {"runs_asked", campaign.runs},
            {"stop", campaign.stop ? Json{campaign.stop->text()} : Json{}},

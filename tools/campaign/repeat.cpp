@@ -52,16 +52,11 @@ Campaign campaign_in(const std::filesystem::path& folder, const std::string& ver
     }
     throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {} is no whole number", file, name)};
   };
-  const auto sampling = std::ranges::find(sampling_names, said("sampling"));
-  if (sampling == sampling_names.end()) {
-    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: sampling = \"{}\"; allowed: {}", file,
-                                                             said("sampling"), fmt::join(sampling_names, ", "))};
+  if (const std::string objection = objection_to_sampling(said("sampling")); !objection.empty()) {
+    throw text::Error{text::ErrorKind::bad_data, file + ": " + objection};
   }
-  Campaign campaign{.scenario = said("file"),
-                    .changes = changes_in(said("changes")),
-                    .seed = whole("seed"),
-                    .runs = whole("runs"),
-                    .sampling = static_cast<Sampling>(sampling - sampling_names.begin())};
+  Campaign campaign{
+      .scenario = said("file"), .changes = changes_in(said("changes")), .seed = whole("seed"), .runs = whole("runs")};
   const input::ScenarioFiles files = files_of(campaign);
   Identity here = identity_of(campaign, files, spreads_of(campaign, files), version);
   std::erase_if(here, [](const auto& entry) { return entry.first == "stop" || entry.first == "shard"; });

@@ -92,15 +92,7 @@ std::string interval_sentence(const Report& report) {
     return "The interval holds however often somebody looked before the campaign stopped (Robbins' confidence "
            "sequence); it is wider than one for a number of runs that was fixed beforehand.";
   }
-  switch (report.campaign.sampling) {
-    case Sampling::independent: return "The interval is Wilson's for independent runs.";
-    case Sampling::latin_hypercube:
-      return "The interval is Wilson's for as many independent runs. A Latin hypercube's share is hardly ever less "
-             "certain than theirs (its variance is at most n / (n - 1) times as large), and often more certain.";
-    case Sampling::sobol: break;
-  }
-  return "The interval is Wilson's for as many independent runs. Sobol points are not independent; their share is "
-         "usually more certain, but nothing here shows by how much.";
+  return "The interval is Wilson's for independent runs.";
 }
 
 std::string about_slopes(const Analysis& analysis) {

@@ -27,8 +27,15 @@ input::ScenarioFiles files_of(const Campaign& campaign) {
   return files;
 }
 
-Drawer drawer_of(const Campaign& campaign, const std::vector<Spread>& spreads) {
-  return {spreads, campaign.sampling, campaign.seed, campaign.runs};
+Drawer drawer_of(const Campaign& campaign, const std::vector<Spread>& spreads) { return {spreads, campaign.seed}; }
+
+std::string objection_to_sampling(const std::string& word) {
+  return word == "independent"
+             ? ""
+             : fmt::format(
+                   "sampling = \"{}\"; allowed: independent (Latin hypercube and Sobol points have left: neither the "
+                   "interval nor the stop rule could show what they won)",
+                   word);
 }
 
 std::string lines_of(const std::vector<input::Override>& changes) {
@@ -63,7 +70,7 @@ Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files
           {"file", campaign.scenario},
           {"seed", fmt::format("{}", campaign.seed)},
           {"runs", fmt::format("{}", campaign.runs)},
-          {"sampling", std::string{sampling_names[static_cast<std::size_t>(campaign.sampling)]}},
+          {"sampling", "independent"},
           {"stop", campaign.stop ? campaign.stop->text() : "never"},
           {"changes", lines_of(campaign.changes)},
           {"scenario", hash_of(file_content(files.scenario().file()))},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +12,8 @@ namespace fantail::campaign {
 
 // What a campaign's words stand for, before anything is flown.
 
-/// In the order of Sampling.
-inline constexpr std::array<std::string_view, 3> sampling_names{"independent", "latin_hypercube", "sobol"};
+/// Empty for "independent", which is how every run is drawn; earlier versions had more ways.
+[[nodiscard]] std::string objection_to_sampling(const std::string& word);
 
 /// What a scenario's own file says, for who asks for no other. Throws text::Error.
 [[nodiscard]] std::uint64_t seed_of(const std::string& scenario);

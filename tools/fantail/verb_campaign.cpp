@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -79,13 +78,11 @@ std::optional<double> share(const std::optional<double>& percent) {
 }
 
 campaign::Campaign asked_for(const CampaignOptions& options) {
-  const auto sampling = std::ranges::find(campaign::sampling_names, options.sampling);
   campaign::Campaign campaign{.scenario = options.scenario.scenario,
                               .changes = {},
                               .seed = options.scenario.seed.empty() ? campaign::seed_of(options.scenario.scenario)
                                                                     : *text::whole_number(options.scenario.seed),
                               .runs = options.runs,
-                              .sampling = static_cast<campaign::Sampling>(sampling - campaign::sampling_names.begin()),
                               .shard = *parse_shard(options.shard)};
   for (const std::string& change : options.scenario.changes) {
     campaign.changes.push_back(input::parse_override(change));
@@ -105,9 +102,6 @@ std::vector<std::string> changes_of(const CampaignOptions& options) {
   std::vector<std::string> all = changes_of(options.scenario);
   if (options.runs != usual.runs) {
     all.push_back(fmt::format("runs={}", options.runs));
-  }
-  if (options.sampling != usual.sampling) {
-    all.push_back("sampling=" + options.sampling);
   }
   if (const auto stop = asked_for(options).stop) {
     all.push_back("until=" + stop->text());
@@ -211,9 +205,9 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<CampaignOptions>();
   add_scenario_options(verb, options->scenario);
   verb.option("--runs", options->runs, "How many flights at most").range(1.0, 1e8).show_default();
-  verb.option("--sampling", options->sampling, "How the unknown quantities are drawn")
-      .one_of({"independent", "latin_hypercube", "sobol"})
-      .show_default();
+  verb.option("--sampling", options->sampling, "Every run for itself, independent of the others; there is no other way")
+      .check(campaign::objection_to_sampling)
+      .value_name("independent");
   verb.option("--share", options->question,
               "What is counted: outcome=WORD, or a figure with >= or <= and a number, apogee_m>=900")
       .check(objection_to_question)
