@@ -165,11 +165,10 @@ class Turn {
 
 const std::array<AskedTurn, turn_count>& asked_turns() {
   static const std::array<AskedTurn, turn_count> turns{
-      {{"roll", "with the rocket upright, roll it once around, clockwise as seen from its tail, back to its mark",
-        true},
-       {"tilt", "lay it down", true},
-       {"back", "stand it up again", false},
-       {"tilt across", "lay it down again, to the side across the one where it lay before", true}}};
+      {{"roll", "with the rocket upright, roll it once around, clockwise as seen from its tail, back to its mark"},
+       {"tilt", "lay it down"},
+       {"back", "stand it up again"},
+       {"tilt across", "lay it down again, to the side across the one where it lay before"}}};
   return turns;
 }
 

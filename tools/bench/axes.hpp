@@ -20,7 +20,6 @@ inline constexpr std::size_t accelerometer_count = 2;  ///< of the IMU, and the 
 struct AskedTurn {
   std::string_view name;  ///< "roll"
   std::string_view instruction;
-  bool is_judged;
 };
 
 /// Roll once around; lay down; stand up again; lay down across.

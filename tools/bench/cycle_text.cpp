@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "bench/board_state.hpp"
 #include "bench/cycle.hpp"
 #include "bench/sheet_parts.hpp"
 #include "text/degrees.hpp"
@@ -36,19 +35,9 @@ class Page {
 
  private:
   void heading() {
-    const Heading& h = cycle_.heading;
     out_ += fmt::format("Canards in endurance: {} of {} laps of {} s\n", cycle_.laps.size(), cycle_.planned_laps,
                         text::fixed(cycle_.lap_s, 1));
-    for (const auto& [label, value] : {std::pair{"vehicle", h.vehicle},
-                                       {"plan", h.plan},
-                                       {"plan CRC", h.plan_crc},
-                                       {"date", h.date},
-                                       {"avionics", h.avionics},
-                                       {"board", h.board ? board_text(*h.board) : std::string{}}}) {
-      if (!value.empty()) {
-        out_ += fmt::format("  {:<10}{}\n", label, printable(value));
-      }
-    }
+    out_ += heading_lines(cycle_.heading);
   }
 
   void title(std::string_view what) {

@@ -26,6 +26,9 @@ struct SheetRow {
   std::vector<Cell> cells{};
 };
 
+/// What the caller knows of rocket and avionics, a line each, for a terminal.
+[[nodiscard]] std::string heading_lines(const Heading& heading);
+
 /// In the order of Sheet::canards.
 [[nodiscard]] std::vector<SheetRow> sheet_rows(const Sheet& sheet);
 

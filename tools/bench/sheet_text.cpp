@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -47,18 +48,8 @@ class Page {
   }
 
   void heading() {
-    const Heading& h = sheet_.heading;
     line("Canard {}", name(sheet_.kind));
-    for (const auto& [label, value] : {std::pair{"vehicle", h.vehicle},
-                                       {"plan", h.plan},
-                                       {"plan CRC", h.plan_crc},
-                                       {"date", h.date},
-                                       {"avionics", h.avionics},
-                                       {"board", h.board ? board_text(*h.board) : std::string{}}}) {
-      if (!value.empty()) {
-        line("  {:<10}{}", label, printable(value));
-      }
-    }
+    out_ += heading_lines(sheet_.heading);
     line("");
   }
 
@@ -136,6 +127,19 @@ class Page {
 std::string printable(std::string text) {
   std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
   return text;
+}
+
+std::string heading_lines(const Heading& heading) {
+  std::string lines;
+  for (const auto& [label, value] : {std::pair{"vehicle", heading.vehicle},
+                                     {"plan", heading.plan},
+                                     {"plan CRC", heading.plan_crc},
+                                     {"date", heading.date},
+                                     {"avionics", heading.avionics},
+                                     {"board", heading.board ? board_text(*heading.board) : std::string{}}}) {
+    lines += value.empty() ? "" : fmt::format("  {:<10}{}\n", label, printable(value));
+  }
+  return lines;
 }
 
 std::string sheet_text(const Sheet& sheet, std::size_t columns) { return Page{sheet, columns}.write(); }

@@ -19,24 +19,20 @@
 namespace fantail::campaign {
 namespace {
 
-std::optional<double> degrees(const std::optional<double>& radians) {
-  return radians ? std::optional{text::degrees(*radians)} : std::nullopt;
-}
-
 void take_figures(FlownRun& flown, const JudgedFlight& judged) {
   const report::Figures& figures = judged.figures;
   flown.outcome = report::name(judged.verdict.outcome);
-  flown.figures = {degrees(figures.largest_hold_error_rad),
+  flown.figures = {text::in_degrees(figures.largest_hold_error_rad),
                    figures.saturated_fraction,
-                   degrees(figures.authority_margin_rad),
+                   text::in_degrees(figures.authority_margin_rad),
                    figures.control_time_s,
                    figures.control_start_height_m,
                    figures.max_speed_m_s,
                    figures.apogee_m,
-                   degrees(figures.rest_error_rad),
+                   text::in_degrees(figures.rest_error_rad),
                    judged.flight.extremes.top_mach,
                    judged.flight.extremes.static_margin_calibres,
-                   degrees(judged.flight.extremes.angle_of_attack_rad)};
+                   text::in_degrees(judged.flight.extremes.angle_of_attack_rad)};
   for (std::size_t i = 0; i < flown.figures.size(); ++i) {
     if (flown.figures[i] && !std::isfinite(*flown.figures[i])) {
       flown.outcome = "not_finite";

@@ -36,11 +36,6 @@ Share share(std::size_t count, std::size_t of) {
           .high = count == of ? 1.0 : std::min(1.0, centre + half)};
 }
 
-double point_above(std::vector<double> values, double share_below) {
-  std::ranges::sort(values);
-  return point(values, share_below);
-}
-
 Quantiles quantiles(std::vector<double> values) {
   std::ranges::sort(values);
   return {.mean = std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()),

@@ -21,7 +21,6 @@
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
-#include "input/shipped.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
 
@@ -150,13 +149,7 @@ void add_bench_cycle(const Verb& bench) {
       .range(1.0, 86'400.0)
       .value_name("SECONDS")
       .show_default();
-  verb.option("--vehicle", options->vehicle,
-              "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
-      .offers(shipped(input::Shipped::vehicle))
-      .value_name("FILE");
-  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
-      .offers(shipped(input::Shipped::plan))
-      .value_name("PLAN");
+  add_desk_options(verb, options->vehicle, options->plan);
   verb.option("--out", options->out, "Folder for cycle.json and cycle.csv [out/cycle]").offers(folders);
   verb.examples(
       "Examples:\n"

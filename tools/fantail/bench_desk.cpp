@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "fantail/interrupt.hpp"
+#include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
@@ -20,6 +21,16 @@
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
+
+void add_desk_options(const Verb& verb, std::string& vehicle_name, std::string& plan_name) {
+  verb.option("--vehicle", vehicle_name,
+              "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
+      .offers(shipped(input::Shipped::vehicle))
+      .value_name("FILE");
+  verb.option("--plan", plan_name, "The plan that must be in force: a shipped name or a path")
+      .offers(shipped(input::Shipped::plan))
+      .value_name("PLAN");
+}
 
 Desk desk(const std::string& vehicle_name, const std::string& plan_name) {
   Desk desk;

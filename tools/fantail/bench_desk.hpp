@@ -23,6 +23,9 @@ struct Desk {
   std::optional<std::uint32_t> plan_crc;  ///< of the plan on this desk
 };
 
+/// --vehicle and --plan.
+void add_desk_options(const Verb& verb, std::string& vehicle_name, std::string& plan_name);
+
 /// Either name may be empty. Whatever is wrong with a file is said here, before anything moves.
 [[nodiscard]] Desk desk(const std::string& vehicle_name, const std::string& plan_name);
 

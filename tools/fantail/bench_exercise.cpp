@@ -26,7 +26,6 @@
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
-#include "input/shipped.hpp"
 #include "link/session.hpp"
 #include "text/output_folder.hpp"
 
@@ -180,13 +179,7 @@ Verb add(const Verb& bench, const char* name, const char* meaning, const std::sh
          const MakeExercise& make) {
   const Verb verb = bench.verb(name, meaning);
   add_bench_options(verb, options->bench, "Print sheet.json instead of the text");
-  verb.option("--vehicle", options->vehicle,
-              "Vehicle whose tolerances are used: a shipped name or a path [default tolerances]")
-      .offers(shipped(input::Shipped::vehicle))
-      .value_name("FILE");
-  verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
-      .offers(shipped(input::Shipped::plan))
-      .value_name("PLAN");
+  add_desk_options(verb, options->vehicle, options->plan);
   add_page_options(verb, options->page, "the canards and the sheet, which fills while they move,");
   verb.option("--out", options->out, "Folder for sheet.html, sheet.json and sheet.csv [out/bench]").offers(folders);
   verb.action([options, make] { run(*options, make); });

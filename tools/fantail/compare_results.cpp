@@ -3,6 +3,7 @@
 
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,15 @@ std::string too_large(std::string_view what, double mean_rad, double required_ra
 }
 
 }  // namespace
+
+void CompareResults::take_warnings(const logs::RollLog& log_a, const logs::RollLog& log_b) {
+  for (const auto& [name, log] : {std::pair{"A", &log_a}, std::pair{"B", &log_b}}) {
+    for (const std::string& warning : log->warnings) {
+      warnings.push_back(fmt::format("{}: {}", name, warning));
+    }
+  }
+  warnings.insert(warnings.end(), comparison.warnings.begin(), comparison.warnings.end());
+}
 
 std::vector<std::string> CompareResults::objections() const {
   std::vector<std::string> sentences;

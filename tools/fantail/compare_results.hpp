@@ -23,6 +23,8 @@ struct CompareResults {
   std::vector<std::string> warnings{};
   std::vector<std::filesystem::path> logs{};  ///< both files, which no result may replace
 
+  /// Of both logs and of their comparison.
+  void take_warnings(const logs::RollLog& log_a, const logs::RollLog& log_b);
   [[nodiscard]] bool required() const { return required_angle_rad || required_rate_rad_s; }
   /// A mean over a few samples says nothing of the others.
   [[nodiscard]] bool is_known() const { return comparison.known_s >= 0.9 * comparison.asked_s - 1e-9; }

@@ -107,13 +107,7 @@ void compare_logs(const CompareVerbOptions& options) {
                          .required_rate_rad_s = in_radians(options.most_rate_deg_s),
                          .logs = {options.a.path, options.b.path}};
   results.comparison = logs::compare(a, b, question(options, a));
-  for (const auto& [name, log] : {std::pair{"A", &a}, std::pair{"B", &b}}) {
-    for (const std::string& warning : log->warnings) {
-      results.warnings.push_back(fmt::format("{}: {}", name, warning));
-    }
-  }
-  results.warnings.insert(results.warnings.end(), results.comparison.warnings.begin(),
-                          results.comparison.warnings.end());
+  results.take_warnings(a, b);
   give_up_if_interrupted();
   const std::filesystem::path folder{options.out};
   write_compare_results(results, folder);

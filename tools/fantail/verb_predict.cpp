@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -24,6 +23,7 @@
 #include "predict/answer.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 #include "text/shell_word.hpp"
 
 namespace fantail::tool {
@@ -49,16 +49,10 @@ struct PredictOptions {
   bool json = false;
 };
 
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [stopped, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && stopped == text.data() + text.size() ? std::optional{value} : std::nullopt;
-}
-
 std::optional<predict::DampingFactor> parse_damping_factor(std::string_view text) {
   const std::size_t colon = text.find(':');
-  const std::optional<double> low = number(text.substr(0, colon));
-  const std::optional<double> high = colon == std::string_view::npos ? low : number(text.substr(colon + 1));
+  const std::optional<double> low = text::number(text.substr(0, colon));
+  const std::optional<double> high = colon == std::string_view::npos ? low : text::number(text.substr(colon + 1));
   if (!low || !high || !(*low >= 0.1) || !(*high >= *low) || !(*high <= 10.0)) {
     return std::nullopt;
   }

@@ -86,13 +86,7 @@ void report_two(const ReportOptions& options) {
   question.find_shift = results.shift_found;
   question.remove_offset = options.remove_offset;
   results.comparison = logs::compare(a, b, question);
-  for (const auto& [name, log] : {std::pair{"A", &a}, std::pair{"B", &b}}) {
-    for (const std::string& warning : log->warnings) {
-      results.warnings.push_back(fmt::format("{}: {}", name, warning));
-    }
-  }
-  results.warnings.insert(results.warnings.end(), results.comparison.warnings.begin(),
-                          results.comparison.warnings.end());
+  results.take_warnings(a, b);
   give_up_if_interrupted();
   const std::filesystem::path folder = options.out.empty()
                                            ? default_folder(name_of_log(options.a) + "_and_" + name_of_log(options.b))

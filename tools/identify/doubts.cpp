@@ -16,6 +16,7 @@
 #include "identify/result/formatting.hpp"
 #include "identify/result/residual.hpp"
 #include "identify/result/uncertainty.hpp"
+#include "logs/log_doubts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -26,13 +27,6 @@ using namespace model;
 using namespace result;
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-double largest(const std::vector<double>& list) {
-  double most = 0.0;
-  for (const double value : list) {
-    most = std::max(most, std::abs(value));
-  }
-  return most;
-}
 
 // The published rocket has a beta of 5 to 15 m; one beyond a tenth or ten times that is a matter for a word only when
 // the canards' own angles speak for it.
@@ -40,7 +34,7 @@ std::optional<std::string> wrong_unit(const DoubtCase& c) {
   constexpr double most_radians = 0.7;  // 40 deg: no canard turns farther
   const double beta_m = c.found.model.beta_m;
   const Axis usual = published_grid(c.airframe).beta_m;
-  const double canard_deg = text::degrees(largest(c.record.canard_rad));
+  const double canard_deg = text::degrees(logs::largest(c.record.canard_rad));
   if (canard_deg <= most_radians && beta_m > 10.0 * usual.last) {
     return fmt::format(
         "beta is {} m and no canard angle exceeds {} deg: the canard column seems to be in radians. If it is, say so "

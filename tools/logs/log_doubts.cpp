@@ -16,14 +16,6 @@
 namespace fantail::logs {
 namespace {
 
-double largest(const std::vector<double>& list) {
-  double most = 0.0;
-  for (const double value : list) {
-    most = std::max(most, std::abs(value));  // not a number: std::max keeps what it has
-  }
-  return most;
-}
-
 bool is_between(double value, double low, double high) { return low < value && value < high; }
 
 // Angles in degrees that are numbers of radians: no canard turns beyond 34 degrees, and one that controls anything
@@ -72,6 +64,14 @@ std::optional<double> angle_over_rate(const RollLog& log) {
 }
 
 }  // namespace
+
+double largest(const std::vector<double>& list) {
+  double most = 0.0;
+  for (const double value : list) {
+    most = std::max(most, std::abs(value));  // not a number: std::max keeps what it has
+  }
+  return most;
+}
 
 void note_doubtful_units(RollLog& log, const flight::Reading& reading) {
   const double canard_rad = largest(log.canard_rad);
