@@ -51,7 +51,7 @@ set(FANTAIL_LAYERS
   "tools/live|core hal text json page telemetry|fmt/ arpa/inet\\.h"
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text table_file json input flight flight_log telemetry|fmt/"
-  "tools/bench|core protocol hal avionics sim text distributions json page replies link|fmt/"
+  "tools/bench|core protocol hal avionics sim text distributions json page result replies link|fmt/"
   "tools/campaign|sim text distributions json linear page result input flight report fly|fmt/"
   "tools/hardover|core sim text result fly campaign|fmt/"
   "tools/predict|core sim text distributions json page result flight report stability fly campaign|fmt/"

@@ -67,35 +67,36 @@ std::string axes_text(const AxesResult& result) {
   return fmt::format("{}{}\n", text, unchecked_of_axes());
 }
 
-std::string axes_json(const AxesResult& result) {
+std::string axes_json(const AxesResult& seen, const result::Made& made) {
   json::Value upright{};
   json::Value tilts = json::Value::array();
   for (std::size_t i = 0; i < accelerometer_count; ++i) {
-    if (result.upright_m_s2[i]) {
-      upright[std::string{keys[i]}] = in_g(*result.upright_m_s2[i]);
+    if (seen.upright_m_s2[i]) {
+      upright[std::string{keys[i]}] = in_g(*seen.upright_m_s2[i]);
     }
   }
-  for (const TiltSeen& seen : result.tilts) {
-    json::Value tilt = {{"gyro", value_of(seen.gyro)}};
+  for (const TiltSeen& one : seen.tilts) {
+    json::Value tilt = {{"gyro", value_of(one.gyro)}};
     for (std::size_t i = 0; i < accelerometer_count; ++i) {
-      if (seen.accelerometer[i]) {
-        tilt[std::string{keys[i]}] = value_of(*seen.accelerometer[i]);
+      if (one.accelerometer[i]) {
+        tilt[std::string{keys[i]}] = value_of(*one.accelerometer[i]);
       }
     }
     tilts.push_back(tilt);
   }
-  return json::Value{{"right", result.right},
+  json::Value all{{"right", seen.right},
                      {"upright_g", upright},
                      {"roll_seen_deg",
-                      {{"x", json::rounded(degrees(result.roll_rad.x), 3)},
-                       {"y", json::rounded(degrees(result.roll_rad.y), 3)},
-                       {"z", json::rounded(degrees(result.roll_rad.z), 3)}}},
+                      {{"x", json::rounded(degrees(seen.roll_rad.x), 3)},
+                       {"y", json::rounded(degrees(seen.roll_rad.y), 3)},
+                       {"z", json::rounded(degrees(seen.roll_rad.z), 3)}}},
                      {"tilts", tilts},
-                     {"sentences", result.sentences},
-                     {"plan_lines", result.plan_lines},
-                     {"not_checked", std::string{unchecked_of_axes()}}}
-             .dump() +
-         "\n";
+                     {"sentences", seen.sentences},
+                     {"plan_lines", seen.plan_lines},
+                     {"not_checked", std::string{unchecked_of_axes()}}};
+  result::put_answer(all, seen.right ? result::Answer::yes : result::Answer::no,
+                     fmt::format("{}", fmt::join(seen.sentences, " ")), made);
+  return all.dump() + "\n";
 }
 
 }  // namespace fantail::bench

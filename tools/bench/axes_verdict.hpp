@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/axes.hpp"
+#include "result/answer.hpp"
 
 namespace fantail::bench {
 
@@ -34,7 +35,7 @@ struct AxesResult {
 [[nodiscard]] AxesResult judge_axes(const TurnsSeen& seen);
 
 [[nodiscard]] std::string axes_text(const AxesResult& result);
-[[nodiscard]] std::string axes_json(const AxesResult& result);
+[[nodiscard]] std::string axes_json(const AxesResult& result, const result::Made& made = {});
 
 /// What stays unchecked, a sentence.
 [[nodiscard]] std::string_view unchecked_of_axes();

@@ -11,6 +11,7 @@
 #include "bench/sheet.hpp"
 #include "link/avionics_link.hpp"
 #include "link/session.hpp"
+#include "result/answer.hpp"
 #include "sim/canard_tolerances.hpp"
 #include "text/wrapped.hpp"
 
@@ -83,7 +84,7 @@ struct Course {
 /// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
 [[nodiscard]] std::string cycle_text(const Cycle& cycle, std::size_t columns = text::any_width);
 /// One object; every figure with its unit in its name.
-[[nodiscard]] std::string cycle_json(const Cycle& cycle);
+[[nodiscard]] std::string cycle_json(const Cycle& cycle, const result::Made& made = {});
 /// One row a lap. Empty cells: not measured.
 [[nodiscard]] std::string cycle_csv(const Cycle& cycle);
 

@@ -30,7 +30,7 @@ Json course_json(const Course& course, double unit) {
 
 }  // namespace
 
-std::string cycle_json(const Cycle& cycle) {
+std::string cycle_json(const Cycle& cycle, const result::Made& made) {
   const double degree = text::degrees(1.0);
   Json canards = Json::array();
   for (std::size_t i = 0; i < core::canard_count; ++i) {
@@ -63,6 +63,7 @@ std::string cycle_json(const Cycle& cycle) {
               {"notes", heading.notes},
               {"version", heading.version}};
   add_board(all, heading.board, "plan_source");
+  result::put_answer(all, answer(judgement(cycle)), fmt::format("{}", fmt::join(conclusions(cycle), " ")), made);
   return all.pretty();
 }
 

@@ -211,6 +211,15 @@ bool CanardResult::passed() const {
   return (!alone || alone->passed()) && (!together || together->passed()) && diagnosis.cause == Cause::healthy;
 }
 
+result::Answer answer(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::pass: return result::Answer::yes;
+    case Judgement::fail: return result::Answer::no;
+    case Judgement::none: break;
+  }
+  return result::Answer::undecided;
+}
+
 Judgement Sheet::judgement() const {
   if (std::ranges::any_of(canards, [](const auto& c) { return c.diagnosis.cause == Cause::limit_not_kept; })) {
     return Judgement::fail;

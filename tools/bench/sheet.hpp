@@ -15,6 +15,7 @@
 #include "core/canard_monitor.hpp"
 #include "link/avionics_link.hpp"
 #include "protocol/bus_messages.hpp"
+#include "result/answer.hpp"
 #include "sim/canard_tolerances.hpp"
 #include "text/wrapped.hpp"
 
@@ -65,6 +66,8 @@ enum class Judgement : std::uint8_t {
   none,  ///< the recording has holes: nothing is said of the canards
 };
 
+[[nodiscard]] result::Answer answer(Judgement judgement);
+
 struct Sheet {
   ExerciseKind kind{};
   Heading heading{};
@@ -93,7 +96,7 @@ struct Sheet {
 [[nodiscard]] std::vector<std::string> conclusions(const Sheet& sheet);
 
 /// One object; every figure with its unit in its name.
-[[nodiscard]] std::string sheet_json(const Sheet& sheet);
+[[nodiscard]] std::string sheet_json(const Sheet& sheet, const result::Made& made = {});
 
 /// The series behind the sheet, one row a tick that was received. Empty: not driven, or no valid reading.
 [[nodiscard]] std::string sheet_csv(const link::Recording& recording, const Exercise& exercise);

@@ -19,15 +19,6 @@ namespace {
 
 using page::Tone;
 
-Tone tone(Judgement judgement) {
-  switch (judgement) {
-    case Judgement::pass: return Tone::good;
-    case Judgement::fail: return Tone::bad;
-    case Judgement::none: break;
-  }
-  return Tone::unsure;
-}
-
 page::Page heading(const Sheet& sheet) {
   const Heading& h = sheet.heading;
   return {.kind = fmt::format("Fantail bench \u00b7 Canard {}", name(sheet.kind)),
@@ -56,7 +47,7 @@ std::string as_sentence(std::string why) {
 }
 
 void judge(page::Page& page, const Sheet& sheet) {
-  page.tone = tone(sheet.judgement());
+  page.tone = result::tone(answer(sheet.judgement()));
   page.verdict_heading = display_name(sheet.judgement());
   page.stamped = true;
   std::ranges::transform(conclusions(sheet), std::back_inserter(page.findings), as_finding);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "bench/board_state.hpp"
 #include "bench/sheet.hpp"
@@ -94,7 +94,7 @@ Json tolerances(const sim::CanardTolerances& t) {
 
 }  // namespace
 
-std::string sheet_json(const Sheet& sheet) {
+std::string sheet_json(const Sheet& sheet, const result::Made& made) {
   const Heading& heading = sheet.heading;
   Json canards = Json::array();
   for (const CanardResult& result : sheet.canards) {
@@ -126,6 +126,7 @@ std::string sheet_json(const Sheet& sheet) {
               {"notes", heading.notes},
               {"version", heading.version}};
   add_board(all, heading.board, "plan_source");
+  result::put_answer(all, answer(sheet.judgement()), fmt::format("{}", fmt::join(conclusions(sheet), " ")), made);
   return all.pretty();
 }
 

@@ -10,6 +10,7 @@
 
 #include "bench/sheet.hpp"
 #include "core/flight_plan.hpp"
+#include "result/answer.hpp"
 
 namespace fantail::bench {
 
@@ -62,6 +63,6 @@ struct ZeroFields {
 /// What no encoder can show, in one sentence.
 [[nodiscard]] std::string what_an_encoder_cannot_show();
 /// One object; every figure with its unit in its name.
-[[nodiscard]] std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted);
+[[nodiscard]] std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted, const result::Made& made = {});
 
 }  // namespace fantail::bench

@@ -49,7 +49,8 @@ std::string zero_text(std::span<const CanardZero> zeros, const core::CanardsPlan
   return out;
 }
 
-std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted) {
+std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted,
+                      const result::Made& made) {
   json::Value canards = json::Value::array();
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     const CanardZero& zero = zeros[i];
@@ -67,10 +68,11 @@ std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan
                        {"pulse_per_degree_us", field(present.pulse_per_degree_us, measured.pulse_per_degree_us)},
                        {"encoder_zero_deg", field(present.encoder_zero_deg, measured.encoder_zero_deg)}});
   }
-  return json::Value{{"trusted", trusted == Trusted::encoder ? "encoder" : "servo"},
+  json::Value all{{"trusted", trusted == Trusted::encoder ? "encoder" : "servo"},
                      {"canards", canards},
-                     {"not_shown", what_an_encoder_cannot_show()}}
-      .pretty();
+                     {"not_shown", what_an_encoder_cannot_show()}};
+  result::put_answer(all, result::Answer::none, what_an_encoder_cannot_show(), made);
+  return all.pretty();
 }
 
 }  // namespace fantail::bench

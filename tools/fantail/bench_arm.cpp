@@ -9,6 +9,7 @@
 
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/line_input.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
@@ -136,10 +137,12 @@ void arm(const ArmOptions& options) {
     tell(options, "Control has started.");
   }
   if (options.bench.json) {
-    fmt::print("{}\n", json::Value{{"armed", true},
-                                   {"control_started", options.start},
-                                   {"gyro_bias_deg_s", json::rounded(gyro_zero_deg_s(link))}}
-                           .dump());
+    json::Value all{{"armed", true},
+                    {"control_started", options.start},
+                    {"gyro_bias_deg_s", json::rounded(gyro_zero_deg_s(link))}};
+    result::put_answer(all, result::Answer::yes, options.start ? "Armed, and control has started." : "Armed.",
+                       made_with({}));
+    fmt::print("{}\n", all.dump());
   }
 }
 

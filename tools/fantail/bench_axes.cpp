@@ -8,6 +8,7 @@
 #include "bench/axes_verdict.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
@@ -34,7 +35,7 @@ void axes(const BenchOptions& options) {
     result.plan_lines = bench::mounting_lines(*found, believed);
   }
   if (options.json) {
-    fmt::print("{}", bench::axes_json(result));
+    fmt::print("{}", bench::axes_json(result, made_with({})));
   } else {
     show_text(painted_decision(bench::axes_text(result)));
   }

@@ -14,6 +14,7 @@
 #include "fantail/bench_desk.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -81,7 +82,7 @@ class Teller {
 };
 
 void write(const bench::Cycle& cycle, const CycleOptions& options, const std::filesystem::path& folder) {
-  const std::string json = bench::cycle_json(cycle);
+  const std::string json = bench::cycle_json(cycle, made_with({}));
   const std::array<text::NamedFile, 2> files{{{"cycle.json", json}, {"cycle.csv", bench::cycle_csv(cycle)}}};
   text::OutputFolder{folder}.write(files);
   if (options.bench.json) {

@@ -19,6 +19,7 @@
 #include "fantail/bench_options.hpp"
 #include "fantail/bench_page.hpp"
 #include "fantail/can_place.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -130,7 +131,7 @@ void exercise(const ExerciseOptions& options, const MakeExercise& make, const st
   const link::Recording recording = perform(what, options, *session, link, page);
   complete(on_desk.heading, options.bench, link);
   const bench::Sheet sheet = bench::examine(recording, what, on_desk.tolerances, on_desk.heading);
-  const std::string json = bench::sheet_json(sheet);
+  const std::string json = bench::sheet_json(sheet, made_with({}));
   const std::array<text::NamedFile, 3> files{{{"sheet.html", bench::sheet_html(sheet, recording, what)},
                                               {"sheet.json", json},
                                               {"sheet.csv", bench::sheet_csv(recording, what)}}};

@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "fantail/deliver.hpp"
 #include "fantail/flight_files.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
@@ -183,6 +184,12 @@ void log(const BenchLogOptions& options) {
   }
   if (options.bench.json) {
     visit.json["erased"] = options.erase;
+    result::put_answer(visit.json, result::Answer::none,
+                       empty            ? "Nothing is recorded."
+                       : options.list   ? "The recorded flights are listed."
+                       : options.erase  ? "The record is erased."
+                                        : "The recorded flights are downloaded.",
+                       made_with({}));
     fmt::print("{}\n", visit.json.dump());
   }
 }

@@ -6,6 +6,7 @@
 #include "avionics/board_text.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/plan_json.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
@@ -26,10 +27,10 @@ void show_plan_in_force(const BenchOptions& options) {
   }
   const std::string block_crc = fmt::format("{:08x}", read.block_crc);
   if (options.json) {
-    fmt::print(
-        "{}",
-        json::Value{{"origin", replies::name(read.source)}, {"block_crc", block_crc}, {"plan", plan_json(read.plan)}}
-            .pretty());
+    json::Value all{{"origin", replies::name(read.source)}, {"block_crc", block_crc}, {"plan", plan_json(read.plan)}};
+    result::put_answer(all, result::Answer::none, fmt::format("The plan in force is {}.", avionics::text(read.source)),
+                       made_with({}));
+    fmt::print("{}", all.pretty());
     return;
   }
   show_text(input::plan_table(read.plan));

@@ -14,6 +14,7 @@
 #include "fantail/bench_desk.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -137,7 +138,7 @@ void zero(const ZeroOptions& options) {
     }
   }
   if (options.bench.json) {
-    fmt::print("{}", bench::zero_json(zeros, plan.canards, trusted));
+    fmt::print("{}", bench::zero_json(zeros, plan.canards, trusted, made_with({})));
   } else {
     show_text(bench::zero_text(zeros, plan.canards, trusted));
   }
