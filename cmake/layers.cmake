@@ -52,16 +52,17 @@ set(FANTAIL_LAYERS
   "tools/gateway|hal link telemetry|"
   "tools/log_export|core protocol text table_file json input flight flight_log telemetry|fmt/"
   "tools/bench|core protocol hal avionics sim text distributions json page result replies link|fmt/"
-  "tools/campaign|sim text distributions json linear page result input flight report fly|fmt/"
-  "tools/hardover|core sim text result fly campaign|fmt/"
-  "tools/predict|core sim text distributions json page result flight report stability fly campaign|fmt/"
-  "tools/tune|core sim text json page result input flight report stability fly campaign predict|fmt/"
+  "tools/runs|sim text json|fmt/"
+  "tools/campaign|sim text distributions json linear page result input flight report fly runs|fmt/"
+  "tools/hardover|core sim text result fly runs|fmt/"
+  "tools/predict|core sim text distributions json page result flight report stability fly runs campaign|fmt/"
+  "tools/tune|core sim text json page result input flight report stability fly runs campaign predict|fmt/"
   "tools/paper|core sim text json page result input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
-  "tools/detection|core sim text distributions json page input campaign|fmt/"
-  "tools/faults|core sim text json page input campaign|fmt/"
+  "tools/detection|core sim text distributions json page input runs|fmt/"
+  "tools/faults|core sim text json page input runs campaign|fmt/"
   "tools/playground|core sim text json input flight report fly|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
-  "python/bindings|core protocol sim text json result input flight report flight_log logs identify identify/model identify/result fly campaign predict|nanobind/")
+  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "python/bindings|core protocol sim text json result input flight report flight_log logs identify identify/model identify/result fly runs campaign predict|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.
 set(FANTAIL_SINGLE_FILES
@@ -80,7 +81,7 @@ set(FANTAIL_SINGLE_FILES
   "tools/fantail/command_line.cpp|CLI/"
   "tools/text/deflate.cpp|zlib\\.h"
   "tools/text/sha256.cpp|sha256\\.h"
-  "tools/campaign/runs_folder.cpp|fcntl\\.h sys/ unistd\\.h"
+  "tools/runs/folder.cpp|fcntl\\.h sys/ unistd\\.h"
   "tools/campaign/sensitivity.cpp|Eigen/")
 
 # Splits a row of either list into <prefix>_0, _1, ... ; the first is a word, the others are lists.

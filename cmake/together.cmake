@@ -13,7 +13,7 @@ set(FANTAIL_COMPILED_APART
   "test/avionics|flight_memory_bytes_test.cpp flight_memory_flights_test.cpp flight_memory_starts_test.cpp flight_memory_test.cpp"
   "test/bench|cycle_test.cpp exercise_test.cpp zero_test.cpp"
   "test/bench|board_sheet_test.cpp filling_sheet_test.cpp measurement_test.cpp sent_wave_test.cpp sheet_page_test.cpp sheet_test.cpp"
-  "test/campaign|merge_test.cpp parallel_for_test.cpp spread_test.cpp statistics_test.cpp"
+  "test/campaign|merge_test.cpp spread_test.cpp statistics_test.cpp"
   "test/core|canard_mixer_test.cpp launch_detector_pair_test.cpp launch_detector_test.cpp"
   "test/core|canard_monitor_test.cpp launch_detector_reset_test.cpp motion_estimator_test.cpp trig_test.cpp"
   "test/core|autopilot_flight_test.cpp motion_estimator_roll_test.cpp pd_controller_test.cpp"
@@ -80,6 +80,7 @@ set(FANTAIL_COMPILED_ALONE
   tools/airframe/openrocket/read.cpp
   tools/bench/axes.cpp tools/bench/sheet_csv.cpp tools/bench/verdict.cpp
   tools/campaign/html.cpp tools/campaign/json.cpp
+  tools/detection/report_json.cpp
   tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
   tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
   tools/flight/free_roll.cpp tools/flight/read_csv.cpp tools/flight/turning.cpp

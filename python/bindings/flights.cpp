@@ -9,13 +9,13 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "campaign/parallel_for.hpp"
 #include "flight/fly_command.hpp"
 #include "fly/fly_scenario.hpp"
 #include "fly/without_control.hpp"
 #include "python/bindings/bind.hpp"
 #include "python/bindings/flown.hpp"
 #include "python/bindings/scenario.hpp"
+#include "runs/runner.hpp"
 
 namespace nb = nanobind;
 
@@ -51,7 +51,7 @@ nb::list fly_many(const nb::list& scenarios, const std::optional<std::vector<std
         flown[i]->keep_only(*columns);
       }
     };
-    campaign::parallel_for(asked.size(), threads, work, [](std::size_t) { give_up_if_interrupted(); });
+    runs::parallel_for(asked.size(), threads, work, [](std::size_t) { give_up_if_interrupted(); });
   }
   nb::list all;
   for (std::optional<Flown>& each : flown) {

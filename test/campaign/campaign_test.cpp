@@ -11,11 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "campaign/repeat.hpp"
-#include "campaign/runs_folder.hpp"
-#include "campaign/seed_of_run.hpp"
+#include "campaign/runs_file.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scratch_file.hpp"
 #include "report/figures.hpp"
+#include "runs/runner.hpp"
 #include "text/deflate.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -32,7 +32,7 @@ std::string content(const fs::path& file) {
   return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-/// The second launch with two unknown quantities, in a folder of its own. More runs than a chunk has.
+/// The second launch with two unknown quantities, in a folder of its own. More runs than a part has.
 class ACampaign : public testing::Test {
  protected:
   static constexpr const char* usual_spreads =
@@ -45,7 +45,7 @@ class ACampaign : public testing::Test {
                  spreads,
              "scenario.toml"},
         folder{file.path().parent_path()},
-        asked{.scenario = file.path().string(), .changes = {}, .seed = 5, .runs = runs_of_a_chunk + 3} {}
+        asked{.scenario = file.path().string(), .changes = {}, .seed = 5, .runs = runs_of_a_part + 3} {}
 
   std::vector<FlownRun> fly(const char* name, unsigned threads = 2,
                             const std::function<void(std::uint64_t)>& look = look_away) const {
@@ -98,7 +98,7 @@ TEST_F(ACampaign, IsTheSameBytesWithEveryNumberOfThreadsAndAfterAnInterruption) 
 }
 
 TEST_F(ACampaign, StopsAfterTheSameRunsWithEveryNumberOfThreadsAndIsReadBack) {
-  asked.runs = 5 * runs_of_a_chunk;
+  asked.runs = 5 * runs_of_a_part;
   asked.stop = StopRule{.required = 0.9};
   const auto runs = fly("early", 3);
   const std::string bytes = content(folder / "early" / "runs.csv.gz");
@@ -149,20 +149,6 @@ TEST_F(ACampaign, OfAnEarlierVersionWhoseRunsWereNotDrawnIndependentlyIsNotFlown
   }
 }
 
-TEST_F(ACampaign, GoesOnOnlyFromChunksThatAreWholeAndItsOwn) {
-  asked.runs = 2;
-  const auto runs = fly("whole");
-  const std::string bytes = content(folder / "whole" / "runs.csv.gz");
-  const std::string row = csv_row(runs[0]);
-  for (const std::string& damaged :
-       {std::string{"no gzip"}, text::gzip(row), text::gzip(row + row), text::gzip(row).substr(0, 40)}) {
-    fs::create_directories(folder / "damaged" / "chunks");
-    std::ofstream{folder / "damaged" / "chunks" / "00000000.csv.gz", std::ios::binary} << damaged;
-    EXPECT_EQ(fly("damaged"), runs);
-    EXPECT_EQ(content(folder / "damaged" / "runs.csv.gz"), bytes);
-  }
-}
-
 TEST_F(ACampaign, SaysThatItFlewAgainWhatWasDamaged) {
   asked.runs = 2;
   const auto fly_whole = [&] { return fly_campaign(asked, folder / "whole", "test", 2, look_away); };
@@ -203,10 +189,6 @@ TEST_F(ACampaign, NamesARowThatWasEditedAndFliesItsRunsAgain) {
     EXPECT_EQ(again.runs, before.runs);
     EXPECT_EQ(content(rows), bytes);
   }
-  fs::create_directories(folder / "chunk" / "chunks");
-  std::ofstream{folder / "chunk" / "chunks" / "00000000.csv.gz", std::ios::binary}
-      << text::gzip(csv_row(before.runs[0]) + better);
-  EXPECT_EQ(fly("chunk"), before.runs);
 }
 
 // Its seeds had all 64 bits, and its rows ended with the note.
@@ -218,7 +200,7 @@ TEST_F(ACampaign, ReadsTheRowsOfAnEarlierVersionAndSaysThatTheyCarryNoCheck) {
   const std::string text = text::gunzip(content(rows)).value();
   std::string old = text.substr(0, text.find(",row_check\n")) + "\n";
   for (FlownRun& run : runs) {
-    run.seed = key_of_run(asked.seed, run.run);
+    run.seed = runs::key_of_run(asked.seed, run.run);
     const std::string row = csv_row(run);
     old += row.substr(0, row.rfind(',')) + "\n";
   }
@@ -271,6 +253,26 @@ TEST_F(ACampaign, DoesNotMixWithAnotherInOneFolder) {
   asked.changes.push_back(input::parse_override("body.mass_kg=4"));
   EXPECT_NE(refusal("mixed").find("changes is none there and body.mass_kg=4 here"), std::string::npos)
       << refusal("mixed");
+}
+
+TEST_F(ACampaign, DoesNotMixWithAnotherThatIsNotFinished) {
+  asked.runs = 2 * runs_of_a_part;
+  struct Stop {};
+  EXPECT_THROW(fly("begun", 1,
+                   [this](std::uint64_t) {
+                     if (fs::exists(folder / "begun/parts/00000000.part")) {
+                       throw Stop{};
+                     }
+                   }),
+               Stop);
+  asked.seed = 6;
+  EXPECT_NE(refusal("begun").find("holds another campaign: seed is 5 there and 6 here"), std::string::npos);
+  asked.seed = 5;
+  std::ofstream{folder / "begun/parts/00000000.part"} << "no part";
+  const auto again = fly_campaign(asked, folder / "begun", "test", 2, look_away);
+  EXPECT_EQ(again.remark,
+            "1 stored parts in " + (folder / "begun").string() + " were damaged, and have been flown again");
+  EXPECT_FALSE(fs::exists(folder / "begun/parts"));
 }
 
 TEST_F(ACampaign, IsRefusedWhileAnotherIsAtWorkInItsFolder) {

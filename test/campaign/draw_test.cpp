@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/seed_of_run.hpp"
 #include "spread_files.hpp"
 #include "text/error.hpp"
 
@@ -184,18 +183,18 @@ TEST(Seeds, EveryRunHasOneOfItsOwn) {
   std::set<std::uint64_t> seeds;
   for (std::uint64_t master = 0; master < 20; ++master) {
     for (std::size_t index = 0; index < 500; ++index) {
-      seeds.insert(seed_of_run(master, index));
+      seeds.insert(runs::seed_of_run(master, index));
     }
   }
   EXPECT_EQ(seeds.size(), 10000U);
-  EXPECT_EQ(seed_of_run(7, 3), seed_of_run(7, 3));
+  EXPECT_EQ(runs::seed_of_run(7, 3), runs::seed_of_run(7, 3));
 }
 
 // jq, JavaScript and spreadsheets have no other numbers than doubles.
 TEST(Seeds, OfRunsComeBackFromADouble) {
   for (const std::uint64_t master : {std::uint64_t{1}, std::uint64_t{7}, std::numeric_limits<std::uint64_t>::max()}) {
     for (std::uint64_t run = 0; run < 1000; ++run) {
-      const std::uint64_t seed = seed_of_run(master, run);
+      const std::uint64_t seed = runs::seed_of_run(master, run);
       EXPECT_EQ(static_cast<std::uint64_t>(static_cast<double>(seed)), seed);
       EXPECT_LT(seed, std::uint64_t{1} << 53U);
     }

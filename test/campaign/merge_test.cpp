@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/seed_of_run.hpp"
 #include "input/scratch_file.hpp"
+#include "runs/runner.hpp"
 #include "text/deflate.hpp"
 #include "text/error.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The second launch with an unknown mass, in three shards of whole chunks. What is drawn is refused by the motor's
+/// The second launch with an unknown mass, in three shards of whole parts. What is drawn is refused by the motor's
 /// propellant, so that nothing is flown and the test is quick.
 class Shards : public testing::Test {
  protected:
@@ -34,7 +34,7 @@ class Shards : public testing::Test {
     const Campaign campaign{.scenario = file.path().string(),
                             .changes = {},
                             .seed = seed,
-                            .runs = 3 * runs_of_a_chunk + 10,
+                            .runs = 3 * runs_of_a_part + 10,
                             .shard = shard};
     (void)fly_campaign(campaign, out, "test", 2, [](std::uint64_t) {});
   }
@@ -63,7 +63,7 @@ TEST_F(Shards, InAnyOrderAreTheBytesOfTheCampaignFlownAsOne) {
   EXPECT_TRUE(file_content(folder / "merged" / "runs.csv.gz") == whole);
   EXPECT_EQ(file_content(folder / "merged" / "campaign.json"), file_content(folder / "one" / "campaign.json"));
   const std::string text = text::gunzip(whole).value();
-  EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(3 * runs_of_a_chunk + 10 + 1));
+  EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(3 * runs_of_a_part + 10 + 1));
 }
 
 TEST_F(Shards, AreNotPutOverAnotherCampaign) {
@@ -105,7 +105,7 @@ TEST_F(Shards, WhoseRunsAreDamagedOrNotTheirsAreRefused) {
             runs.string() + ": is damaged, not complete, or longer than its runs are");
   std::ofstream{runs, std::ios::binary} << last;
   EXPECT_EQ(refusal({part(1), part(2), part(3)}),
-            runs.string() + ": run " + std::to_string(runs_of_a_chunk) + " is missing or has another seed");
+            runs.string() + ": run " + std::to_string(runs_of_a_part) + " is missing or has another seed");
   std::ofstream{runs, std::ios::binary} << bytes << text::gzip("x\n");
   EXPECT_EQ(refusal({part(1), part(2), part(3)}), runs.string() + ": has more runs than its shard");
 }
@@ -118,7 +118,7 @@ TEST_F(Shards, OfWhichARowWasEditedAreRefusedByItsRun) {
   rows.replace(rows.find("refused"), 7, "held");
   std::ofstream{runs, std::ios::binary} << text::gzip(header) << text::gzip(rows);
   EXPECT_EQ(refusal({part(1), part(2), part(3)}),
-            runs.string() + ": the row of run " + std::to_string(runs_of_a_chunk) +
+            runs.string() + ": the row of run " + std::to_string(runs_of_a_part) +
                 " is not as it was written; fly this shard again, which replaces it");
 }
 
@@ -130,27 +130,13 @@ TEST_F(Shards, OfAnEarlierVersionWhoseRowsCarryNoCheckArePutTogetherToo) {
     for (std::size_t begin = text.find('\n') + 1; begin < text.size(); begin = text.find('\n', begin) + 1) {
       const std::string row = text.substr(begin, text.find('\n', begin) - begin);
       const std::size_t first = row.find(',');
-      old += row.substr(0, first + 1) + std::to_string(key_of_run(5, std::stoull(row))) +
+      old += row.substr(0, first + 1) + std::to_string(runs::key_of_run(5, std::stoull(row))) +
              row.substr(row.find(',', first + 1), row.rfind(',') - row.find(',', first + 1)) + "\n";
     }
     const std::string header = text.substr(0, text.find(",row_check")) + "\n";
     std::ofstream{runs, std::ios::binary} << text::gzip(header) << text::gzip(old);
   }
   EXPECT_EQ(refusal({part(1), part(2), part(3)}), "they were merged");
-}
-
-TEST(RunsOfShard, AreAllRunsOnceAndInOrder) {
-  for (const std::uint64_t runs : {1U, 64U, 65U, 1000U, 10'000'000U}) {
-    for (const std::uint64_t of : {1U, 2U, 7U, 1000U}) {
-      std::uint64_t next = 0;
-      for (std::uint64_t number = 1; number <= of; ++number) {
-        const Stretch stretch = runs_of_shard(runs, {.number = number, .of = of});
-        EXPECT_TRUE(stretch.count == 0 || stretch.first == next) << number << " of " << of;
-        next += stretch.count;
-      }
-      EXPECT_EQ(next, runs);
-    }
-  }
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ runs=320
 FANTAIL=$fantail "$script" 3 "$base/out" tasha3_launch2 --runs $runs --set 'body.name="It'\''s ours"' >"$base/said" ||
   fail "not submitted"
 grep -q '^jobs [0-9]* (shards), [0-9]* (those that failed, again), [0-9]* (merge)' "$base/said" || fail "$(cat "$base/said")"
-eventually test -e "$base/out/shard_2/chunks/00000001.csv.gz"
+eventually test -e "$base/out/shard_2/parts/00000064.part"
 killed=""
 for process in /proc/[0-9]*; do
   ! tr '\0' ' ' 2>/dev/null <"$process/cmdline" | grep -q -- '--shard 2/3 --out ' || {

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <future>
 #include <sstream>
 #include <stdexcept>
 
@@ -11,9 +10,10 @@
 
 #include "detection/bounds_chart.hpp"
 #include "detection/fingerprint.hpp"
-#include "detection/parts_file.hpp"
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
+#include "json/value.hpp"
+#include "runs/identity.hpp"
 #include "text/error.hpp"
 
 namespace fantail::detection {
@@ -69,19 +69,20 @@ TEST_F(DetectionCampaign, CountsEveryEventOnce) {
   EXPECT_FALSE(results.of_kind[index(Kind::gust)]);
 }
 
-TEST_F(DetectionCampaign, GoesOnWhereItWasInterruptedAndALineThatWasCutIsPlayedAgain) {
+TEST_F(DetectionCampaign, GoesOnWhereItWasInterruptedAndAPartThatWasCutIsPlayedAgainAndCounted) {
   const Results whole = play(small(), folder_, "1", 1, look_away);
-  std::stringstream content;
-  content << std::ifstream{folder_ / "parts.jsonl"}.rdbuf();
-  const std::string text = content.str();
-  // The last line but for a piece of it, as a full disk or a kill leaves it.
-  std::ofstream{folder_ / "parts.jsonl"} << text.substr(0, text.size() - 40);
+  EXPECT_EQ(whole.damaged, 0U);
+  const fs::path part = folder_ / "parts/launch.0000000000.part";
+  fs::resize_file(part, fs::file_size(part) - 40);
   const Results again = play(small(), folder_, "1", 2, look_away);
   expect_equal(whole, again);
   EXPECT_EQ(again.played, 60U);
-  const Results third = play(small(), folder_, "1", 2, look_away);
-  expect_equal(whole, third);
-  EXPECT_EQ(third.played, 0U);
+  EXPECT_EQ(again.damaged, 1U);
+  Campaign more = small();
+  more.launches = 70;
+  const Results third = play(more, folder_, "1", 2, look_away);
+  EXPECT_EQ(third.played, 70U) << "the kinds of which no more are wanted are as they were";
+  EXPECT_EQ(third.damaged, 0U);
 }
 
 TEST_F(DetectionCampaign, WhoInterruptsItKeepsWhatIsFinished) {
@@ -91,25 +92,6 @@ TEST_F(DetectionCampaign, WhoInterruptsItKeepsWhatIsFinished) {
   const Results rest = play(campaign, folder_, "1", 1, look_away);
   EXPECT_LE(rest.played, campaign.total());
   expect_equal(rest, play(campaign, std::nullopt, "1", 1, look_away));
-}
-
-TEST_F(DetectionCampaign, OfTwoThatBeginAtOnceInANewFolderOneIsRefused) {
-  for (int round = 0; round < 20; ++round) {
-    fs::remove_all(folder_);
-    const auto is_refused = [this](std::uint64_t seed) {
-      Campaign campaign = small();
-      campaign.seed = seed;
-      try {
-        const PartsFile parts{folder_, campaign, "1"};
-      } catch (const text::Error&) {
-        return true;
-      }
-      return false;
-    };
-    auto other = std::async(std::launch::async, is_refused, 2);
-    const bool one = is_refused(1);
-    ASSERT_NE(one, other.get()) << round;
-  }
 }
 
 TEST_F(DetectionCampaign, PartsThatOtherModelsOrAnotherLawHaveMadeAreRefused) {
@@ -123,13 +105,33 @@ TEST_F(DetectionCampaign, PartsThatOtherModelsOrAnotherLawHaveMadeAreRefused) {
   other.rules[0].plan.guide.length_m += 0.5F;
   EXPECT_NE(fingerprint(other.rules), before);
   std::stringstream content;
-  content << std::ifstream{folder_ / "parts.jsonl"}.rdbuf();
+  content << std::ifstream{folder_ / "parts/identity.json"}.rdbuf();
   std::string text = content.str();
-  const std::size_t digest = text.find(before.substr(0, 16));
+  const std::size_t digest = text.find(runs::short_digest(before));
   ASSERT_NE(digest, std::string::npos);
   text[digest] = text[digest] == '0' ? '1' : '0';
-  std::ofstream{folder_ / "parts.jsonl"} << text;
+  std::ofstream{folder_ / "parts/identity.json"} << text;
   EXPECT_THROW((void)play(small(), folder_, "1", 1, look_away), text::Error);
+}
+
+TEST_F(DetectionCampaign, OfAnotherSeedProgramOrSetOfEventsIsRefusedByWhatDiffers) {
+  (void)play(small(), folder_, "1 (a)", 1, look_away);
+  const auto refusal = [this](const Campaign& campaign, const char* program) -> std::string {
+    try {
+      (void)play(campaign, folder_, program, 1, look_away);
+    } catch (const text::Error& error) {
+      EXPECT_EQ(error.kind(), text::ErrorKind::bad_configuration);
+      return error.what();
+    }
+    return "it was played";
+  };
+  Campaign other = small();
+  other.seed = 2;
+  EXPECT_TRUE(refusal(other, "1 (a)").ends_with("it holds another campaign: seed is 1 there and 2 here"));
+  EXPECT_TRUE(refusal(small(), "1 (b)").ends_with("program is 1 (a) there and 1 (b) here"));
+  other = small();
+  other.both_well = true;
+  EXPECT_TRUE(refusal(other, "1 (a)").ends_with("both_well is no there and yes here"));
 }
 
 TEST_F(DetectionCampaign, OfBothWellEveryEventIs) {

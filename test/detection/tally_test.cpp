@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runs/row_text.hpp"
+
 namespace fantail::detection {
 namespace {
 
@@ -44,6 +46,14 @@ TEST(Tally, APointOfAHistogramHasItsShareAtOrBelowIt) {
   EXPECT_EQ(histogram.point(0.999), 200);
 }
 
+Tally read_back(Tally tally) {
+  runs::RowText text;
+  text(tally);
+  Tally back{0};
+  EXPECT_TRUE(runs::read_rows(text.text(), &back, 1)) << text.text();
+  return back;
+}
+
 TEST(Tally, ComesBackFromItsTextAsItWas) {
   Tally tally{2};
   const std::vector<Rule> rules(2);
@@ -52,13 +62,12 @@ TEST(Tally, ComesBackFromItsTextAsItWas) {
   answer.distance_error_m = -0.125F;
   tally.count(Kind::launch, 5, rules, {answer, Answer{}}, {.ignition = 170, .peak_g = 4});
   tally.count(Kind::shaking, 4, rules, {Answer{}, Answer{.detected = 3, .nearness = 0.5F}}, {});
-  EXPECT_EQ(tally_of(json::parse(tally_json(tally).dump()), 2), tally);
+  EXPECT_EQ(read_back(tally), tally);
   EXPECT_EQ(tally.of_rule[0][0].latency_ms.point(1.0), 120);
   EXPECT_EQ(tally.of_rule[0][0].control_ms.point(1.0), 430);
   EXPECT_EQ(tally.of_rule[0][0].missed_by_peak_g.total(), 0U);
   EXPECT_EQ(tally.of_rule[1][0].missed_by_peak_g.counts().at(4), 1U);
   EXPECT_EQ(tally.of_rule[1][0].worst, (Worst{.event = 5, .value = Worst::missed}));
-  EXPECT_THROW((void)tally_of(json::parse("[]"), 2), json::Error);
 }
 
 TEST(Tally, AFlightThatARuleControlsAsItShouldIsNoEventForThatRule) {
@@ -71,7 +80,7 @@ TEST(Tally, AFlightThatARuleControlsAsItShouldIsNoEventForThatRule) {
   EXPECT_EQ(tally.of_rule[1][0].events, 1U);
   EXPECT_EQ(tally.of_rule[1][0].controlling, 1U);
   EXPECT_EQ(tally.of_rule[1][0].control_by_part.times(static_cast<int>(Part::main)), 1U);
-  EXPECT_EQ(tally_of(json::parse(tally_json(tally).dump()), 2), tally);
+  EXPECT_EQ(read_back(tally), tally);
 }
 
 TEST(Tally, OfARaisedRailAWrongTiltIsCountedBesideTheTimeThatItStood) {
@@ -89,7 +98,7 @@ TEST(Tally, OfARaisedRailAWrongTiltIsCountedBesideTheTimeThatItStood) {
   EXPECT_EQ(count.all_by_still_s.times(3), 3U);
   EXPECT_EQ(count.tilted_by_still_s.times(3), 1U);
   EXPECT_EQ(count.missed_by_still_s.times(3), 1U);
-  EXPECT_EQ(tally_of(json::parse(tally_json(tally).dump()), 1), tally);
+  EXPECT_EQ(read_back(tally), tally);
 }
 
 TEST(Tally, OfEquallyBadEventsTheFirstIsKept) {

@@ -8,6 +8,7 @@
 #include "faults/campaign.hpp"
 #include "input/fault_file.hpp"
 #include "input/scenario_file.hpp"
+#include "runs/row_text.hpp"
 #include "text/error.hpp"
 
 namespace fantail::faults {
@@ -102,15 +103,19 @@ TEST(FaultRun, IsReadAsItWasWritten) {
                         .apart_deg = 12.345,
                         .trim_after_s = 0.123,
                         .what = "control went on, up to 12.3 deg, and so on"};
-  const faults::Run green{.number = 0, .seed = 1, .begin_ms = 0, .outcome = Outcome::recovers};
-  for (const faults::Run& run : {red, green}) {
-    std::string row = row_of(run);
-    ASSERT_EQ(row.back(), '\n');
-    row.pop_back();
-    EXPECT_EQ(run_of(row), run) << row;
-  }
-  for (const char* row : {"", "1,2,3", "1,2,3,holds,x,0,", "1,2,3,hold,1,0,"}) {
-    EXPECT_EQ(run_of(row), std::nullopt) << row;
+  const faults::Run other{.number = 0,
+                          .seed = 1,
+                          .begin_ms = 0,
+                          .outcome = Outcome::recovers,
+                          .is_breach = true,
+                          .came_back = true,
+                          .stands_after_s = 0.5};
+  for (faults::Run run : {red, other}) {
+    runs::RowText text;
+    text(run);
+    faults::Run back;
+    ASSERT_TRUE(runs::read_rows(text.text(), &back, 1)) << text.text();
+    EXPECT_EQ(back, run);
   }
 }
 

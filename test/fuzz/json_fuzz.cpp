@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "campaign/stored_parts.hpp"
 #include "chosen_input.hpp"
 #include "flight/flight.hpp"
 #include "identify/result/validation_findings.hpp"
 #include "input_file.hpp"
 #include "json/value.hpp"
 #include "report/summary_json.hpp"
+#include "runs/identity.hpp"
 
 namespace fantail::fuzz {
 namespace {
@@ -46,7 +46,7 @@ void read(std::uint8_t choice, const std::string& bytes) {
     case 0: parse(bytes); return;
     case 1: summary(bytes); return;
     case 2: (void)identify::result::read_model(file(bytes)); return;
-    default: try { (void)campaign::parse_identity(bytes);
+    default: try { (void)runs::parse_identity(bytes);
       } catch (const json::Error& error) {
         require_sentence(error.what());
       }

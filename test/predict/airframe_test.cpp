@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/seed_of_run.hpp"
 #include "input/shipped.hpp"
+#include "runs/runner.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -46,7 +46,7 @@ std::vector<TunnelStep> table2() {
 std::vector<TunnelStep> drawn(const AirframeSpread& spread, std::uint64_t seed, std::size_t count) {
   std::vector<TunnelStep> all;
   for (std::size_t i = 0; i < count; ++i) {
-    all.push_back(spread.draw(campaign::seed_of_run(seed, i)));
+    all.push_back(spread.draw(runs::seed_of_run(seed, i)));
   }
   return all;
 }

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/seed_of_run.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "predict/answer.hpp"
 #include "predict/drawn_wind.hpp"
 #include "predict/prediction.hpp"
 #include "predict/sentences.hpp"
+#include "runs/runner.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 
@@ -43,7 +43,7 @@ TEST(WindyPrediction, FliesEveryRunInAWindOfItsOwn) {
   const Prediction p = predicted(flown, {.runs = 6});
   for (std::size_t i = 0; i < p.runs.size(); ++i) {
     const auto& run = p.runs[i];
-    const sim::WindParameters wind = drawn_wind(flown.wind, flown.wind_spread, campaign::seed_of_run(flown.seed, i));
+    const sim::WindParameters wind = drawn_wind(flown.wind, flown.wind_spread, runs::seed_of_run(flown.seed, i));
     EXPECT_EQ(run.wind.value().speed_m_s, wind.speed_m_s);
     EXPECT_EQ(run.wind.value().from_rad, wind.from_rad);
     // The same launch in exactly this wind.

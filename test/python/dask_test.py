@@ -35,10 +35,10 @@ def whole(tmp_path_factory):
     return pathlib.Path(fantail.campaign("tasha3_launch2", **OPTIONS, out=tmp_path_factory.mktemp("one") / "whole").folder)
 
 
-def kill_who_flies(client, campaign, chunks):
+def kill_who_flies(client, campaign, parts):
     """Kills the worker of shard 2 as soon as it has stored a part of it."""
     until = time.monotonic() + PATIENCE_S
-    while not list(chunks.glob("*.csv.gz")):
+    while not list(parts.glob("*.part")):
         assert not campaign.done(), f"it ended before a part of the shard was seen: {campaign.exception()}"
         assert time.monotonic() < until, f"no part of the shard was stored; workers: {client.processing()}"
         time.sleep(0.01)
@@ -52,7 +52,7 @@ def flown(client, tmp_path_factory):
     out = tmp_path_factory.mktemp("dask")
     with concurrent.futures.ThreadPoolExecutor() as pool:
         campaign = pool.submit(dask_campaign.campaign, client, "tasha3_launch2", out, SHARDS, **OPTIONS)
-        kill_who_flies(client, campaign, out / "shard_2/chunks")
+        kill_who_flies(client, campaign, out / "shard_2/parts")
         assert len(campaign.result(PATIENCE_S)) == OPTIONS["runs"]
     return out
 
@@ -109,4 +109,4 @@ def test_what_a_worker_refuses_is_said_without_a_traceback(tmp_path):
     (tmp_path / "out").write_text("no folder")
     said = run_example("tasha3_launch2", "out", "--runs", "64", "--shards", "1", cwd=tmp_path)
     assert said.returncode == 2 and "Traceback" not in said.stderr
-    assert said.stderr.endswith(f"error: {tmp_path}/out/shard_1/chunks: Not a directory\n")
+    assert said.stderr.endswith(f"error: {tmp_path}/out/shard_1/parts: Not a directory\n")

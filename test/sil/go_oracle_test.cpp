@@ -11,9 +11,9 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "campaign/seed_of_run.hpp"
 #include "predict/decision.hpp"
 #include "predict/prediction.hpp"
+#include "runs/runner.hpp"
 #include "seed.hpp"
 #include "sil/any_rocket.hpp"
 #include "sil/plain_judge.hpp"
@@ -96,7 +96,7 @@ Flown again(const sim::Scenario& scenario, const predict::TunnelResult& tunnel) 
 Flown the_next_ones(const sim::Scenario& scenario, const Make& make, Draw& draw) {
   Flown flown;
   for (std::size_t i = 0; i < runs; ++i) {
-    const std::uint64_t seed = campaign::seed_of_run(scenario.seed + 1, i);
+    const std::uint64_t seed = runs::seed_of_run(scenario.seed + 1, i);
     add(flown, predict::fly_airframe(scenario, make.rocket(draw), seed, fly::Log::dropped), scenario);
   }
   return flown;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -19,7 +17,6 @@ namespace fantail::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 
 json::Value summary(const fs::path& folder) { return json::parse(content(folder / "summary.json")); }
 
@@ -64,28 +61,6 @@ TEST(Campaign, AnyRunIsFlownAgainWithItsReport) {
   EXPECT_NE(outcome.out.find("Run " + number + " of a campaign of 6 with seed 1; drawn for it: "), std::string::npos);
 }
 
-TEST(Campaign, GoesOnAfterACtrlCAndASecondOneInItsFolderIsRefused) {
-  const Folder folder;
-  const Words words{"campaign", "--runs", "192", "--threads", "1", "--out", folder / "all"};
-  std::string second;
-  const auto interrupt = [&](int process) {
-    for (int i = 0; i < 12'000 && !fs::exists(folder / "all/chunks/00000000.csv.gz"); ++i) {  // it may have failed
-      std::this_thread::sleep_for(5ms);
-    }
-    second = fantail(words).err;
-    kill(process, SIGINT);
-  };
-  const Outcome outcome = fantail(words, {.meanwhile = interrupt});
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_NE(outcome.err.find("the same command goes on from there"), std::string::npos) << outcome.err;
-  EXPECT_NE(second.find("another campaign is at work in this folder"), std::string::npos) << second;
-  EXPECT_FALSE(fs::exists(folder / "all/runs.csv.gz"));
-  EXPECT_EQ(fantail(words).exit_code, 0);
-  EXPECT_EQ(fantail({"campaign", "--runs", "192", "--out", folder / "whole"}).exit_code, 0);
-  EXPECT_EQ(content(folder / "all/runs.csv.gz"), content(folder / "whole/runs.csv.gz"));
-  EXPECT_EQ(content(folder / "all/summary.json"), content(folder / "whole/summary.json"));
-}
-
 TEST(Campaign, InShardsIsTheSameBytesAsInOne) {
   const Folder folder;
   for (const char* number : {"1", "2"}) {
@@ -121,13 +96,13 @@ TEST(Campaign, SaysByItsExitCodeWhetherTheShareIsMetAndIsNotDecidedByTooFewRuns)
       << met.out;
 }
 
-TEST(Campaign, ThatFindsNoRoomOnTheDiskKeepsTheChunksBefore) {
+TEST(Campaign, ThatFindsNoRoomOnTheDiskKeepsThePartsBefore) {
   const Folder folder;
   const Words words{"campaign", "--runs", "10", "--out", folder / "all"};
-  const rlimit limit{700, 700};  // enough for campaign.json, not for a chunk
+  const rlimit limit{700, 700};  // enough for identity.json, not for a part
   const Outcome outcome = fantail(words, {.prepare = [limit] { setrlimit(RLIMIT_FSIZE, &limit); }});
   EXPECT_EQ(outcome.exit_code, 74) << outcome.err;
-  EXPECT_NE(outcome.err.find("00000000.csv.gz"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("00000000.part"), std::string::npos) << outcome.err;
   EXPECT_EQ(fantail(words).exit_code, 0) << "and goes on";
 }
 

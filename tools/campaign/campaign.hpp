@@ -9,16 +9,10 @@
 #include <vector>
 
 #include "campaign/flown_run.hpp"
-#include "campaign/runs_folder.hpp"
+#include "campaign/runs_file.hpp"
 #include "campaign/stop_rule.hpp"
 
 namespace fantail::campaign {
-
-/// One of several parts of a campaign, each for a machine of its own.
-struct Shard {
-  std::uint64_t number = 1;  ///< from 1 on
-  std::uint64_t of = 1;      ///< as many as there are parts
-};
 
 /// Many flights of one scenario, whose file says what is not known in tables [[spread]].
 struct Campaign {
@@ -40,13 +34,14 @@ struct FlownCampaign {
   std::string remark{};                   ///< a sentence for who asked; empty: nothing to remark
 };
 
-/// The runs of a shard, which is one: whole chunks, as equal in number as they can be.
-[[nodiscard]] Stretch runs_of_shard(std::uint64_t runs, const Shard& shard);
+/// The runs of a shard, which is one.
+[[nodiscard]] inline Stretch runs_of_shard(std::uint64_t runs, const Shard& shard) {
+  return runs::share_of(shard, runs, runs_of_a_part);
+}
 
-/// Flies every run of its shard that `folder` does not hold yet, a chunk at a time on each thread, and writes
-/// runs.csv.gz: its bytes depend on the campaign alone, not on threads, order, or where it was interrupted. What `look`
-/// throws ends it; chunks that are finished stay, and the next call goes on from them. `look` is called with the runs
-/// done, several times a second, from this thread. `version`: of the program, which is part of what a campaign is.
+/// Flies every run of its shard that `folder` does not hold yet, as runs::run() does, and writes runs.csv.gz: its bytes
+/// depend on the campaign alone, not on threads, order, or where it was interrupted. `version`: of the program, which
+/// is part of what a campaign is.
 ///
 /// Throws text::Error before anything is flown for no runs, a shard that is none of its parts, a rule that cannot hold,
 /// no spread, a spread that cannot be drawn, a draw that a field does not allow, or a folder with another campaign.

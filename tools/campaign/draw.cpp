@@ -8,8 +8,8 @@
 
 #include <fmt/core.h>
 
-#include "campaign/seed_of_run.hpp"
 #include "distributions/quantiles.hpp"
+#include "runs/runner.hpp"
 #include "sim/random.hpp"
 #include "text/error.hpp"
 
@@ -96,7 +96,7 @@ std::optional<Leaves> first_outside(const Spread& spread, const std::vector<doub
 }  // namespace
 
 double unit_coordinate(std::uint64_t master_seed, std::uint64_t run, std::size_t dimension) {
-  return open_unit(sim::Random{key_of_run(master_seed, run), first_stream + dimension}.bits());
+  return open_unit(sim::Random{runs::key_of_run(master_seed, run), first_stream + dimension}.bits());
 }
 
 Draw Drawer::draw(std::uint64_t run) const {
@@ -109,7 +109,7 @@ Draw Drawer::draw(std::uint64_t run) const {
       unit.push_back(unit_coordinate(master_seed_, run, dimension++));
     }
     std::vector<double> numbers = numbers_of(spread, unit);
-    sim::Random random{key_of_run(master_seed_, run), again_stream + s};
+    sim::Random random{runs::key_of_run(master_seed_, run), again_stream + s};
     int draws = 1;
     for (auto left = first_outside(spread, numbers); left; left = first_outside(spread, numbers)) {
       if (spread.outside == Outside::refuse) {

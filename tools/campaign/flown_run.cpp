@@ -8,8 +8,8 @@
 #include <fmt/core.h>
 
 #include "campaign/judged_flight.hpp"
-#include "campaign/seed_of_run.hpp"
 #include "flight/table.hpp"
+#include "runs/runner.hpp"
 #include "text/csv_cell.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -88,7 +88,7 @@ flight::Extremes extremes_of(const FlownRun& run) {
 FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_t master_seed, std::uint64_t run) {
   Draw draw = drawer.draw(run);
   FlownRun flown{.run = run,
-                 .seed = seed_of_run(master_seed, run),
+                 .seed = runs::seed_of_run(master_seed, run),
                  .numbers = std::move(draw.numbers),
                  .drawn_again = draw.drawn_again};
   sim::Scenario scenario;
@@ -117,6 +117,10 @@ std::vector<std::string> quantity_names(const std::vector<Spread>& spreads) {
     }
   }
   return names;
+}
+
+std::uint64_t seed_in_rows(Rows kind, std::uint64_t master_seed, std::uint64_t run) {
+  return kind == Rows::checked ? runs::seed_of_run(master_seed, run) : runs::key_of_run(master_seed, run);
 }
 
 std::string header_row(const std::vector<Spread>& spreads, Rows kind) {

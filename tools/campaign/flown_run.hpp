@@ -52,6 +52,9 @@ struct FlownRun {
 /// Whether rows end with a check of what stands before it, as csv_row() writes them. Earlier versions wrote none.
 enum class Rows : std::uint8_t { checked, unchecked };
 
+/// The seed that a stored row has: that of a run, or all of its key in rows without a check.
+[[nodiscard]] std::uint64_t seed_in_rows(Rows kind, std::uint64_t master_seed, std::uint64_t run);
+
 /// The columns of runs.csv for these spreads, with a newline.
 [[nodiscard]] std::string header_row(const std::vector<Spread>& spreads, Rows kind = Rows::checked);
 

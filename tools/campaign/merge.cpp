@@ -12,9 +12,9 @@
 #include <fmt/core.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/runs_folder.hpp"
-#include "campaign/seed_of_run.hpp"
+#include "campaign/runs_file.hpp"
 #include "json/value.hpp"
+#include "runs/runner.hpp"
 #include "text/deflate.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -41,12 +41,12 @@ std::uint64_t number_of(const Part& part, std::string_view name) {
       return *number;
     }
   }
-  refuse(ErrorKind::bad_data, fmt::format("{}: says no {}", (part.folder / RunsFolder::identity_name).string(), name));
+  refuse(ErrorKind::bad_data, fmt::format("{}: says no {}", (part.folder / identity_name).string(), name));
 }
 
 Part read_part(const fs::path& folder) {
   std::error_code ignored;
-  if (!fs::exists(folder / RunsFolder::runs_name, ignored)) {
+  if (!fs::exists(folder / runs_name, ignored)) {
     refuse(ErrorKind::no_such_input, folder.string() + ": no runs.csv.gz; this shard has not been flown to its end");
   }
   Part part{.folder = folder, .identity = read_identity(folder), .shard = {}};
@@ -65,11 +65,11 @@ Part read_part(const fs::path& folder) {
     }
     break;
   }
-  refuse(ErrorKind::bad_data, (folder / RunsFolder::identity_name).string() + ": says of no shard which it is");
+  refuse(ErrorKind::bad_data, (folder / identity_name).string() + ": says of no shard which it is");
 }
 
 void require_same(const Part& first, const Part& other) {
-  if (const std::string differs = difference(first.identity, "in the first", other.identity, "in the other");
+  if (const std::string differs = runs::difference(first.identity, "in the first", other.identity, "in the other");
       !differs.empty()) {
     refuse(ErrorKind::bad_configuration, fmt::format("{} and {} are of different campaigns: {}", first.folder.string(),
                                                      other.folder.string(), differs));
@@ -113,7 +113,7 @@ std::map<std::uint64_t, Part> all_parts(std::span<const fs::path> folders) {
 
 /// The compressed rows, without the header's member, which must be `header` in all of them.
 std::string rows_of(const Part& part, std::string& header) {
-  const fs::path file = part.folder / RunsFolder::runs_name;
+  const fs::path file = part.folder / runs_name;
   const Stretch runs = runs_of_shard(number_of(part, "runs"), part.shard);
   const std::string bytes = file_content(file, most_bytes(runs));
   const auto text = text::gunzip(bytes, most_bytes(runs));
@@ -132,7 +132,8 @@ std::string rows_of(const Part& part, std::string& header) {
   const bool are_checked = columns.ends_with(",row_check");
   std::string_view rows = std::string_view{*text}.substr(columns.size() + 1);
   for (std::uint64_t run = runs.first; run < runs.first + runs.count; ++run) {
-    if (!rows.starts_with(fmt::format("{},{},", run, seed_in_rows(are_checked, seed, run)))) {
+    if (!rows.starts_with(
+            fmt::format("{},{},", run, seed_in_rows(are_checked ? Rows::checked : Rows::unchecked, seed, run)))) {
       refuse(ErrorKind::bad_data, fmt::format("{}: run {} is missing or has another seed", file.string(), run));
     }
     const std::size_t length = rows.find('\n');
@@ -161,8 +162,8 @@ std::uint64_t merge(std::span<const fs::path> shards, const fs::path& out) {
   Identity whole = parts.begin()->second.identity;
   whole.emplace_back("shard", "1 of 1");
   require_no_other(out, whole);
-  const std::array files{text::NamedFile{.name = RunsFolder::identity_name, .content = identity_json(whole)},
-                         text::NamedFile{.name = RunsFolder::runs_name, .content = header + rows}};
+  const std::array files{text::NamedFile{.name = identity_name, .content = runs::identity_json(whole)},
+                         text::NamedFile{.name = runs_name, .content = header + rows}};
   text::OutputFolder{out, {shards.begin(), shards.end()}}.write(files);
   return number_of(parts.begin()->second, "runs");
 }

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "campaign/seed_of_run.hpp"
 #include "campaign/setup.hpp"
+#include "runs/runner.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -31,14 +31,14 @@ RepeatedRun repeat_run(const Campaign& campaign, std::uint64_t run) {
   }
   repeated.note += '.';
   repeated.scenario = files.read();
-  repeated.scenario.seed = seed_of_run(campaign.seed, run);
+  repeated.scenario.seed = runs::seed_of_run(campaign.seed, run);
   repeated.scenario.changed_values = repeated.changes.size() + draw.changes.size();
   return repeated;
 }
 
 Campaign campaign_in(const std::filesystem::path& folder, const std::string& version) {
   const Identity there = read_identity(folder);
-  const std::string file = (folder / RunsFolder::identity_name).string();
+  const std::string file = (folder / identity_name).string();
   const auto said = [&](std::string_view name) -> const std::string& {
     const auto found = std::ranges::find(there, name, &Identity::value_type::first);
     if (found == there.end()) {
@@ -60,7 +60,7 @@ Campaign campaign_in(const std::filesystem::path& folder, const std::string& ver
   const input::ScenarioFiles files = files_of(campaign);
   Identity here = identity_of(campaign, files, spreads_of(campaign, files), version);
   std::erase_if(here, [](const auto& entry) { return entry.first == "stop" || entry.first == "shard"; });
-  if (const std::string differs = difference(there, "there", here, "now"); !differs.empty()) {
+  if (const std::string differs = runs::difference(there, "there", here, "now"); !differs.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration, file + ": this campaign cannot be flown again: " + differs};
   }
   return campaign;

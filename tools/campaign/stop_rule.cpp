@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "campaign/runs_folder.hpp"
+#include "campaign/runs_file.hpp"
 #include "text/number.hpp"
 
 namespace fantail::campaign {
@@ -34,7 +34,7 @@ std::size_t stops_at(const StopRule& rule, std::span<const FlownRun> runs) {
   Stopping stopping{rule};
   std::size_t taken = 0;
   while (taken < runs.size()) {
-    const std::size_t count = std::min<std::size_t>(runs_of_a_chunk, runs.size() - taken);
+    const std::size_t count = std::min<std::size_t>(runs_of_a_part, runs.size() - taken);
     const bool enough = stopping.take(runs.subspan(taken, count));
     taken += count;
     if (enough) {

@@ -11,7 +11,7 @@
 
 namespace fantail::campaign {
 
-/// When a campaign has flown enough before all its runs are flown. It is looked at after every chunk, in their order,
+/// When a campaign has flown enough before all its runs are flown. It is looked at after every part, in their order,
 /// with bounds that hold however often one looks (confidence_sequence()): where it stops is the same with every number
 /// of threads.
 struct StopRule {

@@ -4,19 +4,20 @@
 #include <algorithm>
 #include <atomic>
 #include <ctime>
-#include <memory>
 #include <mutex>
 
-#include "campaign/parallel_for.hpp"
-#include "detection/parts_file.hpp"
+#include <fmt/core.h>
+
+#include "detection/fingerprint.hpp"
 #include "detection/rehearsal.hpp"
+#include "runs/runner.hpp"
 
 namespace fantail::detection {
 namespace {
 
+/// The events of one kind that are played together.
 struct Chunk {
   Kind kind;
-  std::uint64_t number;
   std::uint64_t first;
   std::uint64_t events;
 };
@@ -26,34 +27,39 @@ std::vector<Chunk> chunks_of(const Campaign& campaign) {
   for (const Kind kind : campaign.kinds) {
     const std::uint64_t size = events_of_a_chunk(kind);
     const std::uint64_t total = campaign.number_of(kind);
-    for (std::uint64_t number = 0; number * size < total; ++number) {
-      chunks.push_back(
-          {.kind = kind, .number = number, .first = number * size, .events = std::min(size, total - number * size)});
+    for (std::uint64_t first = 0; first < total; first += size) {
+      chunks.push_back({.kind = kind, .first = first, .events = std::min(size, total - first)});
     }
   }
   return chunks;
 }
 
-/// What the threads that play and the one that looks have in common.
-struct Shared {
-  std::atomic<std::uint64_t> done;
-  std::atomic<bool> stop{false};
-};
-
-/// Empty: stopped.
-std::optional<Tally> played(const Campaign& campaign, const Chunk& chunk, Shared& shared) {
+Tally played(const Campaign& campaign, const Chunk& chunk, const std::function<void()>& played_one) {
   Rehearsal rehearsal{campaign.rules};
   Tally tally{campaign.rules.size()};
   for (std::uint64_t turn = chunk.first; turn < chunk.first + chunk.events; ++turn) {
-    if (shared.stop) {
-      return std::nullopt;
-    }
     const std::uint64_t event = campaign.event(chunk.kind, turn);
     const std::vector<Answer>& answers = rehearsal.play(campaign.seed, chunk.kind, event);
     tally.count(chunk.kind, event, campaign.rules, answers, truth_of(rehearsal.motion()));
-    ++shared.done;
+    played_one();
   }
   return tally;
+}
+
+runs::Identity identity_of(const Campaign& campaign, const std::string& program) {
+  std::string names;
+  std::string texts;
+  for (const Rule& rule : campaign.rules) {
+    names += (names.empty() ? "" : "; ") + rule.name();
+    texts += identity_of(rule) + '\n';
+  }
+  return {{"kind", "campaign detection"},
+          {"seed", fmt::format("{}", campaign.seed)},
+          {"both_well", campaign.both_well ? "yes" : "no"},
+          {"plans", names},
+          {"rules", runs::short_digest(texts)},
+          {"program", program},
+          {"events", runs::short_digest(fingerprint(campaign.rules))}};
 }
 
 /// Of this thread, so that a busy machine does not look slow.
@@ -79,56 +85,46 @@ void Campaign::drop_empty_kinds() {
 
 Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder, const std::string& program,
              unsigned threads, const std::function<void(std::uint64_t done)>& look) {
-  std::unique_ptr<PartsFile> parts;
+  std::optional<runs::Folder> kept;
   if (folder) {
-    parts = std::make_unique<PartsFile>(*folder, campaign, program);
+    kept.emplace(
+        runs::Place{.folder = *folder, .identity = identity_of(campaign, program), .not_beside = "campaign.json"});
   }
-  const std::vector<Chunk> chunks = chunks_of(campaign);
+  std::vector<Chunk> chunks = chunks_of(campaign);
   Results results;
   for (const Kind kind : campaign.kinds) {
     results.of_kind[index(kind)].emplace(campaign.rules.size());
   }
-  std::vector<std::size_t> to_play;
-  std::uint64_t stored = 0;
-  for (std::size_t i = 0; i < chunks.size(); ++i) {
-    const Tally* const there = parts ? parts->find(chunks[i].kind, chunks[i].number, chunks[i].events) : nullptr;
-    if (there != nullptr) {
-      results.of_kind[index(chunks[i].kind)]->add(*there);
-      stored += chunks[i].events;
-    } else {
-      to_play.push_back(i);
-    }
-  }
-  Shared shared{.done = stored};
   std::atomic<std::uint64_t> microseconds{0};
   std::mutex adding;
-  campaign::parallel_for(
-      to_play.size(), threads,
-      [&](std::size_t i) {
-        const Chunk& chunk = chunks[to_play[i]];
-        const double begin_s = thread_time_s();
-        const std::optional<Tally> tally = played(campaign, chunk, shared);
-        microseconds += static_cast<std::uint64_t>(1e6 * (thread_time_s() - begin_s));
-        if (!tally) {
-          return;
-        }
-        if (parts) {
-          parts->store(chunk.kind, chunk.number, chunk.events, *tally);
-        }
-        const std::lock_guard lock{adding};  // in any order: the sum is the same
-        results.of_kind[index(chunk.kind)]->add(*tally);
-      },
-      [&](std::size_t) {
-        try {
-          look(shared.done);
-        } catch (...) {
-          shared.stop = true;
-          throw;
-        }
-      });
-
-  results.played = shared.done - stored;
-  results.damaged = parts ? parts->damaged() : 0;
+  runs::Flights flights;
+  for (const Chunk& chunk : chunks) {
+    flights.parts.push_back({.name = fmt::format("{}.{:010}", info(chunk.kind).name, chunk.first),
+                             .flights = {.first = chunk.first, .count = chunk.events}});
+  }
+  flights.fly = [&](std::size_t i, const std::function<void()>& played_one) {
+    const double begin_s = thread_time_s();
+    Tally tally = played(campaign, chunks[i], played_one);
+    microseconds += static_cast<std::uint64_t>(1e6 * (thread_time_s() - begin_s));
+    runs::RowText text;
+    text(chunks[i].events, tally);
+    return text.text();
+  };
+  flights.take = [&](std::size_t i, const std::string& text) {
+    std::uint64_t events = 0;
+    Tally tally{0};
+    runs::RowReader reader{text};
+    reader(events, tally);
+    if (!reader.is_done() || events != chunks[i].events || tally.of_rule.size() != campaign.rules.size()) {
+      return false;
+    }
+    const std::lock_guard lock{adding};  // in any order: the sum is the same
+    results.of_kind[index(chunks[i].kind)]->add(tally);
+    return true;
+  };
+  const runs::Summary summary = runs::run(flights, kept ? &*kept : nullptr, threads, look);
+  results.played = summary.flown;
+  results.damaged = summary.damaged;
   results.processor_s = 1e-6 * static_cast<double>(microseconds);
   return results;
 }

@@ -48,8 +48,8 @@ struct Results {
 };
 
 /// Plays all events on several threads (0: as many as the machine has). The counts do not depend on the threads, nor on
-/// how often it was interrupted: `folder` keeps finished chunks in parts.jsonl, and the same campaign goes on from
-/// there; so does one with more events or other kinds. Without a folder nothing is kept.
+/// how often it was interrupted: `folder` keeps finished chunks, and the same campaign goes on from there; so does one
+/// with more events or other kinds. Without a folder nothing is kept.
 ///
 /// `look` is told how many events are done, those of unfinished chunks too, on the caller's thread; what it throws ends
 /// all after the present event and comes out of here, and finished chunks stay. Throws text::Error (bad_configuration)

@@ -9,7 +9,6 @@
 
 #include "detection/kind.hpp"
 #include "detection/rehearsal.hpp"
-#include "json/value.hpp"
 
 namespace fantail::detection {
 
@@ -25,6 +24,10 @@ class Histogram {
   [[nodiscard]] const std::map<int, std::uint64_t>& counts() const { return counts_; }
 
   friend bool operator==(const Histogram&, const Histogram&) = default;
+  template <typename Text>
+  friend void fields(Text& text, Histogram& histogram) {
+    text(histogram.counts_);
+  }
 
  private:
   std::map<int, std::uint64_t> counts_;
@@ -81,6 +84,18 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
+template <typename Text>
+void fields(Text& text, Worst& worst) {
+  text(worst.event, worst.value);
+}
+template <typename Text>
+void fields(Text& text, Count& count) {
+  text(count.events, count.detected, count.controlling, count.worst, count.flown, count.control_by_part,
+       count.inside_guide, count.latency_ms, count.control_ms, count.error_cm, count.distance_cm, count.all_by_peak_g,
+       count.missed_by_peak_g, count.late_by_peak_g, count.tilt_error_ddeg, count.all_by_still_s,
+       count.missed_by_still_s, count.tilted_by_still_s);
+}
+
 /// Of events that follow each other, of one kind: a count for each rule and condition.
 struct Tally {
   explicit Tally(std::size_t rules) : of_rule(rules) {}
@@ -92,13 +107,13 @@ struct Tally {
 
   friend bool operator==(const Tally&, const Tally&) = default;
 };
+template <typename Text>
+void fields(Text& text, Tally& tally) {
+  text(tally.of_rule);
+}
 
 /// What is known of a share: the largest that the count leaves possible with 95 % (Clopper and Pearson, one-sided):
 /// with it so few would come in one of twenty campaigns. 1 without events, or when all did.
 [[nodiscard]] double upper_bound_95(std::uint64_t count, std::uint64_t of);
-
-[[nodiscard]] json::Value tally_json(const Tally& tally);
-/// Throws json::Error for what is none of so many rules.
-[[nodiscard]] Tally tally_of(const json::Value& value, std::size_t rules);
 
 }  // namespace fantail::detection

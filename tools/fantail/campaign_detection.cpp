@@ -12,11 +12,10 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include "avionics/identity.hpp"
 #include "detection/campaign.hpp"
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -124,13 +123,8 @@ void show_one(const DetectionOptions& options) {
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {
   Progress progress{"detection",
                     {.unit = "events", .rate = " a second", .total = static_cast<double>(campaign.total())}};
-  const std::string program = fmt::format("{} ({})", FANTAIL_VERSION, avionics::git_hash());
-  return detection::play(campaign, folder, program, threads, [&](std::uint64_t done) {
-    if (take_interrupt()) {
-      throw Interrupted{fmt::format(
-          "interrupted after {} of {} events; finished parts are kept in {}, and the same command goes on from there",
-          done, campaign.total(), folder.string())};
-    }
+  return detection::play(campaign, folder, program_that_flies(), threads, [&](std::uint64_t done) {
+    leave_if_interrupted(folder);
     progress.show(static_cast<double>(done));
   });
 }
@@ -221,10 +215,9 @@ void fill_detection(const Verb& verb) {
       .value_name("PERCENT")
       .excludes(event);
   verb.option("--threads", options->threads, "How many at once [as many as the machine can]").range(1, 256);
-  verb.option(
-          "--out", options->out,
-          "Folder for detection.html, summary.json and parts.jsonl [out/campaign/detection, with what was changed in "
-          "the name]")
+  verb.option("--out", options->out,
+              "Folder for detection.html, summary.json and the parts [out/campaign/detection, with what was changed in "
+              "the name]")
       .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text").excludes(event);
   verb.examples(

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "avionics/identity.hpp"
 #include "campaign/setup.hpp"
 #include "fantail/interrupt.hpp"
+#include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -90,13 +90,6 @@ fs::path folder_of(const FaultsOptions& options) {
                              : fs::path{options.out};
 }
 
-void stop_if_interrupted(const fs::path& folder) {
-  if (take_interrupt()) {
-    throw Interrupted{"interrupted; finished parts are kept in " + folder.string() +
-                      ", and the same command goes on from there"};
-  }
-}
-
 /// The flights without a fault, of every seed.
 faults::Prepared prepare_shown(const faults::Campaign& campaign, unsigned threads) {
   Progress progress{"flying without faults",
@@ -136,13 +129,12 @@ void fly_all(const FaultsOptions& options) {
   const faults::Prepared prepared = prepare_shown(campaign, options.threads);
   const faults::Extent& extent = prepared.extent;
   say(fmt::format("fantail: {} flights in {} cells\n", extent.flights, extent.cells));
-  const std::string program = fmt::format("{} ({})", FANTAIL_VERSION, avionics::git_hash());
   faults::Result result;
   {
     Progress progress{"flying " + input::name_of_file(campaign.scenario),
                       {.unit = "runs", .rate = " a second", .total = static_cast<double>(extent.flights)}};
-    result = faults::fly_campaign(prepared, folder, program, options.threads, [&](std::uint64_t done) {
-      stop_if_interrupted(folder);
+    result = faults::fly_campaign(prepared, folder, program_that_flies(), options.threads, [&](std::uint64_t done) {
+      leave_if_interrupted(folder);
       progress.show(static_cast<double>(done));
     });
   }
@@ -151,7 +143,7 @@ void fly_all(const FaultsOptions& options) {
                     folder.string()));
   }
   Chapters chapters{"faults", 1, "the worst flights and the page"};
-  faults::write_worst(result, prepared, folder, [&folder] { stop_if_interrupted(folder); });
+  faults::write_worst(result, prepared, folder, [&folder] { leave_if_interrupted(folder); });
   const std::string summary = faults::report_json(result, FANTAIL_VERSION);
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};

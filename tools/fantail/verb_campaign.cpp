@@ -16,7 +16,7 @@
 #include "fantail/campaign_detection.hpp"
 #include "fantail/campaign_faults.hpp"
 #include "fantail/campaign_hardover.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -118,14 +118,6 @@ fs::path folder_of(const CampaignOptions& options) {
                              : fs::path{options.out};
 }
 
-/// What is stored stays.
-void leave_if_interrupted(const fs::path& folder) {
-  if (take_interrupt()) {
-    throw Interrupted{"interrupted; finished runs are kept in " + folder.string() +
-                      ", and the same command goes on from there"};
-  }
-}
-
 campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& folder, unsigned threads) {
   const std::uint64_t total = campaign::runs_of_shard(campaign.runs, campaign.shard).count;
   Progress progress{"flying " + input::name_of_file(campaign.scenario),
@@ -155,19 +147,19 @@ void fly_campaign(const CampaignOptions& options) {
     say("fantail: " + flown.remark + "\n");
   }
   if (campaign.shard.of > 1) {
-    print_shard(campaign.shard, flown.runs.size(), folder / campaign::RunsFolder::runs_name, options.json);
+    print_shard(campaign.shard, flown.runs.size(), folder / campaign::runs_name, options.json);
     return;
   }
   Chapters chapters{"campaign", 1, "figures, the worst flights and the page"};
   const campaign::Report report = campaign::conclude(
       campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent),
-      FANTAIL_VERSION, folder, [&] { leave_if_interrupted(folder); });
+      FANTAIL_VERSION, folder, [&] { leave_if_interrupted(folder, campaign::runs_name); });
   chapters.end();
   if (options.json) {
     fmt::print("{}", campaign::report_json(report));
   } else {
     show("{}\n  page  {}\n  runs  {}\n", painted_decision(campaign::report_text(report, output_columns())),
-         (folder / "campaign.html").string(), (folder / campaign::RunsFolder::runs_name).string());
+         (folder / "campaign.html").string(), (folder / campaign::runs_name).string());
   }
   if (report.analysis.judgement && *report.analysis.judgement != campaign::Judgement::met) {
     throw RequirementNotMet{""};
@@ -179,8 +171,7 @@ void merge(const MergeOptions& options) {
   Chapters chapters{"merge", 1, fmt::format("the runs of {} shards", shards.size())};
   const std::uint64_t runs = campaign::merge(shards, options.out);
   chapters.end();
-  show("{} shards, {} runs: {}\n", shards.size(), runs,
-       (fs::path{options.out} / campaign::RunsFolder::runs_name).string());
+  show("{} shards, {} runs: {}\n", shards.size(), runs, (fs::path{options.out} / campaign::runs_name).string());
 }
 
 void fill_merge(const Verb& verb) {

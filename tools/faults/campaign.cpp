@@ -2,30 +2,22 @@
 #include "faults/campaign.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "campaign/parallel_for.hpp"
 #include "campaign/setup.hpp"
 #include "faults/fingerprint.hpp"
-#include "faults/parts.hpp"
 #include "faults/stop_rule.hpp"
 #include "faults/tasks.hpp"
+#include "runs/runner.hpp"
 #include "text/error.hpp"
 
 namespace fantail::faults {
 namespace {
 
 constexpr std::uint64_t runs_of_a_part = 128;
-
-struct Part {
-  std::size_t task = 0;
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
-};
 
 [[noreturn]] void refuse(const std::string& complaint, text::ErrorKind kind = text::ErrorKind::bad_configuration) {
   throw text::Error{kind, complaint};
@@ -82,22 +74,14 @@ CellLimit limit_of(const Cell& cell, const Twins& twins) {
   return of_cell;
 }
 
-bool belongs(const std::vector<Run>& runs, const Twins& twins, const Task& task, const Part& part) {
-  bool is = runs.size() == part.end - part.begin;
-  for (std::uint64_t i = 0; is && i < runs.size(); ++i) {
-    const Grid::Run at = (*task.grid)[part.begin + i];
-    is = runs[i].number == part.begin + i && runs[i].seed == twins.seeds[at.seed] && runs[i].begin_ms == at.begin_ms;
-  }
-  return is;
-}
-
-campaign::Identity identity_of(const Campaign& campaign, const std::string& program, const Twins& twins) {
+runs::Identity identity_of(const Campaign& campaign, const std::string& program, const Twins& twins) {
   const campaign::Campaign words = words_of(campaign);
-  campaign::Identity identity = campaign::identity_of(words, campaign::files_of(words), {}, program);
+  runs::Identity identity = campaign::identity_of(words, campaign::files_of(words), {}, program);
   std::erase_if(identity, [](const auto& entry) {
     return entry.first == "runs" || entry.first == "sampling" || entry.first == "stop" || entry.first == "tables" ||
            entry.first == "shard";
   });
+  identity.insert(identity.begin(), {"kind", "campaign faults"});
   const auto all_or = [](const std::string& word) { return word.empty() ? "all" : word; };
   identity.emplace_back("device", all_or(campaign.device));
   identity.emplace_back("fault", all_or(campaign.fault));
@@ -132,61 +116,52 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
   const Campaign& campaign = prepared.campaign;
   const Twins& twins = prepared.twins;
   const std::vector<Task> tasks = tasks_of(campaign, twins);
-  const PartsFolder store{folder, identity_of(campaign, program, twins)};
-  std::vector<Part> parts;
+  const runs::Folder store{
+      {.folder = folder, .identity = identity_of(campaign, program, twins), .not_beside = "campaign.json"}};
+  runs::Flights flights;
+  std::vector<std::size_t> task_of;  // a part
   std::vector<CellLimit> limits;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     limits.push_back(limit_of(tasks[i].cell, twins));
-    const std::uint64_t size = tasks[i].grid ? tasks[i].grid->size() : 0;
-    for (std::uint64_t begin = 0; begin < size; begin += runs_of_a_part) {
-      parts.push_back({.task = i, .begin = begin, .end = std::min(begin + runs_of_a_part, size)});
+    std::string name = tasks[i].cell.name() + '.';
+    std::ranges::replace(name, '/', '.');
+    for (runs::Part& part :
+         runs::parts_of({.count = tasks[i].grid ? tasks[i].grid->size() : 0}, runs_of_a_part, name)) {
+      flights.parts.push_back(std::move(part));
+      task_of.push_back(i);
     }
   }
-  std::vector<CellSum> sums(parts.size());
-  std::atomic<std::uint64_t> done{0};
-  std::atomic<bool> stop{false};
-  campaign::parallel_for(
-      parts.size(), threads,
-      [&](std::size_t i) {
-        const Part& part = parts[i];
-        const Task& task = tasks[part.task];
-        const std::string name = fmt::format("{}.{:06}", task.cell.name(), part.begin);
-        auto own = store.stored(name);
-        if (own && belongs(*own, twins, task, part)) {
-          done += own->size();
-        } else {
-          own.emplace();
-          for (std::uint64_t number = part.begin; number < part.end && !stop; ++number) {
-            own->push_back(flown(twins, task, number));
-            ++done;
-          }
-          if (stop) {
-            return;
-          }
-          store.store(name, *own);
-        }
-        for (const Run& run : *own) {
-          sums[i].add(run, limits[part.task]);
-        }
-      },
-      [&](std::size_t) {
-        try {
-          look(done);
-        } catch (...) {
-          stop = true;
-          throw;
-        }
-      });
+  std::vector<CellSum> sums(flights.parts.size());
+  flights.fly = [&](std::size_t i, const std::function<void()>& flew_one) {
+    runs::RowText text;
+    for (std::uint64_t k = 0; k < flights.parts[i].flights.count; ++k) {
+      Run run = flown(twins, tasks[task_of[i]], flights.parts[i].flights.first + k);
+      text(run);
+      flew_one();
+    }
+    return text.text();
+  };
+  flights.take = [&](std::size_t i, const std::string& text) {
+    std::vector<Run> rows(flights.parts[i].flights.count);
+    if (!runs::read_rows(text, rows.data(), rows.size())) {
+      return false;
+    }
+    for (const Run& run : rows) {
+      sums[i].add(run, limits[task_of[i]]);
+    }
+    return true;
+  };
+  const runs::Summary summary = runs::run(flights, &store, threads, look);
   Result result{.campaign = campaign,
                 .scenario = twins.scenario.name,
                 .vehicle = twins.scenario.vehicle.name,
                 .plan = twins.scenario.plan_name,
                 .cells = {},
-                .flights = done,
-                .damaged = store.damaged()};
+                .flights = summary.flights,
+                .damaged = summary.damaged};
   std::vector<CellSum> cells(tasks.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    cells[parts[i].task].add(sums[i]);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    cells[task_of[i]].add(sums[i]);
   }
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     result.cells.push_back(conclude(tasks[i].cell, cells[i], limits[i].limit));

@@ -43,6 +43,11 @@ struct Run {
 
   friend bool operator==(const Run&, const Run&) = default;
 };
+template <typename Text>
+void fields(Text& text, Run& run) {
+  text(run.number, run.seed, run.begin_ms, run.outcome, run.is_breach, run.came_back, run.apart_deg, run.trim_after_s,
+       run.stands_after_s, run.what);
+}
 
 /// What a cell came to.
 enum class Colour : std::uint8_t {
@@ -125,13 +130,7 @@ struct Prepared {
                                const std::function<void(std::size_t done)>& look = {});
 [[nodiscard]] inline Extent extent_of(const Campaign& campaign) { return prepare(campaign).extent; }
 
-/// Flies every run that `folder` does not hold yet. Runs are stored by parts, each sealed with the campaign and the
-/// program that have made it, under another name first and then renamed, so that whoever begins again finds a part
-/// whole or not at all; what `look` throws ends the campaign after the present flights, and the parts that are finished
-/// stay. The result depends on the campaign alone, not on threads or interruptions. `look` is called with the flights
-/// done, a few times a second, from this thread.
-///
-/// Throws text::Error (bad_configuration) when the folder holds another campaign.
+/// Flies every run that `folder` does not hold yet, as runs::run() does. The result depends on the campaign alone.
 [[nodiscard]] Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folder,
                                   const std::string& program, unsigned threads,
                                   const std::function<void(std::uint64_t done)>& look);
@@ -170,10 +169,6 @@ void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t 
 /// what it throws ends it.
 void write_worst(Result& result, const Prepared& prepared, const std::filesystem::path& folder,
                  const std::function<void()>& look);
-
-/// A row of a part's file, with a newline, and back; empty for what is no such row.
-[[nodiscard]] std::string row_of(const Run& run);
-[[nodiscard]] std::optional<Run> run_of(std::string_view row);
 
 /// What a cell came to.
 [[nodiscard]] CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit);

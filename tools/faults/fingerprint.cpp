@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
-#include "campaign/stored_parts.hpp"
 #include "input/fault_file.hpp"
+#include "runs/identity.hpp"
 
 namespace fantail::faults {
 namespace {
@@ -57,7 +57,7 @@ std::string fingerprint(const Twins& twins) {
     const Cell cell{.row = &*row, .phase = Phase::controlling};
     all += text_of(fly_run(twins, cell, Grid{twins, cell.phase, step_ms, every}[0], 0));
   }
-  return campaign::short_digest(all);
+  return runs::short_digest(all);
 }
 
 }  // namespace fantail::faults

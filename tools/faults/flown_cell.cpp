@@ -8,8 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "campaign/parallel_for.hpp"
-#include "campaign/seed_of_run.hpp"
+#include "runs/runner.hpp"
 #include "sim/world.hpp"
 #include "text/error.hpp"
 
@@ -121,10 +120,10 @@ Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds, unsigned threa
                 const std::function<void(std::size_t)>& look) {
   Twins twins{.scenario = scenario, .seeds = {scenario.seed}, .twins = {}, .limits = limits_of(scenario)};
   for (std::size_t i = 1; i < seeds; ++i) {
-    twins.seeds.push_back(campaign::seed_of_run(scenario.seed, i));
+    twins.seeds.push_back(runs::seed_of_run(scenario.seed, i));
   }
   twins.twins.resize(seeds);
-  campaign::parallel_for(
+  runs::parallel_for(
       seeds, threads, [&](std::size_t i) { twins.twins[i] = fly_twin(scenario, twins.seeds[i], twins.limits); },
       look ? look : [](std::size_t) {});
   return twins;

@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
-#include "campaign/parallel_for.hpp"
 #include "fly/describe.hpp"
+#include "runs/runner.hpp"
 #include "sim/atmosphere.hpp"
 #include "sim/nearest_tick.hpp"
 #include "sim/rotation.hpp"
@@ -195,7 +195,7 @@ Study fly(sim::Scenario scenario, const Options& options,
       }
     }
   }
-  campaign::parallel_for(
+  runs::parallel_for(
       study.effects.size(), options.threads,
       [&](std::size_t i) {
         Effect& effect = study.effects[i];

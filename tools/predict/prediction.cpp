@@ -7,11 +7,10 @@
 
 #include <fmt/core.h>
 
-#include "campaign/parallel_for.hpp"
-#include "campaign/seed_of_run.hpp"
 #include "predict/margins.hpp"
 #include "predict/run_notes.hpp"
 #include "predict/tunnel_use.hpp"
+#include "runs/runner.hpp"
 #include "stability/roll_loop.hpp"
 #include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
@@ -188,9 +187,9 @@ RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel
                        std::size_t number) {
   require(scenario, tunnel, options);
   const sim::Scenario flown = with_servo(scenario, options);
-  const std::uint64_t seed = campaign::seed_of_run(scenario.seed, number);
+  const std::uint64_t seed = runs::seed_of_run(scenario.seed, number);
   const TunnelStep airframe =
-      spread_of_airframes(scenario, tunnel, options).draw(campaign::key_of_run(scenario.seed, number));
+      spread_of_airframes(scenario, tunnel, options).draw(runs::key_of_run(scenario.seed, number));
   flight::Flight flight = fly_airframe(flown, airframe, seed, fly::Log::kept);
   flight.notes.insert(flight.notes.begin(), airframe_sentence(scenario, number, airframe));
   return {.run = run_of(flight, flown, airframe), .flight = std::move(flight)};
@@ -213,11 +212,11 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.servo_lag_s = p.flown.vehicle.servo.lag_s;
   p.delay_s = stability::loop_delay_s(p.flown.vehicle);
   const AirframeSpread airframes = spread_of_airframes(scenario, tunnel, options);
-  campaign::parallel_for(
+  runs::parallel_for(
       options.runs, options.threads,
       [&](std::size_t i) {
-        const std::uint64_t seed = campaign::seed_of_run(scenario.seed, i);
-        p.runs[i] = fly_run(p.flown, airframes.draw(campaign::key_of_run(scenario.seed, i)), seed);
+        const std::uint64_t seed = runs::seed_of_run(scenario.seed, i);
+        p.runs[i] = fly_run(p.flown, airframes.draw(runs::key_of_run(scenario.seed, i)), seed);
       },
       look);
   p.reach = canard_reach(scenario, usual_offset_rad(p.runs));

@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "campaign/judged_flight.hpp"
-#include "campaign/parallel_for.hpp"
-#include "campaign/seed_of_run.hpp"
 #include "predict/run.hpp"
 #include "report/running_figures.hpp"
+#include "runs/runner.hpp"
 #include "tune/airframes.hpp"
 
 namespace fantail::tune {
@@ -137,11 +136,11 @@ std::optional<double> command_noise_rad(const flight::Flight& flight) {
 std::vector<Pair> fly_pairs(const sim::Scenario& scenario, const core::FlightPlan& after, const Request& request,
                             const std::function<void(std::size_t)>& look) {
   std::vector<Pair> pairs(request.flights);
-  campaign::parallel_for(
+  runs::parallel_for(
       request.flights, request.threads,
       [&](std::size_t i) {
         Pair& pair = pairs[i];
-        pair.seed = campaign::seed_of_run(scenario.seed, i);
+        pair.seed = runs::seed_of_run(scenario.seed, i);
         sim::Scenario rocket = drawn(scenario, request.spread, pair.seed);
         pair.damping_m2 = rocket.vehicle.roll_plant.damping_m2;
         pair.torque_m = rocket.vehicle.roll_plant.torque_m;
@@ -156,10 +155,10 @@ std::vector<Pair> fly_pairs(const sim::Scenario& scenario, const core::FlightPla
 Sum fly_one(const sim::Scenario& scenario, const core::FlightPlan& plan, const Request& request,
             const std::function<void(std::size_t)>& look) {
   std::vector<Pair> pairs(request.flights);
-  campaign::parallel_for(
+  runs::parallel_for(
       request.flights, request.threads,
       [&](std::size_t i) {
-        sim::Scenario rocket = drawn(scenario, request.spread, campaign::seed_of_run(scenario.seed, i));
+        sim::Scenario rocket = drawn(scenario, request.spread, runs::seed_of_run(scenario.seed, i));
         rocket.plan = plan;
         pairs[i].after = flown(rocket);
       },

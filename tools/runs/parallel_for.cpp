@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/parallel_for.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,7 +8,9 @@
 #include <thread>
 #include <vector>
 
-namespace fantail::campaign {
+#include "runs/runner.hpp"
+
+namespace fantail::runs {
 namespace {
 
 struct Pool {
@@ -74,4 +74,4 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
   }
 }
 
-}  // namespace fantail::campaign
+}  // namespace fantail::runs

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Stored parts: whose they are, and that they are what was stored. And what a campaign is refused for before it flies.
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <future>
-#include <sstream>
-
+// What a campaign is refused for before it flies, and what a run alone says.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "faults/parts.hpp"
 #include "faults/results.hpp"
-#include "input/scenario_file.hpp"
 #include "text/error.hpp"
 
 namespace fantail::faults {
 namespace {
-
-namespace fs = std::filesystem;
-
-const auto unseen = [](std::uint64_t) {};
 
 Campaign switches() {
   Campaign campaign;
@@ -30,12 +17,6 @@ Campaign switches() {
   return campaign;
 }
 
-std::string text_in(const fs::path& file) {
-  std::stringstream text;
-  text << std::ifstream{file}.rdbuf();
-  return text.str();
-}
-
 std::string refusal_of(const auto& call) {
   try {
     call();
@@ -43,97 +24,6 @@ std::string refusal_of(const auto& call) {
     return error.what();
   }
   return "nothing was refused";
-}
-
-class FaultParts : public testing::Test {
- protected:
-  FaultParts() : folder_{fs::temp_directory_path() / ("fantail_fault_parts_" + std::to_string(getpid()))} {
-    fs::remove_all(folder_);
-    whole_ = fly();
-    for (const auto& file : fs::directory_iterator{folder_ / "parts"}) {
-      parts_.push_back(file.path());
-    }
-    std::ranges::sort(parts_);
-  }
-  ~FaultParts() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Result fly(std::uint64_t seed = 1) const {
-    Campaign campaign = switches();
-    campaign.seed = seed;
-    return fly_campaign(campaign, folder_, "1 (a)", 2, unseen);
-  }
-  void expect_flown_again(std::uint64_t damaged) const {
-    const Result again = fly();
-    EXPECT_EQ(again.damaged, damaged);
-    EXPECT_EQ(report_json(again, "1"), report_json(whole_, "1"));
-    EXPECT_EQ(fly().damaged, 0U);
-  }
-
-  fs::path folder_;
-  Result whole_;
-  std::vector<fs::path> parts_;
-};
-
-TEST_F(FaultParts, OneWhoseOutcomeWasChangedIsFlownAgainAndCounted) {
-  std::string text = text_in(parts_.at(0));
-  const std::size_t digit =
-      text.find(",no_control,") != std::string::npos ? text.find(",no_control,") + 1 : text.find("holds");
-  ASSERT_NE(digit, std::string::npos) << text;
-  text.replace(digit, text.find(',', digit) - digit, "over");
-  std::ofstream{parts_[0]} << text;
-  expect_flown_again(1);
-}
-
-TEST_F(FaultParts, OneThatWasCopiedOverAnotherIsFlownAgain) {
-  fs::copy_file(parts_.at(0), parts_.at(1), fs::copy_options::overwrite_existing);
-  expect_flown_again(1);
-}
-
-TEST_F(FaultParts, ThoseOfAnotherSeedAreNone) {
-  fs::remove(folder_ / "faults.json");
-  const Result other = fly(7);
-  EXPECT_EQ(other.damaged, parts_.size());
-  EXPECT_EQ(other.cells.at(0).worst->seed, 7U);
-}
-
-TEST_F(FaultParts, AnotherProgramIsAnotherCampaign) {
-  const std::string said = refusal_of([&] { (void)fly_campaign(switches(), folder_, "1 (b)", 2, unseen); });
-  EXPECT_NE(
-      said.find(": choose another folder with --out, or remove this one; it holds another campaign: version is 1 (a) "
-                "there and 1 (b) here"),
-      std::string::npos)
-      << said;
-}
-
-TEST_F(FaultParts, AFolderOfAnotherKindOfCampaignIsRefused) {
-  fs::remove_all(folder_);
-  fs::create_directories(folder_);
-  std::ofstream{folder_ / "parts.jsonl"} << "";
-  EXPECT_NE(refusal_of([&] { (void)fly(); }).find("parts.jsonl of fantail campaign detection"), std::string::npos);
-  EXPECT_FALSE(fs::exists(folder_ / "faults.json"));
-}
-
-TEST_F(FaultParts, OneThatIsAFolderIsNamed) {
-  fs::remove(parts_.at(0));
-  fs::create_directory(parts_[0]);
-  EXPECT_EQ(refusal_of([&] { (void)fly(); }), parts_[0].string() + ": is a folder, and no place for a file");
-}
-
-TEST_F(FaultParts, OfTwoCampaignsThatBeginAtOnceInANewFolderOneIsRefused) {
-  for (int round = 0; round < 20; ++round) {
-    fs::remove_all(folder_);
-    const auto is_refused = [this](const char* seed) {
-      try {
-        const PartsFolder folder{folder_, {{"seed", seed}}};
-      } catch (const text::Error&) {
-        return true;
-      }
-      return false;
-    };
-    auto other = std::async(std::launch::async, is_refused, "2");
-    const bool one = is_refused("1");
-    ASSERT_NE(one, other.get()) << round;
-  }
 }
 
 TEST(FaultExtent, TooManyFlightsAreRefusedBeforeTheyAreListed) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/parallel_for.hpp"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
-namespace fantail::campaign {
+#include "runs/runner.hpp"
+
+namespace fantail::runs {
 namespace {
 
 const auto look_away = [](std::size_t) {};
@@ -95,4 +95,4 @@ TEST(ParallelFor, ACallerWhoGivesUpEndsAll) {
 }
 
 }  // namespace
-}  // namespace fantail::campaign
+}  // namespace fantail::runs

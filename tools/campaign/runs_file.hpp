@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/flown_run.hpp"
+#include "runs/runner.hpp"
+#include "text/input_file.hpp"
+
+namespace fantail::campaign {
+
+using runs::Identity;
+using runs::Shard;
+using runs::Stretch;
+
+/// Runs that are flown and stored together; which run is in which part depends on nothing but its number.
+inline constexpr std::uint64_t runs_of_a_part = 64;
+
+/// What a finished campaign's runs are called, and the file that says which campaign they are of.
+inline constexpr const char* runs_name = "runs.csv.gz";
+inline constexpr const char* identity_name = "campaign.json";
+/// All names that it may have.
+inline constexpr std::array<std::string_view, 13> identity_names{"version", "file",    "seed",     "runs", "sampling",
+                                                                 "stop",    "changes", "scenario", "plan", "vehicle",
+                                                                 "motor",   "tables",  "shard"};
+
+/// Throws text::Error (bad_configuration) when campaign.json in `folder` is of another campaign, naming what differs.
+void require_no_other(const std::filesystem::path& folder, const Identity& identity);
+/// Of a folder. Throws text::Error: no_such_input without one, bad_data for one that cannot be read.
+[[nodiscard]] Identity read_identity(const std::filesystem::path& folder);
+
+/// Empty where there is no file. Throws as text::read_input() does for one with more than `most` bytes.
+[[nodiscard]] std::string file_content(const std::filesystem::path& file,
+                                       std::size_t most = text::most_bytes(text::InputKind::data));
+/// The rows of so many runs do not have more, packed or not.
+[[nodiscard]] std::size_t most_bytes(const Stretch& runs);
+
+/// Packed rows, as they are stored in a part and follow each other in runs.csv.gz behind its header.
+[[nodiscard]] std::string packed_rows(std::span<const FlownRun> runs);
+/// Empty when they are not those of these runs and seeds.
+[[nodiscard]] std::optional<std::vector<FlownRun>> unpacked_rows(const std::string& packed, const Stretch& stretch,
+                                                                 std::uint64_t master_seed,
+                                                                 const std::vector<Spread>& spreads);
+
+struct Finished {
+  std::optional<std::vector<FlownRun>> runs{};  ///< empty when there are none, or not these
+  std::string remark{};                         ///< why not, or what could not be checked; a sentence without its end
+};
+/// The runs of a campaign that was finished in a folder. `may_be_fewer`: whole parts from the first on are enough.
+[[nodiscard]] Finished finished_runs(const std::filesystem::path& folder, const Stretch& stretch,
+                                     std::uint64_t master_seed, const std::vector<Spread>& spreads, bool may_be_fewer);
+
+}  // namespace fantail::campaign

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runs/folder.hpp"
+#include "runs/row_text.hpp"
+
+namespace fantail::runs {
+
+/// Calls `work` once for each index below `count`, on several threads at once (0: as many as the machine has, and never
+/// more than four times that). `look` is called on the caller's thread, a few times a second and at the end, with how
+/// many are done. What either throws ends the others after their present piece of work and comes out of here.
+void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t index)>& work,
+                  const std::function<void(std::size_t done)>& look);
+
+/// What belongs to a flight alone, of all 64 bits: another for every one, the same for the same number however many
+/// there are. Nobody reads it.
+[[nodiscard]] std::uint64_t key_of_run(std::uint64_t master_seed, std::uint64_t run);
+/// The seed of a flight, which is printed and typed again: the upper 53 bits of its key. A double holds all of them,
+/// and programs that read JSON often have no other numbers.
+[[nodiscard]] std::uint64_t seed_of_run(std::uint64_t master_seed, std::uint64_t run);
+
+/// Flights that follow each other.
+struct Stretch {
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+};
+
+/// One of several shares of many flights, each for a machine of its own.
+struct Shard {
+  std::uint64_t number = 1;  ///< from 1 on
+  std::uint64_t of = 1;      ///< as many as there are
+};
+
+/// Of `flights` that are flown by `of_a_part` together those of a shard: whole parts, as equal in number as they can
+/// be.
+[[nodiscard]] Stretch share_of(const Shard& shard, std::uint64_t flights, std::uint64_t of_a_part);
+
+/// Flights that are flown and stored together.
+struct Part {
+  std::string name{};
+  Stretch flights{};
+};
+
+/// "NAME00000128" of the flights from number 128 on, and so on. Which flight is in which part depends on its number
+/// alone when `flights` begins with a part.
+[[nodiscard]] std::vector<Part> parts_of(const Stretch& flights, std::uint64_t of_a_part, const std::string& name = {});
+
+/// What is to be flown. Each part is a pure function of its number: no flight waits for another, in whatever order, on
+/// whatever thread and on whatever day it is flown.
+struct Flights {
+  std::vector<Part> parts{};
+  /// Flies the flights of a part, calling `flown` after each, and returns them as text.
+  std::function<std::string(std::size_t part, const std::function<void()>& flown)> fly{};
+  /// Takes that text, from any thread, whether it was flown now or stored before; false when it is not that of this
+  /// part.
+  std::function<bool(std::size_t part, const std::string& text)> take{};
+  /// Called for each part in order when those before it are taken, too; true: the others need not be flown. Empty: all.
+  std::function<bool(std::size_t part)> is_enough{};
+};
+
+/// Rows that are a pure function of their number, into `rows`, which has as many; fields() says what a row consists of.
+template <typename Row>
+[[nodiscard]] Flights flights_into(std::vector<Row>& rows, std::uint64_t of_a_part, const std::string& name,
+                                   std::function<Row(std::uint64_t)> fly) {
+  Flights all{.parts = parts_of({.first = 0, .count = rows.size()}, of_a_part, name)};
+  all.fly = [parts = all.parts, fly = std::move(fly)](std::size_t part, const std::function<void()>& flown) {
+    RowText text;
+    for (std::uint64_t i = 0; i < parts[part].flights.count; ++i) {
+      Row row = fly(parts[part].flights.first + i);
+      text(row);
+      flown();
+    }
+    return text.text();
+  };
+  all.take = [parts = all.parts, &rows](std::size_t part, const std::string& text) {
+    return read_rows(text, rows.data() + parts[part].flights.first, parts[part].flights.count);
+  };
+  return all;
+}
+
+/// What came of it.
+struct Summary {
+  std::size_t parts = 0;      ///< from the first on that were wanted
+  std::uint64_t flights = 0;  ///< of them
+  std::uint64_t flown = 0;    ///< in this call; the others were stored
+  std::uint64_t damaged = 0;  ///< stored parts that could not be believed, and were flown again
+};
+
+/// Flies every part that `folder` does not hold yet, on several threads, and stores it there; null: nothing is kept.
+/// What comes of it does not depend on the threads, nor on how often it was interrupted: a row is read back from its
+/// text even when it is flown now. `look` is called with the flights done, a few times a second, on the caller's
+/// thread; what it throws ends all after the present flight, and the parts that are finished stay. Throws what flying
+/// throws, and text::OutputError.
+Summary run(const Flights& flights, const Folder* folder, unsigned threads,
+            const std::function<void(std::uint64_t done)>& look);
+
+}  // namespace fantail::runs
