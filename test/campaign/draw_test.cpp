@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runs/runner.hpp"
 #include "spread_files.hpp"
 #include "text/error.hpp"
 
