@@ -9,10 +9,14 @@
 
 Names carry their units. What the programs refuse is a ValueError in the same words.
 """
+import os as _os
 import pathlib as _pathlib
+import sys as _sys
 
 from . import _core
 
+# Files of other programs (fantail.files) are read by this Python.
+_os.environ.setdefault("FANTAIL_PYTHON", _sys.executable)
 # A wheel carries its data within; in a build tree these are links to the sources. FANTAIL_DATA goes before both.
 _core.set_data_folder(str(_pathlib.Path(__file__).parent / "data"))
 

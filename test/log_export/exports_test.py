@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -19,7 +20,7 @@ PROGRAM = sys.argv[1]
 PROJECT = pathlib.Path(sys.argv[2])
 FOLDER = tempfile.TemporaryDirectory()
 HERE = pathlib.Path(FOLDER.name)
-subprocess.run([PROGRAM, HERE], check=True)
+subprocess.run([PROGRAM, HERE], check=True, env=os.environ | {"FANTAIL_PYTHON": sys.executable})
 subprocess.run(["lcm-gen", "--python", "--ppath", HERE, *(PROJECT / "tools/telemetry/types").glob("*.lcm")], check=True)
 sys.path.insert(0, str(HERE))
 import fantail_lcm  # noqa: E402  generated just now

@@ -11,6 +11,8 @@ docs() {
   # shellcheck disable=SC2086
   need $docs_packages
   python_of tools/docs build/docs-venv
+  python_tools # for the lines that export a log
+  use_test_python
   host_build "every verb" verbs
   begin_checks docs
   checked "every value, range and error of the public headers of core and hal has its comment, and Doxygen no warning" docs_headers

@@ -62,7 +62,7 @@ STEPS = [
           ("document", 4096, "any bytes as plan, vehicle, scenario, thrust curve or OpenRocket design"),
           ("frame", 2048, "any bytes as a frame, a plan block or a record"), ("listen", 4096, "any bytes as somebody's log, and as the words that map its columns"),
           ("network", 4096, "any bytes as LCM packets or log, address, or question of a browser"), ("state", 4096, "the flight law from any state, with any samples"),
-          ("table", 4096, "any bytes as MAT-file, Parquet file or trajectory")]],
+          ("table", 4096, "any bytes as an exported trajectory")]],
 ]
 # What a step is made of: a program of what ninja says and of what is always there; the proofs, and what is no program of a build:
 PROOFS = ("firmware", "hal", "test/proof")

@@ -6,7 +6,7 @@
 # --all does not allow.
 python_tools() {
   # Only the pinned versions: others may read or generate different text.
-  cat test/protocol/requirements.txt test/log_export/requirements.txt test/python/requirements.txt test/safety/requirements.txt >build/test-requirements.txt
+  cat test/protocol/requirements.txt python/fantail/files/requirements.txt test/log_export/requirements.txt test/python/requirements.txt test/safety/requirements.txt >build/test-requirements.txt
   cmp -s build/test-requirements.txt build/test-venv/requirements.txt && return 0
   rm -rf build/test-venv
   # Debian's Python, not the first in PATH: the package list provides its modules.
@@ -16,8 +16,13 @@ python_tools() {
     rm -f build/host/build.ninja # what was configured without nanobind looks for it again
   else
     rm -rf build/test-venv
-    echo "dev: pip could not install cantools, pyulog, lcm, nanobind, pytest and Dask (no network?): the tests that need them are SKIPPED" >&2
+    echo "dev: pip could not install cantools, pyarrow, SciPy, pyulog, lcm, nanobind, pytest and Dask (no network?): the tests that need them are SKIPPED" >&2
   fi
+}
+
+# Files of other programs are read by the Python that has the packages for it.
+use_test_python() {
+  [ ! -x build/test-venv/bin/python ] || export FANTAIL_PYTHON="$root/build/test-venv/bin/python"
 }
 
 # What judges the pages in test/browser. It is fetched anew when the script that names it has changed.
@@ -99,6 +104,7 @@ host_tests() {
   rm -rf build/host/test-times
   # Memory of a flight that is given back to the kernel is cleared for the next one: up to a third of the time of a test.
   export MALLOC_MMAP_THRESHOLD_=33554432 MALLOC_TRIM_THRESHOLD_=1073741824
+  use_test_python
   LD_PRELOAD="$root/build/host/test/build/read_log.so" FANTAIL_READ_LOG="$root/build/host/read_log.txt" \
     GTEST_OUTPUT="json:$root/build/host/test-times/" GTEST_BRIEF=1 ctest --preset host --output-junit test-results.xml
 }

@@ -16,6 +16,7 @@
 #include "fantail/interrupt.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verb_table.hpp"
+#include "files/convert.hpp"
 #include "manual/command_page.hpp"
 #include "manual/completion.hpp"
 #include "manual/roff.hpp"
@@ -74,6 +75,8 @@ ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const
     // A "no" is worth nothing to somebody who could not read it.
     return code != ExitCode::requirement_not_met || output_was_taken() ? complain(error.what(), code)
                                                                        : complain_about_output();
+  } catch (const files::NotInstalled& error) {
+    return complain(error.what(), ExitCode::not_installed);
   } catch (const std::runtime_error& error) {
     return output_was_taken() ? complain(error.what(), ExitCode::input_output) : complain_about_output();
   } catch (const std::bad_alloc&) {

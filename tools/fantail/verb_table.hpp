@@ -20,6 +20,7 @@ inline constexpr std::array verb_table{
         "Repeat the published work (Bryson et al. 2016) from its printed numbers, and say where the print is wrong"},
     VerbEntry{"plan", "Check, show or pack a flight plan"},
     VerbEntry{"log", "What is in a flight log, and other formats of it"},
+    VerbEntry{"convert", "A table of another program (MAT, Parquet, Excel, HDF5, MCAP, ULog) as CSV, or the other way"},
     VerbEntry{"listen",
               "Fly somebody's IMU log through the flight law: what it would have taken for a launch, and when"},
     VerbEntry{"replay", "Run a recorded flight's inputs through the flight law again"},

@@ -68,9 +68,10 @@ void set_data_folder(std::filesystem::path folder) { folder_of_library() = std::
 
 std::filesystem::path data_folder() {
   const char* chosen = std::getenv("FANTAIL_DATA");  // NOLINT(concurrency-mt-unsafe): read before any thread exists
-  if (chosen != nullptr) {
-    return chosen;
-  }
+  return chosen != nullptr ? std::filesystem::path{chosen} : program_folder();
+}
+
+std::filesystem::path program_folder() {
   if (!folder_of_library().empty()) {
     return folder_of_library();
   }

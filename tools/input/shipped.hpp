@@ -37,6 +37,9 @@ enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_resul
 /// beside an installed program, else the tree this program was built from.
 [[nodiscard]] std::filesystem::path data_folder();
 
+/// The same but for FANTAIL_DATA: where what belongs to this program and to no other lies.
+[[nodiscard]] std::filesystem::path program_folder();
+
 /// For a library that finds itself in another program, which knows where its files are. Before any thread exists.
 void set_data_folder(std::filesystem::path folder);
 

@@ -7,10 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "flight/read_csv.hpp"
-#include "listen/ulog.hpp"
-#include "logs/load_table.hpp"
-#include "text/csv_cell.hpp"
+#include "files/convert.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 #include "text/number.hpp"
@@ -85,23 +82,6 @@ void drop_cut_line(std::string& text, std::ptrdiff_t commas, std::vector<std::st
   }
 }
 
-std::string csv_of(const table_file::Columns& columns) {
-  fmt::memory_buffer out;
-  for (const table_file::Column& column : columns) {
-    fmt::format_to(std::back_inserter(out), "{}{}", out.size() == 0 ? "" : ",", text::csv_cell(column.name));
-  }
-  for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double value = columns[i].values[row];
-      out.push_back(i == 0 ? '\n' : ',');
-      if (value == value) {
-        fmt::format_to(std::back_inserter(out), "{}", value);
-      }
-    }
-  }
-  return fmt::to_string(out);
-}
-
 }  // namespace
 
 std::string tidy(std::string text, std::vector<std::string>& notes) {
@@ -119,23 +99,17 @@ std::string tidy(std::string text, std::vector<std::string>& notes) {
 Loaded load(const std::filesystem::path& file) {
   const std::string name = file.string();
   const std::string ending = file.extension().string();
-  if (ending == ".ulg") {
-    const std::string bytes = text::read_input(file);
-    UlogColumns read = read_ulog(bytes, name);
-    return {flight::Table::parse(csv_of(read.columns), name, flight::Table::Rows::by_number), std::move(read.notes),
-            Clocks::several};
+  if (files::is_read(file)) {
+    files::Read read = files::read(file);
+    return {flight::Table::parse(std::move(read.csv), name, flight::Table::Rows::by_number), std::move(read.notes),
+            ending == ".ulg" ? Clocks::several : Clocks::one};
   }
-  if (ending == ".ftl" || ending == ".mcap" || ending == ".lcmlog" || ending == ".xlsx") {
+  if (ending == ".ftl" || ending == ".lcmlog") {
     (void)text::InputFile{file};  // one that is missing is that first
-    throw text::Error{
-        text::ErrorKind::bad_data,
-        fmt::format(
-            "{}: listen reads no files that end in {}; allowed: CSV (any other ending), .mat, .parquet and .ulg "
-            "(fantail log export writes the first three from an .ftl)",
-            name, ending)};
-  }
-  if (ending == ".mat" || ending == ".parquet") {
-    return {.table = logs::load_table(file, {})};
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: listen reads no files that end in {}; allowed: CSV (any other ending), {} "
+                                  "(fantail log export writes CSV and some of these from an .ftl)",
+                                  name, ending, files::listed(files::read_endings))};
   }
   std::vector<std::string> notes;
   std::string text = tidy(text::read_input(file), notes);

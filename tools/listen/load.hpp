@@ -21,8 +21,8 @@ struct Loaded {
   Clocks clocks = Clocks::one;
 };
 
-/// The table in a log: ULog (.ulg, see ulog.hpp), MAT-file, Parquet file, else CSV through tidy(). Throws text::Error
-/// as those do, and (bad_data) for other kinds of log, by the ends of their names.
+/// The table in a log of another program (files/convert.hpp), else in CSV through tidy(). Throws as files::read() does,
+/// and text::Error (bad_data) for other kinds of log, by the ends of their names.
 [[nodiscard]] Loaded load(const std::filesystem::path& file);
 
 }  // namespace fantail::listen

@@ -35,6 +35,8 @@ namespace fantail::log_export {
 [[nodiscard]] std::string foreign_csv(const flight_log::Flight& flight, std::span<const std::string> names,
                                       const Window& window);
 
+// json(), parquet() and mcap() are written by the packages of fantail.files, and throw as files::exported() does.
+
 /// One object: what the header says, the plan, events, health, gaps, under "columns" unit and description of each
 /// chosen field, and under "ticks" a list for each, all of one length. Null: unknown.
 /// pandas.DataFrame(json.load(open(FILE))["ticks"]) makes a table of it.

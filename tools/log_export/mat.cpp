@@ -6,15 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "files/mat_writer.hpp"
 #include "log_export/about.hpp"
 #include "log_export/formats.hpp"
 #include "log_export/tick_columns.hpp"
-#include "table_file/mat_writer.hpp"
 
 namespace fantail::log_export {
 namespace {
 
-namespace matlab = table_file::mat;
+namespace matlab = files::mat;
 using Json = json::Value;
 
 bool are_all(const Json& list, bool (Json::*is)() const) {
@@ -77,8 +77,8 @@ std::string texts(const std::vector<std::string>& list) {
 std::string mat(const ReplayedFlight& source, const Selection& selection) {
   std::vector<matlab::Member> flight;
   std::vector<matlab::Member> words;
-  for (table_file::Column& column : tick_columns(source, selection)) {
-    if (column.kind == table_file::Kind::word) {
+  for (files::Column& column : tick_columns(source, selection)) {
+    if (column.kind == files::Kind::word) {
       words.push_back({column.name, {texts(column.words)}});
       std::ranges::transform(column.values, column.values.begin(), [](double place) { return place + 1.0; });
     }

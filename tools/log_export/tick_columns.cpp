@@ -12,8 +12,8 @@
 namespace fantail::log_export {
 namespace {
 
-using table_file::Column;
-using table_file::Kind;
+using files::Column;
+using files::Kind;
 
 Kind kind_of(FieldType type) {
   switch (type) {
@@ -55,8 +55,8 @@ void place_words(Column& column, const std::map<std::uint8_t, std::string>& word
 
 }  // namespace
 
-table_file::Columns tick_columns(const ReplayedFlight& source, const Selection& selection) {
-  table_file::Columns columns;
+files::Columns tick_columns(const ReplayedFlight& source, const Selection& selection) {
+  files::Columns columns;
   std::vector<std::map<std::uint8_t, std::string>> words(selection.size());
   for (const std::size_t i : selection) {
     columns.push_back({.name = fields()[i].name, .kind = kind_of(fields()[i].type)});

@@ -3,54 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "files/convert.hpp"
 #include "flight/column_texts.hpp"
 #include "flight/columns.hpp"
-#include "table_file/read.hpp"
-#include "text/csv_cell.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 
 namespace fantail::logs {
 namespace {
 
-constexpr std::array<std::string_view, 5> written_only{".mcap", ".ulg", ".lcmlog", ".json", ".xlsx"};
-
-using table_file::Column;
-using table_file::Kind;
-
-// The shortest digits that give a number again; nothing where it is not known.
-void add_cell(fmt::memory_buffer& out, const Column& column, double value) {
-  if (std::isnan(value)) {
-    return;
-  }
-  if (column.kind == Kind::word) {
-    out.append(text::csv_cell(column.words[static_cast<std::size_t>(value)]));
-  } else {
-    fmt::format_to(std::back_inserter(out), "{}", value);
-  }
-}
-
-flight::Table table_of(const table_file::Columns& columns, const std::string& name) {
-  fmt::memory_buffer out;
-  for (const Column& column : columns) {
-    fmt::format_to(std::back_inserter(out), "{}{}", out.size() == 0 ? "" : ",", text::csv_cell(column.name));
-  }
-  const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      out.push_back(i == 0 ? '\n' : ',');
-      add_cell(out, columns[i], columns[i].values[row]);
-    }
-  }
-  return flight::Table::parse(fmt::to_string(out), name, flight::Table::Rows::by_number);
-}
+constexpr std::array<std::string_view, 2> written_only{".lcmlog", ".json"};
 
 std::string in_radians(std::string unit) {
   return unit.starts_with("deg") ? "rad" + unit.substr(std::string_view{"deg"}.size()) : unit;
@@ -83,26 +52,43 @@ std::optional<std::string> known_unit(std::string_view name, const flight::Readi
   return unit_of(ours, reading);
 }
 
+// What is wanted and is no column must not be missed silently: a log without its roll angle is another log. Nor may a
+// column that says its unit be read in another.
+void require_wanted(const files::Read& read, const std::string& name, const flight::Reading& reading) {
+  const auto refuse = [&](const std::string& complaint) {
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {}", name, complaint)};
+  };
+  for (const auto& [column, kind] : read.not_columns) {
+    if (known_unit(column, reading)) {
+      refuse(
+          fmt::format("{} is {}; a column is a vector of numbers, a cell of texts or a matrix of characters, as long "
+                      "as the others",
+                      column, kind));
+    }
+  }
+  for (const auto& [column, said] : read.units) {
+    const auto known = known_unit(column, reading);
+    if (known && *known != "-" && said != *known) {
+      refuse(fmt::format("units.{} is {}, and {} is read in {}", column, said, column, *known));
+    }
+  }
+}
+
 }  // namespace
 
 flight::Table load_table(const std::filesystem::path& file, const flight::Reading& reading) {
   const std::string name = file.string();
   const std::string ending = file.extension().string();
-  if (ending == ".mat") {
-    return table_of(table_file::read_mat(text::read_input(file), name,
-                                         [&](std::string_view column) { return known_unit(column, reading); }),
-                    name);
-  }
-  if (ending == ".parquet") {
-    return table_of(table_file::read_parquet(text::read_input(file), name), name);
+  if (files::is_read(file)) {
+    files::Read read = files::read(file);
+    require_wanted(read, name, reading);
+    return flight::Table::parse(std::move(read.csv), name, flight::Table::Rows::by_number);
   }
   if (std::ranges::find(written_only, ending) != written_only.end()) {
     (void)text::InputFile{file};  // one that is missing is that first
-    throw text::Error{
-        text::ErrorKind::bad_data,
-        fmt::format("{}: files that end in {} are not read as logs; allowed: .csv, .mat, .parquet and .ftl "
-                    "(fantail log export writes the first three from the last)",
-                    name, ending)};
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: files that end in {} are not read as logs; allowed: .csv, .ftl, {}", name,
+                                  ending, files::listed(files::read_endings))};
   }
   return flight::Table::load(name);
 }

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""Files of other programs as columns, and columns as files, by the packages that are made for each (fantail[files]).
+
+>>> from fantail import files
+>>> table = files.read("log.parquet")      # .mat .parquet .feather .xlsx .h5 .hdf5 .csv.gz .csv .mcap .ulg
+>>> table["time_s"], table.units           # numpy; what the file says of units
+>>> files.write("log.mat", table)          # .mat .parquet .feather .xlsx .mcap .json .csv
+
+What is no such file is BadFile, a ValueError. A package is imported where a kind of file needs it: one that is missing is an
+ImportError. The programs of Fantail run this folder by itself (__main__.py): nothing in it needs the rest of the package.
+"""
+from __future__ import annotations
+
+import importlib
+import os
+import pathlib
+import tempfile
+from typing import TYPE_CHECKING, Any, BinaryIO, Callable, Union
+
+from ._errors import BadFile
+
+if TYPE_CHECKING:
+    from ._table import Table
+
+__all__ = ["BadFile", "READERS", "Table", "WRITERS", "read", "read_stream", "write", "written"]
+
+# By the end of a file's name: a module of this folder and a function in it.
+READERS = {".mat": "_mat.read_mat", ".parquet": "_arrow.read_parquet", ".feather": "_arrow.read_feather", ".xlsx": "_sheets.read_xlsx",
+           ".h5": "_sheets.read_hdf5", ".hdf5": "_sheets.read_hdf5", ".gz": "_sheets.read_gzip", ".mcap": "_mcap.read_mcap",
+           ".ulg": "_ulog.read_ulog", ".csv": "_table.read_csv"}
+WRITERS = {".mat": "_mat.write_mat", ".parquet": "_arrow.write_parquet", ".feather": "_arrow.write_feather", ".xlsx": "_sheets.write_xlsx",
+           ".mcap": "_mcap.write_mcap", ".json": "_sheets.write_json", ".csv": "_table.write_csv"}
+
+
+def __getattr__(name: str) -> Any:
+    """Table needs numpy, and not everything here does."""
+    if name == "Table":
+        return importlib.import_module(f"{__name__}._table").Table
+    raise AttributeError(name)
+
+
+def _function(place: str) -> Callable[..., Any]:
+    module, _, name = place.partition(".")
+    return getattr(importlib.import_module(f"{__name__}.{module}"), name)
+
+
+def read_stream(stream: BinaryIO, ending: str) -> Table:
+    """`stream` can be read from any place."""
+    if ending not in READERS:
+        raise BadFile(f"files that end in {ending} are not read; allowed: {' '.join(READERS)}")
+    table: Table = _function(READERS[ending])(stream)
+    if not table.columns:
+        raise BadFile("has no columns")
+    return table
+
+
+def read(path: Union[str, os.PathLike[str]]) -> Table:
+    with open(path, "rb") as stream:
+        return read_stream(stream, pathlib.Path(path).suffix)
+
+
+def written(table: Table, ending: str) -> bytes:
+    if ending not in WRITERS:
+        raise BadFile(f"files that end in {ending} are not written; allowed: {' '.join(WRITERS)}")
+    return _function(WRITERS[ending])(table)
+
+
+def write(path: Union[str, os.PathLike[str]], table: Table) -> None:
+    """Whole or not at all."""
+    target = pathlib.Path(path)
+    content = written(table, target.suffix)
+    with tempfile.NamedTemporaryFile(dir=target.parent, prefix=target.name, delete=False) as part:
+        try:
+            part.write(content)
+            part.close()
+            os.chmod(part.name, 0o666 & ~_umask())
+            os.replace(part.name, target)
+        except BaseException:
+            os.unlink(part.name)
+            raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// Files of other programs, by the Python packages that are made for them: python/fantail/files, which runs as a
+/// process of its own. It is given a file's bytes and the end of its name, gives back bytes, opens nothing and gets no
+/// shell. It stops at 4 GB of memory and at 512 MiB of result. The Python is the one that FANTAIL_PYTHON names, else
+/// that of the environment which install() makes, else python3.
+namespace fantail::files {
+
+/// No Python, or none with a package that is needed; what() says which command installs it.
+class NotInstalled : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What is read and written, by the ends of names. CSV can also be converted from.
+inline constexpr std::array<std::string_view, 9> read_endings{".mat",  ".parquet", ".feather", ".xlsx", ".h5",
+                                                              ".hdf5", ".gz",      ".mcap",    ".ulg"};
+inline constexpr std::array<std::string_view, 7> written_endings{".csv",  ".parquet", ".feather", ".mat",
+                                                                 ".xlsx", ".mcap",    ".json"};
+/// ".mat, .parquet, ...", for messages.
+[[nodiscard]] std::string listed(std::span<const std::string_view> endings);
+
+/// Is it one of read_endings?
+[[nodiscard]] bool is_read(const std::filesystem::path& file);
+
+/// The table in a file, as CSV that flight::Table reads.
+struct Read {
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+  std::string csv;
+  Pairs units{};                     ///< what the file says, by the names of columns
+  Pairs not_columns{};               ///< a name, and what stands under it instead of a column: "complex numbers"
+  std::vector<std::string> notes{};  ///< a sentence each: damage that was read around
+};
+
+// These throw NotInstalled; text::Error (bad_data) for a file that is not what its name says, is damaged, or holds no
+// table, naming it; text::Error (interrupted) when a signal comes meanwhile; and what text::read_input() does.
+
+[[nodiscard]] Read read(const std::filesystem::path& file);
+
+struct Converted {
+  std::string bytes;
+  std::vector<std::string> notes{};  ///< as in Read
+};
+/// A file as one with one of written_endings.
+[[nodiscard]] Converted converted(const std::filesystem::path& file, std::string_view ending);
+
+/// A flight (log_export/handed_over.cpp) as "json", "parquet" or "mcap".
+[[nodiscard]] std::string exported(std::string_view flight, std::string_view format);
+
+/// Makes the environment, or makes it anew: $XDG_DATA_HOME/fantail/python, else ~/.local/share/fantail/python. Returns
+/// it.
+std::filesystem::path install();
+
+}  // namespace fantail::files
