@@ -76,8 +76,10 @@ FlownRuns fly_campaign(const CampaignRequest& asked) {
   runs.flown = campaign::fly_campaign(campaign, asked.out, FANTAIL_VERSION, asked.threads,
                                       [](std::uint64_t) { give_up_if_interrupted(); });
   if (campaign.shard.of == 1) {
-    runs.summary = campaign::report_json(campaign::conclude(campaign, runs.flown, question, asked.at_least,
-                                                            FANTAIL_VERSION, asked.out, give_up_if_interrupted));
+    runs.summary = campaign::report_json(
+        campaign::conclude(campaign, runs.flown, question, asked.at_least,
+                           result::Made{.version = FANTAIL_VERSION, .seed = campaign.seed, .changes = asked.changes},
+                           asked.out, give_up_if_interrupted));
   }
   return runs;
 }

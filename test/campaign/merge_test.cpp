@@ -31,11 +31,8 @@ class Shards : public testing::Test {
   }
 
   void fly(const Shard& shard, const fs::path& out, std::uint64_t seed) const {
-    const Campaign campaign{.scenario = file.path().string(),
-                            .changes = {},
-                            .seed = seed,
-                            .runs = 3 * runs_of_a_part + 10,
-                            .shard = shard};
+    const Campaign campaign{
+        .scenario = file.path().string(), .changes = {}, .seed = seed, .runs = 3 * runs_of_a_part + 10, .shard = shard};
     (void)fly_campaign(campaign, out, "test", 2, [](std::uint64_t) {});
   }
   [[nodiscard]] fs::path part(std::uint64_t number) const { return folder / ("part" + std::to_string(number)); }

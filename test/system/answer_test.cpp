@@ -63,6 +63,13 @@ TEST(Answer, OfEveryVerbIsAMemberOfItsJson) {
   EXPECT_EQ(said_by({"plan", "compile", "tasha3_launch2", "--json"}, folder)["answer"], "none");
   EXPECT_EQ(said_by({"predict", "tasha3_launch1", "--runs", "4", "--json"}, folder)["answer"], "no");
   EXPECT_EQ(said_by({"tune", "tasha3_launch1", "--flights", "2", "--json"}, folder)["answer"], "no");
+  EXPECT_EQ(said_by({"campaign", "--runs", "4", "--json"}, folder)["answer"], "none");
+  EXPECT_EQ(said_by({"campaign", "--runs", "8", "--at-least", "1", "--json"}, folder)["answer"], "yes");
+  EXPECT_EQ(said_by({"campaign", "faults", "--fault", "silent_3ms", "--every", "2000", "--json"}, folder)["answer"],
+            "yes");
+  EXPECT_EQ(said_by({"campaign", "detection", "--kind", "launch", "--launches", "4", "--at-most", "99", "--json"},
+                    folder)["answer"],
+            "yes");
   EXPECT_EQ(said_by({"campaign", "hardover", "--step", "9", "--json"}, folder)["answer"], "none");
 }
 

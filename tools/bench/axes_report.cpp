@@ -85,15 +85,15 @@ std::string axes_json(const AxesResult& seen, const result::Made& made) {
     tilts.push_back(tilt);
   }
   json::Value all{{"right", seen.right},
-                     {"upright_g", upright},
-                     {"roll_seen_deg",
-                      {{"x", json::rounded(degrees(seen.roll_rad.x), 3)},
-                       {"y", json::rounded(degrees(seen.roll_rad.y), 3)},
-                       {"z", json::rounded(degrees(seen.roll_rad.z), 3)}}},
-                     {"tilts", tilts},
-                     {"sentences", seen.sentences},
-                     {"plan_lines", seen.plan_lines},
-                     {"not_checked", std::string{unchecked_of_axes()}}};
+                  {"upright_g", upright},
+                  {"roll_seen_deg",
+                   {{"x", json::rounded(degrees(seen.roll_rad.x), 3)},
+                    {"y", json::rounded(degrees(seen.roll_rad.y), 3)},
+                    {"z", json::rounded(degrees(seen.roll_rad.z), 3)}}},
+                  {"tilts", tilts},
+                  {"sentences", seen.sentences},
+                  {"plan_lines", seen.plan_lines},
+                  {"not_checked", std::string{unchecked_of_axes()}}};
   result::put_answer(all, seen.right ? result::Answer::yes : result::Answer::no,
                      fmt::format("{}", fmt::join(seen.sentences, " ")), made);
   return all.dump() + "\n";

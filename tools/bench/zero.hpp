@@ -63,6 +63,7 @@ struct ZeroFields {
 /// What no encoder can show, in one sentence.
 [[nodiscard]] std::string what_an_encoder_cannot_show();
 /// One object; every figure with its unit in its name.
-[[nodiscard]] std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted, const result::Made& made = {});
+[[nodiscard]] std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted,
+                                    const result::Made& made = {});
 
 }  // namespace fantail::bench

@@ -69,8 +69,8 @@ std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan
                        {"encoder_zero_deg", field(present.encoder_zero_deg, measured.encoder_zero_deg)}});
   }
   json::Value all{{"trusted", trusted == Trusted::encoder ? "encoder" : "servo"},
-                     {"canards", canards},
-                     {"not_shown", what_an_encoder_cannot_show()}};
+                  {"canards", canards},
+                  {"not_shown", what_an_encoder_cannot_show()}};
   result::put_answer(all, result::Answer::none, what_an_encoder_cannot_show(), made);
   return all.pretty();
 }

@@ -54,7 +54,7 @@ std::string write_run(const Campaign& campaign, const FlownRun& run, const fs::p
 }  // namespace
 
 Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question, std::optional<double> required,
-                const std::string& version, const fs::path& folder, const std::function<void()>& look) {
+                const result::Made& made, const fs::path& folder, const std::function<void()>& look) {
   Report report;
   report.analysis = analyse(flown, campaign, question, required);
   for (const std::size_t index : report.analysis.worst) {
@@ -63,7 +63,7 @@ Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& q
   }
   report.campaign = campaign;
   report.flown = std::move(flown);
-  report.version = version;
+  report.made = made;
   report.command = command_of(campaign, question, required);
   report.run_command = fmt::format("fantail fly --campaign {} --run", text::shell_word(folder.string()));
   const std::array<text::NamedFile, 2> files{

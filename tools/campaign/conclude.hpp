@@ -14,7 +14,7 @@ namespace fantail::campaign {
 /// in a folder run_N, and then summary.json and campaign.html. `required`: a share that is asked for. `look` is called
 /// before each of these flights; what it throws ends it. Throws text::OutputError.
 [[nodiscard]] Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question,
-                              std::optional<double> required, const std::string& version,
+                              std::optional<double> required, const result::Made& made,
                               const std::filesystem::path& folder, const std::function<void()>& look);
 
 }  // namespace fantail::campaign

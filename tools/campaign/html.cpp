@@ -16,20 +16,6 @@ namespace {
 
 using text::fixed;
 
-page::Tone tone(const Report& report) {
-  const std::optional<Judgement>& judgement = report.analysis.judgement;
-  const bool is_outside = runs_outside_the_model(report) > 0;
-  if (!judgement) {
-    return is_outside ? page::Tone::unsure : page::Tone::plain;
-  }
-  switch (*judgement) {
-    case Judgement::met: return is_outside ? page::Tone::unsure : page::Tone::good;
-    case Judgement::not_met: return page::Tone::bad;
-    case Judgement::undecided: break;
-  }
-  return page::Tone::unsure;
-}
-
 std::string heading(const std::optional<Judgement>& judgement) {
   if (!judgement) {
     return "Found";
@@ -164,8 +150,8 @@ std::string report_html(const Report& report) {
       {.kind = "Fantail campaign",
        .title = flown.scenario,
        .subtitle = fmt::format("{}, plan {}; {} runs, independent, seed {}; Fantail {}{}", flown.vehicle, flown.plan,
-                               flown.runs.size(), campaign.seed, report.version, changes),
-       .tone = tone(report),
+                               flown.runs.size(), campaign.seed, report.made.version, changes),
+       .tone = result::tone(answer(report)),
        .verdict_heading = heading(report.analysis.judgement),
        .verdict = headline(report),
        .body_html = page::section("Outcomes", outcomes(report) + page::figure(convergence_chart(report))) +

@@ -100,7 +100,7 @@ std::string report_json(const Report& report) {
            {"vehicle", report.flown.vehicle},
            {"plan", report.flown.plan},
            {"changes", changes},
-           {"version", report.version},
+           {"version", report.made.version},
            {"seed", campaign.seed},
            {"sampling", "independent"},
            {"runs", report.flown.runs.size()},
@@ -116,7 +116,6 @@ std::string report_json(const Report& report) {
              {"interval", a.by_sequence ? "confidence_sequence" : "wilson"}}},
            {"required_share", rounded(a.required)},
            {"judgement", a.judgement ? Json{name(*a.judgement)} : Json{}},
-           {"sentence", headline(report)},
            {"remarks", remarks(report)},
            {"outcomes", outcomes},
            {"runs_outside_model", runs_outside_the_model(report)},
@@ -126,6 +125,7 @@ std::string report_json(const Report& report) {
            {"influences", influences(a)},
            {"worst_runs", worst(report)}};
   json::keep_exact(all, "seed");
+  result::put_answer(all, answer(report), headline(report), report.made);
   return all.pretty();
 }
 

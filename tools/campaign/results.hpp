@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/analysis.hpp"
+#include "result/answer.hpp"
 #include "text/wrapped.hpp"
 
 namespace fantail::campaign {
@@ -15,12 +16,14 @@ struct Report {
   Campaign campaign{};
   FlownCampaign flown{};
   Analysis analysis{};
-  std::string version{};                   ///< of the program
+  result::Made made{};                     ///< with the version of the program
   std::string command{};                   ///< that flies it again
   std::string run_command{};               ///< that flies one run again, but for its number
   std::vector<std::string> run_folders{};  ///< one a worst run, where its flight report is; empty: it has none
 };
 
+/// Is the share that was asked for met? Undecided too where runs lie outside of the model; none without a question.
+[[nodiscard]] result::Answer answer(const Report& report);
 /// How many are faster than the simulation of roll holds for, whatever else they came to.
 [[nodiscard]] std::size_t runs_outside_the_model(const Report& report);
 /// What was found, in one sentence or two: the share and the interval, or that it is not decided.

@@ -78,6 +78,17 @@ std::size_t runs_outside_the_model(const Report& report) {
   return static_cast<std::size_t>(std::ranges::count_if(extremes_of_all(report), flight::is_beyond_model));
 }
 
+result::Answer answer(const Report& report) {
+  const std::optional<Judgement>& judgement = report.analysis.judgement;
+  if (judgement == Judgement::not_met) {
+    return result::Answer::no;
+  }
+  if (runs_outside_the_model(report) > 0 || judgement == Judgement::undecided) {
+    return result::Answer::undecided;
+  }
+  return judgement ? result::Answer::yes : result::Answer::none;
+}
+
 std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
   return outside_the_model(report) + judged(report) +

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "detection/campaign.hpp"
+#include "result/answer.hpp"
 #include "text/wrapped.hpp"
 
 namespace fantail::detection {
@@ -15,6 +16,7 @@ struct Report {
   Campaign campaign;
   Results results;
   std::string version;
+  result::Made made{};
   std::optional<double> at_most;          ///< missed launches of a judged rule, a share: asked of its 95 % bound
   std::optional<double> false_at_most{};  ///< false actuations of a judged rule, likewise; empty: none may be seen
 };
@@ -53,6 +55,10 @@ struct Requirement {
 [[nodiscard]] std::vector<Requirement> requirements(const Report& report);
 /// Not met when one is not; met when any is; else not judged.
 [[nodiscard]] Verdict verdict(const std::vector<Requirement>& requirements);
+/// Undecided: not judged.
+[[nodiscard]] result::Answer answer(Verdict verdict);
+/// The verdict in words, with the counts behind it.
+[[nodiscard]] std::string what_was_judged(const Report& report, Verdict verdict);
 /// The sentences of those that are not met.
 [[nodiscard]] std::vector<std::string> failures(const Report& report);
 /// What a judged rule does with one accelerometer bad, which nobody asks of it: a sentence for each that has moved a

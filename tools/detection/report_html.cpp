@@ -203,10 +203,12 @@ std::string models(const Report& report) {
   return page::section("Models", page::table(columns, rows));
 }
 
-page::Tone tone_of(Verdict verdict) {
-  return verdict == Verdict::met       ? page::Tone::good
-         : verdict == Verdict::not_met ? page::Tone::bad
-                                       : page::Tone::unsure;
+}  // namespace
+
+result::Answer answer(Verdict verdict) {
+  return verdict == Verdict::met       ? result::Answer::yes
+         : verdict == Verdict::not_met ? result::Answer::no
+                                       : result::Answer::undecided;
 }
 
 std::string what_was_judged(const Report& report, Verdict verdict) {
@@ -240,7 +242,7 @@ std::string what_was_judged(const Report& report, Verdict verdict) {
   return text;
 }
 
-}  // namespace
+namespace {}  // namespace
 
 std::string report_html(const Report& report) {
   const std::string bounds = bounds_svg(report, page::full_page);
@@ -261,7 +263,7 @@ std::string report_html(const Report& report) {
       .kind = "Fantail campaign of detections",
       .title = "Does it believe that it flies?",
       .subtitle = fmt::format("{} events and launches, seed {}", report.campaign.total(), report.campaign.seed),
-      .tone = tone_of(came),
+      .tone = result::tone(answer(came)),
       .verdict_heading = came == Verdict::met       ? "Met"
                          : came == Verdict::not_met ? "Not met"
                                                     : "Not judged",

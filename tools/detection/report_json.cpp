@@ -125,6 +125,8 @@ std::string report_json(const Report& report) {
                     {"known_limits", known_limits(report)},
                     {"rules", rules}};
   json::keep_exact(value, "seed");
+  result::put_answer(value, answer(verdict(requirements(report))),
+                     what_was_judged(report, verdict(requirements(report))), report.made);
   return value.pretty();
 }
 

@@ -137,9 +137,8 @@ void arm(const ArmOptions& options) {
     tell(options, "Control has started.");
   }
   if (options.bench.json) {
-    json::Value all{{"armed", true},
-                    {"control_started", options.start},
-                    {"gyro_bias_deg_s", json::rounded(gyro_zero_deg_s(link))}};
+    json::Value all{
+        {"armed", true}, {"control_started", options.start}, {"gyro_bias_deg_s", json::rounded(gyro_zero_deg_s(link))}};
     result::put_answer(all, result::Answer::yes, options.start ? "Armed, and control has started." : "Armed.",
                        made_with({}));
     fmt::print("{}\n", all.dump());

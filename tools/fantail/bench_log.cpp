@@ -185,10 +185,10 @@ void log(const BenchLogOptions& options) {
   if (options.bench.json) {
     visit.json["erased"] = options.erase;
     result::put_answer(visit.json, result::Answer::none,
-                       empty            ? "Nothing is recorded."
-                       : options.list   ? "The recorded flights are listed."
-                       : options.erase  ? "The record is erased."
-                                        : "The recorded flights are downloaded.",
+                       empty           ? "Nothing is recorded."
+                       : options.list  ? "The recorded flights are listed."
+                       : options.erase ? "The record is erased."
+                                       : "The recorded flights are downloaded.",
                        made_with({}));
     fmt::print("{}\n", visit.json.dump());
   }

@@ -67,11 +67,12 @@ void send(const PlanOptions& options) {
   const bool stored = reply.state == protocol::TransferState::stored;
   if (options.bench.json) {
     json::Value json{{"plan", options.plan},
-                           {"bytes", block.size()},
-                           {"stored", stored},
-                           {"refused_because", stored ? json::Value{} : json::Value(replies::sentence(reply))}};
+                     {"bytes", block.size()},
+                     {"stored", stored},
+                     {"refused_because", stored ? json::Value{} : json::Value(replies::sentence(reply))}};
     result::put_answer(json, stored ? result::Answer::yes : result::Answer::no,
-                       stored ? "The plan is stored and in force." : replies::sentence(reply), made_with({options.plan}));
+                       stored ? "The plan is stored and in force." : replies::sentence(reply),
+                       made_with({options.plan}));
     fmt::print("{}\n", json.dump());
   } else if (stored) {
     show("{}: {} bytes sent, checked, stored and read back; it is in force\n", options.plan, block.size());

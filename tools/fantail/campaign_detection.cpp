@@ -15,6 +15,7 @@
 #include "detection/campaign.hpp"
 #include "detection/report.hpp"
 #include "detection/shown_event.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -158,6 +159,7 @@ void detect(const DetectionOptions& options) {
           "--false-at-most is asked of events that are no launch, by a plan that is judged, and none is to be played"};
     }
   }
+  report.made = made_with({}, report.campaign.seed);
   report.results = play(report.campaign, folder, options.threads);
   if (report.results.damaged > 0) {
     say(fmt::format("fantail: {} stored parts in {} were damaged, and have been played again\n", report.results.damaged,

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "campaign/setup.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
@@ -108,7 +109,9 @@ void fly_one(const FaultsOptions& options) {
   faults::write_run(campaign, options.cell, options.run, alone, folder);
   const std::string report = (folder / "report.html").string();
   if (options.json) {
-    fmt::print("{}", faults::run_json(campaign, alone, report, FANTAIL_VERSION));
+    fmt::print("{}",
+               faults::run_json(campaign, alone, report, FANTAIL_VERSION,
+                                made_with(files_of(options.scenario), alone.run.seed, changes_of(options.scenario))));
   } else {
     show_text(faults::run_text(alone, report));
   }
@@ -144,7 +147,8 @@ void fly_all(const FaultsOptions& options) {
   }
   Chapters chapters{"faults", 1, "the worst flights and the page"};
   faults::write_worst(result, prepared, folder, [&folder] { leave_if_interrupted(folder); });
-  const std::string summary = faults::report_json(result, FANTAIL_VERSION);
+  const std::string summary = faults::report_json(
+      result, FANTAIL_VERSION, made_with(files_of(options.scenario), {}, changes_of(options.scenario)));
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};
   text::OutputFolder{folder, files_of(options.scenario)}.write(files);

@@ -16,6 +16,7 @@
 #include "fantail/campaign_detection.hpp"
 #include "fantail/campaign_faults.hpp"
 #include "fantail/campaign_hardover.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
@@ -131,7 +132,9 @@ campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& 
 /// A part is not judged.
 void print_shard(const campaign::Shard& shard, std::size_t runs, const fs::path& file, bool as_json) {
   if (as_json) {
-    const json::Value said = {{"shard", shard.number}, {"of", shard.of}, {"runs", runs}, {"file", file.string()}};
+    json::Value said = {{"shard", shard.number}, {"of", shard.of}, {"runs", runs}, {"file", file.string()}};
+    result::put_answer(said, result::Answer::none, "The question is answered when all shards are merged.",
+                       made_with({}));
     fmt::print("{}\n", said.dump());
     return;
   }
@@ -153,7 +156,8 @@ void fly_campaign(const CampaignOptions& options) {
   Chapters chapters{"campaign", 1, "figures, the worst flights and the page"};
   const campaign::Report report = campaign::conclude(
       campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent),
-      FANTAIL_VERSION, folder, [&] { leave_if_interrupted(folder, campaign::runs_name); });
+      made_with(files_of(options.scenario), campaign.seed, changes_of(options.scenario)), folder,
+      [&] { leave_if_interrupted(folder, campaign::runs_name); });
   chapters.end();
   if (options.json) {
     fmt::print("{}", campaign::report_json(report));

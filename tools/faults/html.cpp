@@ -216,9 +216,7 @@ std::string report_html(const Result& result, const std::string& version) {
        .title = result.scenario,
        .subtitle =
            fmt::format("{}, plan {}; {}; Fantail {}", result.vehicle, result.plan, onsets_of(result.campaign), version),
-       .tone = red     ? page::Tone::bad
-               : limit ? page::Tone::unsure
-                       : page::Tone::good,
+       .tone = result::tone(answer(result)),
        .verdict_heading = red     ? "Red"
                           : limit ? "Known limits"
                                   : "No red cell",

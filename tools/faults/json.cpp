@@ -133,24 +133,38 @@ std::string run_command(const Campaign& campaign, const Cell& cell, std::uint64_
                      options_of(campaign), cell.name(), number);
 }
 
-std::string report_json(const Result& result, const std::string& version) {
+result::Answer answer(const Result& result) {
+  return has_red(result) ? result::Answer::no : has_red_limit(result) ? result::Answer::undecided : result::Answer::yes;
+}
+
+result::Answer answer(Colour colour) {
+  switch (colour) {
+    case Colour::green: return result::Answer::yes;
+    case Colour::red: return result::Answer::no;
+    case Colour::not_applicable: return result::Answer::none;
+    default: return result::Answer::undecided;
+  }
+}
+
+std::string report_json(const Result& result, const std::string& version, const result::Made& made) {
   json::Value cells = json::Value::array();
   for (const CellResult& cell : result.cells) {
     cells.push_back(json_of(cell, result.campaign));
   }
-  const json::Value all{{"version", version},
-                        {"scenario", result.scenario},
-                        {"vehicle", result.vehicle},
-                        {"plan", result.plan},
-                        {"command", command_of(result.campaign)},
-                        {"flights", result.flights},
-                        {"green", count(result, Colour::green)},
-                        {"red", count(result, Colour::red)},
-                        {"known_limits", count(result, Colour::known_limit)},
-                        {"limits_without_need", count(result, Colour::limit_without_need)},
-                        {"not_judged", count(result, Colour::not_judged)},
-                        {"not_applicable", count(result, Colour::not_applicable)},
-                        {"cells", cells}};
+  json::Value all{{"version", version},
+                  {"scenario", result.scenario},
+                  {"vehicle", result.vehicle},
+                  {"plan", result.plan},
+                  {"command", command_of(result.campaign)},
+                  {"flights", result.flights},
+                  {"green", count(result, Colour::green)},
+                  {"red", count(result, Colour::red)},
+                  {"known_limits", count(result, Colour::known_limit)},
+                  {"limits_without_need", count(result, Colour::limit_without_need)},
+                  {"not_judged", count(result, Colour::not_judged)},
+                  {"not_applicable", count(result, Colour::not_applicable)},
+                  {"cells", cells}};
+  result::put_answer(all, answer(result), headline(result), made);
   return all.pretty();
 }
 
@@ -165,7 +179,7 @@ std::string run_text(const Alone& alone, const std::string& report) {
 }
 
 std::string run_json(const Campaign& campaign, const Alone& alone, const std::string& report,
-                     const std::string& version) {
+                     const std::string& version, const result::Made& made) {
   const CellResult& judged = alone.judged;
   json::Value value{{"version", version},
                     {"scenario", alone.scenario.name},
@@ -185,6 +199,7 @@ std::string run_json(const Campaign& campaign, const Alone& alone, const std::st
     value["limit"] = {{"why", judged.limit->why}, {"what_to_do", what_to_do(judged)}};
   }
   json::keep_exact(value, "seed");
+  result::put_answer(value, answer(judged.colour), alone.findings.what_it_was(), made);
   return value.pretty();
 }
 

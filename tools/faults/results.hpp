@@ -4,6 +4,7 @@
 #include <string>
 
 #include "faults/campaign.hpp"
+#include "result/answer.hpp"
 
 namespace fantail::faults {
 
@@ -28,10 +29,13 @@ namespace fantail::faults {
 /// What one run came to, with why and what to do where a limit is known; `report` is its flight report.
 [[nodiscard]] std::string run_text(const Alone& alone, const std::string& report);
 [[nodiscard]] std::string run_json(const Campaign& campaign, const Alone& alone, const std::string& report,
-                                   const std::string& version);
+                                   const std::string& version, const result::Made& made = {});
 
 [[nodiscard]] std::string report_html(const Result& result, const std::string& version);
-[[nodiscard]] std::string report_json(const Result& result, const std::string& version);
+/// Is every cell safe? Undecided where one is not, for a limit that is known.
+[[nodiscard]] result::Answer answer(const Result& result);
+[[nodiscard]] result::Answer answer(Colour colour);
+[[nodiscard]] std::string report_json(const Result& result, const std::string& version, const result::Made& made = {});
 /// For the terminal: the headline, and every cell that is not green.
 [[nodiscard]] std::string report_text(const Result& result);
 
