@@ -3,10 +3,12 @@
 
 Every kind of page in a real browser, or those that are named: on a telephone, on a desk in light and in dark, and printed on
 A4 and Letter. page_checks.js asks what is cut off, scrolls without a cue, or lies on something else; AXE is the file
-axe.min.js of axe-core, which asks what a keyboard, a screen reader or weak eyes would miss. Pictures of every page go into the
-folder PICTURES. Exit code 77: there is no Chromium (package chromium-driver), no pdftotext (poppler-utils) or no axe-core here.
+axe.min.js of axe-core, which asks what a keyboard, a screen reader or weak eyes would miss. Pictures of a page with a fault go
+into the folder PICTURES; with FANTAIL_PICTURES=all in the environment those of every page. Exit code 77: there is no Chromium
+(package chromium-driver), no pdftotext (poppler-utils) or no axe-core here.
 """
 
+import os
 import pathlib
 import re
 import shutil
@@ -24,6 +26,7 @@ MADE = PICTURES.with_name(PICTURES.name + "_made")
 CHECKS = (pathlib.Path(__file__).parent / "page_checks.js").read_text()
 SHEETS = {"A4": (21.0, 29.7), "Letter": (21.59, 27.94)}
 PHONE_PX, DESK_PX = 390, 1280  # wide
+EVERY_PICTURE = os.environ.get("FANTAIL_PICTURES") == "all"
 SIX_DOF = "--set flight.motion=six_dof --set wind.speed_m_s=5 --set wind.from_deg=270"
 
 # The name of a page, the command that makes it in a folder of that name beside the others, and its file there. Without a file:
@@ -157,13 +160,13 @@ class Pages(unittest.TestCase):
         page.run(self.axe)
         found = ["on a telephone: " + one for one in page.run("return fantailChecks.all(arguments[0])", PHONE_PX)]
         found += ["on a telephone: " + one for one in self.violations()]
-        page.long_picture(PICTURES / f"{name}_phone.png")
+        self.keep(f"{name}_phone", found)
         page.screen(DESK_PX, 900)
         found += ["on a desk: " + one for one in page.run("return fantailChecks.all(arguments[0])", DESK_PX)]
-        page.long_picture(PICTURES / f"{name}_light.png")
+        self.keep(f"{name}_light", found)
         page.screen(DESK_PX, 900, dark=True)
         found += ["in the dark: " + one for one in self.violations(["color-contrast"])]
-        page.long_picture(PICTURES / f"{name}_dark.png")
+        self.keep(f"{name}_dark", found)
         for sheet, size in SHEETS.items():  # while the screen is dark
             found += [f"on {sheet}: {one}" for one in self.printed(name, sheet, *size)]
         # A live page whose flight is over asks for its program again and again.
@@ -171,6 +174,11 @@ class Pages(unittest.TestCase):
         with self.subTest(name):
             self.assertEqual(found, [])
         print(f"{name}: {time.monotonic() - begin:.1f} s")
+
+    def keep(self, name, found):
+        """A picture takes longer than what is asked of the page."""
+        if found or EVERY_PICTURE:
+            self.page.long_picture(PICTURES / f"{name}.png")
 
     def violations(self, rules=None):
         options = {"resultTypes": ["violations"], **({"runOnly": rules} if rules else {})}
@@ -192,7 +200,7 @@ class Pages(unittest.TestCase):
             if any(left < 0 or top < 0 or right > width or bottom > height for left, top, right, bottom, _ in words):
                 yield f"words stick out of page {number}"
             yield from (f"page {number}: {one}" for one in on_each_other(words))
-        if sheet == "A4":
+        if sheet == "A4" and EVERY_PICTURE:
             subprocess.run(["pdftoppm", "-r", "80", "-png", "-singlefile", str(pdf), str(pdf.with_name(f"{name}_paper"))], check=True)
 
 
