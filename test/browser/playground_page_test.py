@@ -44,127 +44,129 @@ class PlaygroundPage(unittest.TestCase):
         subprocess.run(["cmake", "-D", f"MODULE={module}", "-D", f"NATIVE={native}", "-D", "VERSION=0.1.0", "-D", "HASH=these",
                         "-D", f"OUT={file}", "-P", str(PROJECT / "tools/playground/make_page.cmake")], check=True)
         cls.url = file.as_uri()
+        cls.page = cls.enterClassContext(browser.Browser())
 
     @classmethod
     def tearDownClass(cls):
         cls.folder.cleanup()
 
+    def fresh(self, link="", width=1280):
+        """The page loaded anew, also where only what follows its # is another one than before."""
+        self.page.open("about:blank")
+        self.page.screen(width, 900)
+        self.page.complaints()
+        self.page.open(self.url + link)
+        return self.page
+
     def test_it_flies_by_itself_and_again_after_every_change(self):
-        with browser.Browser() as page:
-            page.open(self.url)
-            page.wait_until(IDLE)
-            self.assertEqual(text_of(page, "outcome"), "Held")
-            self.assertEqual(text_of(page, "digest"), self.digest)
-            self.assertIn("Equal to that of the native program", text_of(page, "same"))
-            page.wait_until("return document.getElementById('controller-canard_limit_deg')")
-            page.picture(PICTURES / "playground.png")
+        page = self.fresh()
+        page.wait_until(IDLE)
+        self.assertEqual(text_of(page, "outcome"), "Held")
+        self.assertEqual(text_of(page, "digest"), self.digest)
+        self.assertIn("Equal to that of the native program", text_of(page, "same"))
+        page.wait_until("return document.getElementById('controller-canard_limit_deg')")
+        page.picture(PICTURES / "playground.png")
 
-            turn = """const slider = document.getElementById('controller-canard_limit_deg').previousSibling;
-                      slider.value = 4; slider.dispatchEvent(new Event('input'))"""
-            page.run(turn)
-            page.wait_until(IDLE)
-            self.assertEqual(text_of(page, "outcome"), "Not held")
-            self.assertEqual(text_of(page, "command"), "./dev fly tasha3_launch2 --set controller.canard_limit_deg=4")
-            self.assertEqual(text_of(page, "digest"), native_digest("tasha3_launch2", "--set", "controller.canard_limit_deg=4"))
-            self.assertEqual(page.run("return location.hash"), "#tasha3_launch2&controller.canard_limit_deg=4")
+        turn = """const slider = document.getElementById('controller-canard_limit_deg').previousSibling;
+                  slider.value = 4; slider.dispatchEvent(new Event('input'))"""
+        page.run(turn)
+        page.wait_until(IDLE)
+        self.assertEqual(text_of(page, "outcome"), "Not held")
+        self.assertEqual(text_of(page, "command"), "./dev fly tasha3_launch2 --set controller.canard_limit_deg=4")
+        self.assertEqual(text_of(page, "digest"), native_digest("tasha3_launch2", "--set", "controller.canard_limit_deg=4"))
+        self.assertEqual(page.run("return location.hash"), "#tasha3_launch2&controller.canard_limit_deg=4")
 
-            page.run("const s = document.getElementById('fault'); s.value = 'canard_stuck'; s.dispatchEvent(new Event('change'))")
-            page.wait_until(IDLE)
-            self.assertIn('kind = "canard_stuck"', text_of(page, "fault-text"))
-            page.run("document.getElementById('reset').click()")
-            page.wait_until("return document.getElementById('same').className === 'same'")
-            self.assertEqual(page.complaints(), [])
+        page.run("const s = document.getElementById('fault'); s.value = 'canard_stuck'; s.dispatchEvent(new Event('change'))")
+        page.wait_until(IDLE)
+        self.assertIn('kind = "canard_stuck"', text_of(page, "fault-text"))
+        page.run("document.getElementById('reset').click()")
+        page.wait_until("return document.getElementById('same').className === 'same'")
+        self.assertEqual(page.complaints(), [])
 
     def test_a_link_carries_the_settings_and_a_bad_one_is_refused_in_words(self):
-        with browser.Browser() as page:
-            page.open(self.url + "#tasha3_launch1&reference.kind=hold&controller.canard_limit_deg=9")
-            page.wait_until(IDLE)
-            self.assertEqual(text_of(page, "digest"), native_digest(
-                "tasha3_launch1", "--set", "reference.kind=hold", "--set", "controller.canard_limit_deg=9"))
-            self.assertIn("reference.kind=hold", text_of(page, "others"))
-            for link, words in (("tasha3_launch2&controller.proportional_gain=NaN", "out of range|not a number"),
-                                ("tasha3_launch2&controller.gain=1", "unknown key controller.gain"),
-                                ("<img src=x onerror=document.title='x'>", "unknown scenario"),
-                                ("tasha3_launch2&%FF", "is no text"), ("tasha3_launch2&timing.time_after_end_s=3600", "300 s at most")):
-                page.run("location.hash = arguments[0]", "#" + link)
-                page.wait_until("return !document.getElementById('refusal').hidden && document.getElementById('state').textContent === 'refused'", 120)
-                self.assertRegex(text_of(page, "refusal-text"), words)
-                self.assertNotEqual(page.run("return document.title"), "x")
-                page.run("location.hash = '#tasha3_launch2'")
-                page.wait_until("return document.getElementById('refusal').hidden")
-            page.run("location.hash = '#tasha3_launch2&controller.gain=1'")
-            page.wait_until("return !document.getElementById('refusal').hidden")
-            page.picture(PICTURES / "playground_refused.png")
+        page = self.fresh("#tasha3_launch1&reference.kind=hold&controller.canard_limit_deg=9")
+        page.wait_until(IDLE)
+        self.assertEqual(text_of(page, "digest"), native_digest(
+            "tasha3_launch1", "--set", "reference.kind=hold", "--set", "controller.canard_limit_deg=9"))
+        self.assertIn("reference.kind=hold", text_of(page, "others"))
+        for link, words in (("tasha3_launch2&controller.proportional_gain=NaN", "out of range|not a number"),
+                            ("tasha3_launch2&controller.gain=1", "unknown key controller.gain"),
+                            ("<img src=x onerror=document.title='x'>", "unknown scenario"),
+                            ("tasha3_launch2&%FF", "is no text"), ("tasha3_launch2&timing.time_after_end_s=3600", "300 s at most")):
+            page.run("location.hash = arguments[0]", "#" + link)
+            page.wait_until("return !document.getElementById('refusal').hidden && document.getElementById('state').textContent === 'refused'", 120)
+            self.assertRegex(text_of(page, "refusal-text"), words)
+            self.assertNotEqual(page.run("return document.title"), "x")
+            page.run("location.hash = '#tasha3_launch2'")
+            page.wait_until("return document.getElementById('refusal').hidden")
+        page.run("location.hash = '#tasha3_launch2&controller.gain=1'")
+        page.wait_until("return !document.getElementById('refusal').hidden")
+        page.picture(PICTURES / "playground_refused.png")
 
     def test_opened_with_a_link_that_is_refused_it_says_so_and_offers_a_scenario_as_shipped(self):
         shown = "return [...document.querySelectorAll('.results > section')].filter((one) => one.offsetHeight > 0).map((one) => one.id)"
         for link, words in (("tasha3_launch2&controller.gain=1", "unknown key controller.gain"), ("nobody", "unknown scenario"),
                             ("tasha3_launch2&%FF", "is no text")):
-            with browser.Browser() as page:
-                page.open(self.url + "#" + link)
-                page.wait_until("return document.getElementById('state').textContent === 'refused'")
-                self.assertIn(words, text_of(page, "refusal-text"))
-                self.assertEqual(page.run(shown), ["refusal"])
-                page.picture(PICTURES / "playground_refused_at_first.png")
-                page.run("document.getElementById('start').click()")
-                page.wait_until(IDLE)
-                self.assertEqual(text_of(page, "digest"), self.digest)
-                self.assertNotIn("refusal", page.run(shown))
-                page.wait_until("return document.getElementById('controller-canard_limit_deg')")
-
-    def test_a_decimal_comma_is_refused_in_words_and_stays_to_be_mended(self):
-        with browser.Browser() as page:
-            page.open(self.url)
-            page.wait_until(IDLE)
-            page.wait_until("return document.getElementById('controller-proportional_gain')")
-            turn = """const field = document.getElementById('controller-proportional_gain');
-                      field.value = arguments[0]; field.dispatchEvent(new Event('change')); return field.value"""
-            self.assertEqual(page.run(turn, "0,4"), "0,4")
-            self.assertIn("a number is written with a point, as in 0.4", text_of(page, "refusal-text"))
-            self.assertEqual(page.run("return location.hash"), "#tasha3_launch2")
-            page.run(turn, "0.4")
-            page.wait_until(IDLE)
-            self.assertTrue(page.run("return document.getElementById('refusal').hidden"))
-            self.assertEqual(page.run("return location.hash"), "#tasha3_launch2&controller.proportional_gain=0.4")
-
-    def test_a_change_during_a_long_run_is_not_kept_waiting(self):
-        with browser.Browser() as page:
-            page.open(self.url + "#tunnel_swirl_without")
-            page.wait_until("return window.fantail?.figures().busy")
-            page.run("location.hash = '#tasha3_launch2'")
+            page = self.fresh("#" + link)
+            page.wait_until("return document.getElementById('state').textContent === 'refused'")
+            self.assertIn(words, text_of(page, "refusal-text"))
+            self.assertEqual(page.run(shown), ["refusal"])
+            page.picture(PICTURES / "playground_refused_at_first.png")
+            page.run("document.getElementById('start').click()")
             page.wait_until(IDLE)
             self.assertEqual(text_of(page, "digest"), self.digest)
+            self.assertNotIn("refusal", page.run(shown))
+            page.wait_until("return document.getElementById('controller-canard_limit_deg')")
+
+    def test_a_decimal_comma_is_refused_in_words_and_stays_to_be_mended(self):
+        page = self.fresh()
+        page.wait_until(IDLE)
+        page.wait_until("return document.getElementById('controller-proportional_gain')")
+        turn = """const field = document.getElementById('controller-proportional_gain');
+                  field.value = arguments[0]; field.dispatchEvent(new Event('change')); return field.value"""
+        self.assertEqual(page.run(turn, "0,4"), "0,4")
+        self.assertIn("a number is written with a point, as in 0.4", text_of(page, "refusal-text"))
+        self.assertEqual(page.run("return location.hash"), "#tasha3_launch2")
+        page.run(turn, "0.4")
+        page.wait_until(IDLE)
+        self.assertTrue(page.run("return document.getElementById('refusal').hidden"))
+        self.assertEqual(page.run("return location.hash"), "#tasha3_launch2&controller.proportional_gain=0.4")
+
+    def test_a_change_during_a_long_run_is_not_kept_waiting(self):
+        page = self.fresh("#tunnel_swirl_without")
+        page.wait_until("return window.fantail?.figures().busy")
+        page.run("location.hash = '#tasha3_launch2'")
+        page.wait_until(IDLE)
+        self.assertEqual(text_of(page, "digest"), self.digest)
 
     def test_memory_does_not_grow_while_somebody_plays(self):
-        with browser.Browser() as page:
-            page.open(self.url)
+        page = self.fresh()
+        page.wait_until(IDLE)
+        play = """const [from, to] = arguments; const slider = document.getElementById('controller-proportional_gain').previousSibling;
+                  window.played = from;
+                  const turn = () => {
+                    if (window.fantail.figures().busy) return setTimeout(turn, 5);
+                    slider.value = 0.2 + 0.005 * (window.played % 100); slider.dispatchEvent(new Event('input'));
+                    if (++window.played < to) setTimeout(turn, 5);
+                  };
+                  turn();"""
+        sizes = []
+        for begin in (0, 20, 40):
+            page.wait_until("return document.getElementById('controller-proportional_gain')")
+            page.run(play, begin, begin + 20)
+            page.wait_until(f"return window.played === {begin + 20}", 300)
             page.wait_until(IDLE)
-            play = """const [from, to] = arguments; const slider = document.getElementById('controller-proportional_gain').previousSibling;
-                      window.played = from;
-                      const turn = () => {
-                        if (window.fantail.figures().busy) return setTimeout(turn, 5);
-                        slider.value = 0.2 + 0.005 * (window.played % 100); slider.dispatchEvent(new Event('input'));
-                        if (++window.played < to) setTimeout(turn, 5);
-                      };
-                      turn();"""
-            sizes = []
-            for begin in (0, 50, 100):
-                page.wait_until("return document.getElementById('controller-proportional_gain')")
-                page.run(play, begin, begin + 50)
-                page.wait_until(f"return window.played === {begin + 50}", 300)
-                page.wait_until(IDLE)
-                sizes.append(page.run("return window.fantail.figures().memory"))
-            self.assertEqual(sizes[1], sizes[2])
-            figures = page.run("return window.fantail.figures()")
-            print(f"{figures['flown']} flights, {sizes[-1] >> 20} MB, the last in {figures['milliseconds']:.0f} ms, the slowest in {figures['slowest']:.0f} ms")
+            sizes.append(page.run("return window.fantail.figures().memory"))
+        self.assertEqual(sizes[1], sizes[2])
+        figures = page.run("return window.fantail.figures()")
+        print(f"{figures['flown']} flights, {sizes[-1] >> 20} MB, the last in {figures['milliseconds']:.0f} ms, the slowest in {figures['slowest']:.0f} ms")
 
     def test_on_a_phone_nothing_is_cut_off_at_the_side(self):
-        with browser.Browser(width=500) as page:
-            page.open(self.url)
-            page.wait_until(IDLE)
-            page.wait_until("return document.getElementById('controller-canard_limit_deg')")
-            page.picture(PICTURES / "playground_phone.png")
-            self.assertLessEqual(page.run("return document.documentElement.scrollWidth - innerWidth"), 0)
+        page = self.fresh(width=500)
+        page.wait_until(IDLE)
+        page.wait_until("return document.getElementById('controller-canard_limit_deg')")
+        page.picture(PICTURES / "playground_phone.png")
+        self.assertLessEqual(page.run("return document.documentElement.scrollWidth - innerWidth"), 0)
 
 
 if __name__ == "__main__":
