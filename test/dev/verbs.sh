@@ -102,7 +102,6 @@ thorough() {
     command -v "$tool" >/dev/null || { echo "SKIPPED: $tool is not installed" && exit 77; }
   done
   call 0 firmware
-  call 0 format --check
   call 0 trace
   call 0 sanitize tools/json # the folder that is built the fastest
   call 0 lint tools/replies
