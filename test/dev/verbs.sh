@@ -98,7 +98,7 @@ quick() {
 }
 
 thorough() {
-  for tool in clang-tidy-19 clang-format-19 arm-none-eabi-gcc; do
+  for tool in clang-tidy-19 arm-none-eabi-gcc; do
     command -v "$tool" >/dev/null || { echo "SKIPPED: $tool is not installed" && exit 77; }
   done
   call 0 firmware
