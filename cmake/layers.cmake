@@ -56,7 +56,7 @@ set(FANTAIL_LAYERS
   "tools/campaign|sim text distributions json linear page result input flight report fly runs|fmt/"
   "tools/hardover|core sim text result fly runs|fmt/"
   "tools/predict|core sim text distributions json page result flight report stability fly runs campaign|fmt/"
-  "tools/tune|core sim text json page result input flight report stability fly runs campaign predict|fmt/"
+  "tools/tune|core protocol sim text json page result input flight report stability fly runs campaign predict|fmt/"
   "tools/paper|core sim text json page result input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text distributions json page result input runs|fmt/"
   "tools/faults|core sim text json page result input runs campaign|fmt/"

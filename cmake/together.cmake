@@ -72,6 +72,7 @@ set(FANTAIL_COMPILED_ALONE
   test/sim/random_test.cpp test/sim/servo_spread_test.cpp
   test/stability/loop_at_speed_test.cpp
   test/system/design_test.cpp test/system/fly_trajectory_test.cpp test/system/input_kind_test.cpp
+  test/system/interrupted_flights_test.cpp
   test/system/names_test.cpp
   test/telemetry/lossy_link_test.cpp
   test/trajectory/trajectory_test.cpp

@@ -49,9 +49,9 @@ TEST(Tally, APointOfAHistogramHasItsShareAtOrBelowIt) {
 Tally read_back(Tally tally) {
   runs::RowText text;
   text(tally);
-  Tally back{0};
-  EXPECT_TRUE(runs::read_rows(text.text(), &back, 1)) << text.text();
-  return back;
+  std::vector<Tally> back{Tally{0}};
+  EXPECT_TRUE(runs::read_rows(text.text(), back)) << text.text();
+  return back[0];
 }
 
 TEST(Tally, ComesBackFromItsTextAsItWas) {

@@ -113,9 +113,9 @@ TEST(FaultRun, IsReadAsItWasWritten) {
   for (faults::Run run : {red, other}) {
     runs::RowText text;
     text(run);
-    faults::Run back;
-    ASSERT_TRUE(runs::read_rows(text.text(), &back, 1)) << text.text();
-    EXPECT_EQ(back, run);
+    std::vector<faults::Run> back(1);
+    ASSERT_TRUE(runs::read_rows(text.text(), back)) << text.text();
+    EXPECT_EQ(back[0], run);
   }
 }
 

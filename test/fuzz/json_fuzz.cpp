@@ -15,7 +15,7 @@
 #include "input_file.hpp"
 #include "json/value.hpp"
 #include "report/summary_json.hpp"
-#include "runs/identity.hpp"
+#include "runs/folder.hpp"
 
 namespace fantail::fuzz {
 namespace {

@@ -2,10 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <set>
-#include <stdexcept>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -54,44 +52,6 @@ TEST(ParallelFor, TellsTheCallerOnTheCallersThreadAndAtTheEndThatAllIsDone) {
 
 TEST(ParallelFor, NothingToDoIsDoneAtOnce) {
   parallel_for(0, 2, [](std::size_t) { FAIL(); }, look_away);
-}
-
-TEST(ParallelFor, TroubleInOnePieceEndsAllAndComesOut) {
-  std::atomic<int> done{0};
-  EXPECT_THROW(parallel_for(
-                   100000, 2,
-                   [&done](std::size_t i) {
-                     ++done;
-                     if (i == 3) {
-                       throw std::runtime_error{"a wing fell off"};
-                     }
-                     // Long enough that the others cannot be through before they are told, however late that is.
-                     std::this_thread::sleep_for(std::chrono::milliseconds{1});
-                   },
-                   look_away),
-               std::runtime_error);
-  EXPECT_LT(done, 100000);
-}
-
-// As when a person presses Ctrl-C: nobody goes on working after that.
-TEST(ParallelFor, ACallerWhoGivesUpEndsAll) {
-  std::atomic<bool> given_up{false};
-  std::atomic<int> done{0};
-  EXPECT_THROW(parallel_for(
-                   1000000, 2,
-                   [&](std::size_t) {
-                     ++done;
-                     while (!given_up) {
-                       std::this_thread::yield();
-                     }
-                   },
-                   [&given_up](std::size_t) {
-                     given_up = true;
-                     throw std::runtime_error{"enough"};
-                   }),
-               std::runtime_error);
-  const int at_return = done;
-  EXPECT_EQ(done, at_return);
 }
 
 }  // namespace

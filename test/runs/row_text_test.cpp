@@ -18,10 +18,7 @@ struct Inner {
 
   friend bool operator==(const Inner&, const Inner&) = default;
 };
-template <typename Text>
-void fields(Text& text, Inner& row) {
-  text(row.value, row.maybe);
-}
+void fields(RowText& text, Inner& row) { text(row.value, row.maybe); }
 
 struct Row {
   std::uint64_t seed = 0;
@@ -35,8 +32,7 @@ struct Row {
 
   friend bool operator==(const Row&, const Row&) = default;
 };
-template <typename Text>
-void fields(Text& text, Row& row) {
+void fields(RowText& text, Row& row) {
   text(row.seed, row.number, row.is, row.word, row.said, row.list, row.two, row.counts);
 }
 
@@ -59,36 +55,38 @@ std::string text_of(Row row) {
 
 TEST(RowText, ComesBackBitForBit) {
   for (const Row& row : {Row{}, full()}) {
-    Row back{.seed = 3, .said = "old", .list = {{}}, .counts = {{1, 1}}};
-    ASSERT_TRUE(read_rows(text_of(row), &back, 1)) << text_of(row);
-    EXPECT_EQ(back, row);
-    EXPECT_EQ(text_of(back), text_of(row));
+    std::vector<Row> back{{.seed = 3, .said = "old", .list = {{}}, .counts = {{1, 1}}}};
+    ASSERT_TRUE(read_rows(text_of(row), back)) << text_of(row);
+    EXPECT_EQ(back[0], row);
+    EXPECT_EQ(text_of(back[0]), text_of(row));
   }
-  Row minus;
-  ASSERT_TRUE(read_rows(text_of(full()), &minus, 1));
-  EXPECT_TRUE(std::signbit(minus.list[1].value));
+  std::vector<Row> minus(1);
+  ASSERT_TRUE(read_rows(text_of(full()), minus));
+  EXPECT_TRUE(std::signbit(minus[0].list[1].value));
+}
+
+bool is_text_of(const std::string& text, std::size_t count) {
+  std::vector<Row> all(count);
+  return read_rows(text, all);
 }
 
 TEST(RowText, OfOneRowIsNotThatOfNoneOrTwo) {
   const std::string text = text_of(full());
-  std::vector<Row> rows(2);
-  EXPECT_FALSE(read_rows(text, rows.data(), 0));
-  EXPECT_FALSE(read_rows(text, rows.data(), 2));
-  EXPECT_TRUE(read_rows(text + text, rows.data(), 2));
+  EXPECT_FALSE(is_text_of(text, 0));
+  EXPECT_FALSE(is_text_of(text, 2));
+  EXPECT_TRUE(is_text_of(text + text, 2));
 }
 
 TEST(RowText, CutAtAnyCharacterIsRefused) {
   const std::string text = text_of(full());
   for (std::size_t size = 0; size < text.size(); ++size) {
-    Row row;
-    EXPECT_FALSE(read_rows(text.substr(0, size), &row, 1)) << size;
+    EXPECT_FALSE(is_text_of(text.substr(0, size), 1)) << size;
   }
 }
 
 TEST(RowText, WithACountThatNobodyHasRoomForIsRefused) {
-  Row row;
-  EXPECT_FALSE(read_rows("0 0 0 0 0  18446744073709551615 ", &row, 1));
-  EXPECT_FALSE(read_rows("0 0 0 0 99999999999:x ", &row, 1));
+  EXPECT_FALSE(is_text_of("0 0 0 0 0  18446744073709551615 ", 1));
+  EXPECT_FALSE(is_text_of("0 0 0 0 99999999999:x ", 1));
 }
 
 }  // namespace

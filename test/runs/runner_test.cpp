@@ -25,10 +25,7 @@ struct Flight {
 
   friend bool operator==(const Flight&, const Flight&) = default;
 };
-template <typename Text>
-void fields(Text& text, Flight& row) {
-  text(row.number, row.value);
-}
+void fields(RowText& text, Flight& row) { text(row.number, row.value); }
 
 Flight flown(std::uint64_t number) { return {.number = number, .value = 1.0 / (3.0 + static_cast<double>(number))}; }
 
@@ -49,12 +46,12 @@ class ManyFlights : public testing::Test {
   ~ManyFlights() override { fs::remove_all(place_.folder); }
 
   Summary fly(const Folder* folder, unsigned threads, const std::function<void(std::uint64_t)>& look = unseen) {
-    return run(flights_into<Flight>(rows_, 8, "row",
-                                    [this](std::uint64_t number) {
-                                      ++begun_;
-                                      std::this_thread::sleep_for(pause_);
-                                      return flown(number);
-                                    }),
+    return run(rows_into<Flight>(rows_, 8, "row",
+                                 [this](std::uint64_t number) {
+                                   ++begun_;
+                                   std::this_thread::sleep_for(pause_);
+                                   return flown(number);
+                                 }),
                folder, threads, look);
   }
 
@@ -155,7 +152,7 @@ TEST_F(ManyFlights, WhoseProgramIsKilledAtAnyMomentComeToTheSameInTheEnd) {
 TEST_F(ManyFlights, ThatAreEnoughAreTheSameWithEveryNumberOfThreads) {
   pause_ = 200us;
   for (const unsigned threads : {1U, 4U}) {
-    Flights flights = flights_into<Flight>(rows_, 8, "", [this](std::uint64_t number) {
+    Flights flights = rows_into<Flight>(rows_, 8, "", [this](std::uint64_t number) {
       ++begun_;
       std::this_thread::sleep_for(pause_);
       return flown(number);
@@ -174,7 +171,7 @@ TEST_F(ManyFlights, ThatAreEnoughAreTheSameWithEveryNumberOfThreads) {
 
 TEST_F(ManyFlights, TroubleInOneComesOutAndThePartsBeforeStay) {
   const Folder folder{place_};
-  Flights flights = flights_into<Flight>(rows_, 8, "row", [](std::uint64_t number) {
+  Flights flights = rows_into<Flight>(rows_, 8, "row", [](std::uint64_t number) {
     if (number == 50) {
       throw std::runtime_error{"a wing fell off"};
     }

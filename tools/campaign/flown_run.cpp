@@ -119,11 +119,7 @@ std::vector<std::string> quantity_names(const std::vector<Spread>& spreads) {
   return names;
 }
 
-std::uint64_t seed_in_rows(Rows kind, std::uint64_t master_seed, std::uint64_t run) {
-  return kind == Rows::checked ? runs::seed_of_run(master_seed, run) : runs::key_of_run(master_seed, run);
-}
-
-std::string header_row(const std::vector<Spread>& spreads, Rows kind) {
+std::string header_row(const std::vector<Spread>& spreads) {
   std::string text = "run,seed";
   for (const std::string& name : quantity_names(spreads)) {
     text += ',' + name;
@@ -132,7 +128,7 @@ std::string header_row(const std::vector<Spread>& spreads, Rows kind) {
   for (const std::string_view column : figure_columns) {
     text += fmt::format(",{}", column);
   }
-  return text + (kind == Rows::checked ? ",note,row_check\n" : ",note\n");
+  return text + ",note,row_check\n";
 }
 
 std::string csv_row(const FlownRun& run) {
@@ -160,9 +156,8 @@ std::optional<std::uint64_t> edited_row(std::string_view rows) {
   return {};
 }
 
-std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads, const std::string& name,
-                                Rows kind) {
-  const flight::Table table = flight::Table::parse(header_row(spreads, kind) + rows, name);
+std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads, const std::string& name) {
+  const flight::Table table = flight::Table::parse(header_row(spreads) + rows, name);
   const std::size_t again = table.column("drawn_again");
   std::vector<FlownRun> all;
   all.reserve(table.rows());

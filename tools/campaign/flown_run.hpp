@@ -49,14 +49,8 @@ struct FlownRun {
 /// body.mass_kg_factor.
 [[nodiscard]] std::vector<std::string> quantity_names(const std::vector<Spread>& spreads);
 
-/// Whether rows end with a check of what stands before it, as csv_row() writes them. Earlier versions wrote none.
-enum class Rows : std::uint8_t { checked, unchecked };
-
-/// The seed that a stored row has: that of a run, or all of its key in rows without a check.
-[[nodiscard]] std::uint64_t seed_in_rows(Rows kind, std::uint64_t master_seed, std::uint64_t run);
-
 /// The columns of runs.csv for these spreads, with a newline.
-[[nodiscard]] std::string header_row(const std::vector<Spread>& spreads, Rows kind = Rows::checked);
+[[nodiscard]] std::string header_row(const std::vector<Spread>& spreads);
 
 /// A row, with a newline. Every digit is kept, so that the same run is the same text.
 [[nodiscard]] std::string csv_row(const FlownRun& run);
@@ -67,6 +61,6 @@ enum class Rows : std::uint8_t { checked, unchecked };
 /// The other way, of rows without a header. Throws text::Error (bad_data) with name and line for a row that csv_row()
 /// does not make with so many numbers. Checks are not looked at.
 [[nodiscard]] std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Spread>& spreads,
-                                              const std::string& name, Rows kind = Rows::checked);
+                                              const std::string& name);
 
 }  // namespace fantail::campaign

@@ -129,15 +129,18 @@ std::string rows_of(const Part& part, std::string& header) {
   header = own_header;
   const std::uint64_t seed = number_of(part, "seed");
   const std::string_view columns = std::string_view{*text}.substr(0, text->find('\n'));
-  const bool are_checked = columns.ends_with(",row_check");
+  if (!columns.ends_with(",row_check")) {
+    refuse(ErrorKind::bad_data, file.string() +
+                                    ": was written by an earlier version, whose rows carry no check; fly this shard "
+                                    "again, which replaces it");
+  }
   std::string_view rows = std::string_view{*text}.substr(columns.size() + 1);
   for (std::uint64_t run = runs.first; run < runs.first + runs.count; ++run) {
-    if (!rows.starts_with(
-            fmt::format("{},{},", run, seed_in_rows(are_checked ? Rows::checked : Rows::unchecked, seed, run)))) {
+    if (!rows.starts_with(fmt::format("{},{},", run, runs::seed_of_run(seed, run)))) {
       refuse(ErrorKind::bad_data, fmt::format("{}: run {} is missing or has another seed", file.string(), run));
     }
     const std::size_t length = rows.find('\n');
-    if (are_checked && edited_row(rows.substr(0, length))) {
+    if (edited_row(rows.substr(0, length))) {
       refuse(ErrorKind::bad_data,
              fmt::format("{}: the row of run {} is not as it was written; fly this shard again, which replaces it",
                          file.string(), run));

@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 
 /// The runs of these rows, when they are all of this stretch, each with its seed.
 std::optional<std::vector<FlownRun>> whole(const std::string& rows, const std::vector<Spread>& spreads,
-                                           const Stretch& stretch, std::uint64_t master_seed, bool may_be_fewer,
-                                           Rows kind) {
+                                           const Stretch& stretch, std::uint64_t master_seed, bool may_be_fewer) {
   constexpr std::size_t piece = 1U << 26U;  // of rows that are read at once
   try {
     std::vector<FlownRun> runs;
@@ -28,14 +27,14 @@ std::optional<std::vector<FlownRun>> whole(const std::string& rows, const std::v
       if (end <= begin) {
         return std::nullopt;  // no row is so long
       }
-      std::ranges::move(read_rows(rows.substr(begin, end - begin), spreads, runs_name, kind), std::back_inserter(runs));
+      std::ranges::move(read_rows(rows.substr(begin, end - begin), spreads, runs_name), std::back_inserter(runs));
       begin = end;
     }
     bool is_whole = runs.size() == stretch.count ||
                     (may_be_fewer && !runs.empty() && runs.size() < stretch.count && runs.size() % runs_of_a_part == 0);
     for (std::uint64_t i = 0; is_whole && i < runs.size(); ++i) {
       const std::uint64_t run = stretch.first + i;
-      is_whole = runs[i].run == run && runs[i].seed == seed_in_rows(kind, master_seed, run);
+      is_whole = runs[i].run == run && runs[i].seed == runs::seed_of_run(master_seed, run);
     }
     return is_whole ? std::optional{std::move(runs)} : std::nullopt;
   } catch (const text::Error&) {
@@ -73,18 +72,11 @@ Identity read_identity(const fs::path& folder) {
   if (!fs::exists(file, ignored)) {
     throw text::Error{text::ErrorKind::no_such_input, file.string() + ": no such file, so no campaign was flown there"};
   }
-  Identity identity;
   try {
-    const json::Value all = json::parse(file_content(file));
-    for (const std::string_view name : identity_names) {
-      if (const json::Value* value = all.find(name)) {
-        identity.emplace_back(name, value->text());
-      }
-    }
+    return runs::parse_identity(file_content(file));
   } catch (const json::Error& error) {
     throw text::Error{text::ErrorKind::bad_data, file.string() + ": is not what a campaign writes: " + error.what()};
   }
-  return identity;
 }
 
 std::string packed_rows(std::span<const FlownRun> runs) {
@@ -98,7 +90,7 @@ std::string packed_rows(std::span<const FlownRun> runs) {
 std::optional<std::vector<FlownRun>> unpacked_rows(const std::string& packed, const Stretch& stretch,
                                                    std::uint64_t master_seed, const std::vector<Spread>& spreads) {
   const auto rows = text::gunzip(packed, most_bytes(stretch));
-  return rows ? whole(*rows, spreads, stretch, master_seed, false, Rows::checked) : std::nullopt;
+  return rows ? whole(*rows, spreads, stretch, master_seed, false) : std::nullopt;
 }
 
 Finished finished_runs(const fs::path& folder, const Stretch& stretch, std::uint64_t master_seed,
@@ -111,22 +103,17 @@ Finished finished_runs(const fs::path& folder, const Stretch& stretch, std::uint
   Finished found{.remark = file.string() + ": was damaged"};
   const std::size_t most = most_bytes(stretch);
   const auto text = text::gunzip(file_content(file, most), most);
-  for (const Rows kind : {Rows::checked, Rows::unchecked}) {
-    const std::string header = header_row(spreads, kind);
-    if (!text || !text->starts_with(header)) {
-      continue;
-    }
+  const std::string header = header_row(spreads);
+  if (text && text->starts_with(header)) {
     const std::string rows = text->substr(header.size());
-    if (const auto place = kind == Rows::checked ? edited_row(rows) : std::nullopt) {
+    if (const auto place = edited_row(rows)) {
       found.remark =
           fmt::format("{}: the row of run {} is not as it was written", file.string(), stretch.first + *place);
-    } else if ((found.runs = whole(rows, spreads, stretch, master_seed, may_be_fewer, kind))) {
-      found.remark = kind == Rows::checked ? ""
-                                           : file.string() +
-                                                 ": was written by an earlier version, whose rows carry no check; an "
-                                                 "edited row would not be noticed";
+    } else if ((found.runs = whole(rows, spreads, stretch, master_seed, may_be_fewer))) {
+      found.remark.clear();
     }
-    break;
+  } else if (text && !text->substr(0, text->find('\n')).ends_with(",row_check")) {
+    found.remark = file.string() + ": was written by an earlier version, whose rows carry no check";
   }
   return found;
 }

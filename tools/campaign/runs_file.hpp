@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "campaign/flown_run.hpp"
@@ -27,10 +25,6 @@ inline constexpr std::uint64_t runs_of_a_part = 64;
 /// What a finished campaign's runs are called, and the file that says which campaign they are of.
 inline constexpr const char* runs_name = "runs.csv.gz";
 inline constexpr const char* identity_name = "campaign.json";
-/// All names that it may have.
-inline constexpr std::array<std::string_view, 13> identity_names{"version", "file",    "seed",     "runs", "sampling",
-                                                                 "stop",    "changes", "scenario", "plan", "vehicle",
-                                                                 "motor",   "tables",  "shard"};
 
 /// Throws text::Error (bad_configuration) when campaign.json in `folder` is of another campaign, naming what differs.
 void require_no_other(const std::filesystem::path& folder, const Identity& identity);

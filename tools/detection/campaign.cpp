@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <ctime>
+#include <iterator>
 #include <mutex>
 
 #include <fmt/core.h>
@@ -15,32 +16,13 @@
 namespace fantail::detection {
 namespace {
 
-/// The events of one kind that are played together.
-struct Chunk {
-  Kind kind;
-  std::uint64_t first;
-  std::uint64_t events;
-};
-
-std::vector<Chunk> chunks_of(const Campaign& campaign) {
-  std::vector<Chunk> chunks;
-  for (const Kind kind : campaign.kinds) {
-    const std::uint64_t size = events_of_a_chunk(kind);
-    const std::uint64_t total = campaign.number_of(kind);
-    for (std::uint64_t first = 0; first < total; first += size) {
-      chunks.push_back({.kind = kind, .first = first, .events = std::min(size, total - first)});
-    }
-  }
-  return chunks;
-}
-
-Tally played(const Campaign& campaign, const Chunk& chunk, const std::function<void()>& played_one) {
+Tally played(const Campaign& campaign, Kind kind, const runs::Stretch& turns, const std::function<void()>& played_one) {
   Rehearsal rehearsal{campaign.rules};
   Tally tally{campaign.rules.size()};
-  for (std::uint64_t turn = chunk.first; turn < chunk.first + chunk.events; ++turn) {
-    const std::uint64_t event = campaign.event(chunk.kind, turn);
-    const std::vector<Answer>& answers = rehearsal.play(campaign.seed, chunk.kind, event);
-    tally.count(chunk.kind, event, campaign.rules, answers, truth_of(rehearsal.motion()));
+  for (std::uint64_t turn = turns.first; turn < turns.first + turns.count; ++turn) {
+    const std::uint64_t event = campaign.event(kind, turn);
+    const std::vector<Answer>& answers = rehearsal.play(campaign.seed, kind, event);
+    tally.count(kind, event, campaign.rules, answers, truth_of(rehearsal.motion()));
     played_one();
   }
   return tally;
@@ -90,36 +72,37 @@ Results play(const Campaign& campaign, const std::optional<std::filesystem::path
     kept.emplace(
         runs::Place{.folder = *folder, .identity = identity_of(campaign, program), .not_beside = "campaign.json"});
   }
-  std::vector<Chunk> chunks = chunks_of(campaign);
   Results results;
+  runs::Flights flights;
+  std::vector<Kind> kind_of;  // a part
   for (const Kind kind : campaign.kinds) {
     results.of_kind[index(kind)].emplace(campaign.rules.size());
+    std::ranges::move(runs::parts_of({.first = 0, .count = campaign.number_of(kind)}, events_of_a_chunk(kind),
+                                     fmt::format("{}.", info(kind).name)),
+                      std::back_inserter(flights.parts));
+    kind_of.resize(flights.parts.size(), kind);
   }
   std::atomic<std::uint64_t> microseconds{0};
   std::mutex adding;
-  runs::Flights flights;
-  for (const Chunk& chunk : chunks) {
-    flights.parts.push_back({.name = fmt::format("{}.{:010}", info(chunk.kind).name, chunk.first),
-                             .flights = {.first = chunk.first, .count = chunk.events}});
-  }
   flights.fly = [&](std::size_t i, const std::function<void()>& played_one) {
     const double begin_s = thread_time_s();
-    Tally tally = played(campaign, chunks[i], played_one);
+    Tally tally = played(campaign, kind_of[i], flights.parts[i].flights, played_one);
     microseconds += static_cast<std::uint64_t>(1e6 * (thread_time_s() - begin_s));
     runs::RowText text;
-    text(chunks[i].events, tally);
+    text(flights.parts[i].flights.count, tally);
     return text.text();
   };
   flights.take = [&](std::size_t i, const std::string& text) {
     std::uint64_t events = 0;
     Tally tally{0};
-    runs::RowReader reader{text};
+    runs::RowText reader{text};
     reader(events, tally);
-    if (!reader.is_done() || events != chunks[i].events || tally.of_rule.size() != campaign.rules.size()) {
+    if (!reader.is_read() || events != flights.parts[i].flights.count ||
+        tally.of_rule.size() != campaign.rules.size()) {
       return false;
     }
     const std::lock_guard lock{adding};  // in any order: the sum is the same
-    results.of_kind[index(chunks[i].kind)]->add(tally);
+    results.of_kind[index(kind_of[i])]->add(tally);
     return true;
   };
   const runs::Summary summary = runs::run(flights, kept ? &*kept : nullptr, threads, look);

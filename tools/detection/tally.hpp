@@ -9,6 +9,7 @@
 
 #include "detection/kind.hpp"
 #include "detection/rehearsal.hpp"
+#include "runs/row_text.hpp"
 
 namespace fantail::detection {
 
@@ -24,10 +25,7 @@ class Histogram {
   [[nodiscard]] const std::map<int, std::uint64_t>& counts() const { return counts_; }
 
   friend bool operator==(const Histogram&, const Histogram&) = default;
-  template <typename Text>
-  friend void fields(Text& text, Histogram& histogram) {
-    text(histogram.counts_);
-  }
+  friend void fields(runs::RowText& text, Histogram& histogram) { text(histogram.counts_); }
 
  private:
   std::map<int, std::uint64_t> counts_;
@@ -84,12 +82,8 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
-template <typename Text>
-void fields(Text& text, Worst& worst) {
-  text(worst.event, worst.value);
-}
-template <typename Text>
-void fields(Text& text, Count& count) {
+inline void fields(runs::RowText& text, Worst& worst) { text(worst.event, worst.value); }
+inline void fields(runs::RowText& text, Count& count) {
   text(count.events, count.detected, count.controlling, count.worst, count.flown, count.control_by_part,
        count.inside_guide, count.latency_ms, count.control_ms, count.error_cm, count.distance_cm, count.all_by_peak_g,
        count.missed_by_peak_g, count.late_by_peak_g, count.tilt_error_ddeg, count.all_by_still_s,
@@ -107,10 +101,7 @@ struct Tally {
 
   friend bool operator==(const Tally&, const Tally&) = default;
 };
-template <typename Text>
-void fields(Text& text, Tally& tally) {
-  text(tally.of_rule);
-}
+inline void fields(runs::RowText& text, Tally& tally) { text(tally.of_rule); }
 
 /// What is known of a share: the largest that the count leaves possible with 95 % (Clopper and Pearson, one-sided):
 /// with it so few would come in one of twenty campaigns. 1 without events, or when all did.

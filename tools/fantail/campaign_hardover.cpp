@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fantail/deliver.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -50,11 +50,14 @@ void fly(const HardoverOptions& options) {
   }
   const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes);
   const fs::path folder = options.out.empty() ? fs::path{"out"} / "hardover" / name : fs::path{options.out};
+  const std::vector<fs::path> inputs = files_of(options.scenario);
+  const result::Made made = made_with(inputs, scenario.seed, changes_of(options.scenario));
+  const runs::Place place = place_of_flights("hardover", made.command, folder, inputs);
+  const runs::Folder kept{place};
+  asked.kept = &kept;
   std::optional<Progress> progress;
   hardover::Study study = hardover::fly(scenario, asked, [&](std::size_t done, std::size_t of) {
-    if (take_interrupt()) {
-      throw Interrupted{"interrupted; nothing was written"};
-    }
+    leave_if_interrupted(folder, place.parts);
     if (!progress) {
       progress.emplace("flying " + name,
                        Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
@@ -62,9 +65,12 @@ void fly(const HardoverOptions& options) {
     progress->show(static_cast<double>(done));
   });
   progress.reset();
-  const std::vector<fs::path> inputs = files_of(options.scenario);
-  study.made = made_with(inputs, study.seed, changes_of(options.scenario));
-  deliver(hardover::answer(study), {.folder = folder, .name = "hardover", .inputs = inputs, .json = options.json});
+  study.made = made;
+  deliver(hardover::answer(study), {.folder = folder,
+                                    .name = "hardover",
+                                    .inputs = inputs,
+                                    .json = options.json,
+                                    .when_written = [&kept] { kept.remove(); }});
 }
 
 }  // namespace
@@ -89,7 +95,8 @@ void fill_hardover(const Verb& verb) {
       .offers(folders);
   verb.flag("--json", options->json, "Print hardover.json instead of the text");
   verb.examples(
-      "Flies in six degrees of freedom, whatever the scenario says.\n"
+      "Flies in six degrees of freedom, whatever the scenario says. A study that was interrupted goes on when the same "
+      "command is given again.\n"
       "Examples:\n"
       "  fantail campaign hardover tasha3_launch2 --coupler 0.62\n"
       "                                       for the safety officer: force, bending moment, way, apogee\n"

@@ -52,6 +52,9 @@ void deliver(const result::Document& document, const Delivery& delivery) {
     files.push_back({sheet.key.value() + ".csv", result::csv(sheet)});
   }
   text::OutputFolder{delivery.folder, delivery.inputs}.write(files);
+  if (delivery.when_written) {
+    delivery.when_written();
+  }
   if (delivery.json) {
     fmt::print("{}", data);
   } else {

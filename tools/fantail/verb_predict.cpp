@@ -12,7 +12,7 @@
 #include <fmt/core.h>
 
 #include "fantail/deliver.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -154,17 +154,20 @@ std::filesystem::path folder_of(const sim::Scenario& scenario, const PredictOpti
 }
 
 predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict::TunnelResult& tunnel,
-                                   const PredictOptions& options) {
+                                   const PredictOptions& options, const runs::Place& place, const runs::Folder& kept) {
   Progress progress{"predicting " + scenario.name,
                     {.unit = "runs", .rate = " a second", .total = static_cast<double>(options.runs)}};
-  return predict::predict(scenario, tunnel, prediction_options(options), [&progress](std::size_t done) {
-    give_up_if_interrupted();
+  predict::Options asked = prediction_options(options);
+  asked.kept = &kept;
+  return predict::predict(scenario, tunnel, asked, [&](std::size_t done) {
+    leave_if_interrupted(place.folder, place.parts);
     progress.show(static_cast<double>(done));
   });
 }
 
 /// Flies what may help before it is said; how many flights that takes is known afterwards.
-predict::Decision decided(const predict::Prediction& prediction, const PredictOptions& options) {
+predict::Decision decided(const predict::Prediction& prediction, const PredictOptions& options,
+                          const runs::Place& place) {
   Progress progress{"trying what would help " + prediction.scenario,
                     {.unit = "flights", .rate = " a second", .total = {}}};
   double flights = 0.0;
@@ -173,7 +176,7 @@ predict::Decision decided(const predict::Prediction& prediction, const PredictOp
                           .held_share = 0.01 * options.held_percent,
                           .phase_margin_rad = text::radians(options.phase_margin_deg)},
                          [&] {
-                           give_up_if_interrupted();
+                           leave_if_interrupted(place.folder, place.parts);
                            progress.show(++flights);
                          });
 }
@@ -206,17 +209,20 @@ void predict_launch(const PredictOptions& options) {
     fly_one_run(scenario, tunnel, options);
     return;
   }
-  const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options);
-  const predict::Decision decision = decided(prediction, options);
   const std::filesystem::path folder = folder_of(scenario, options);
   const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
+  const runs::Place place = place_of_flights("predict", request(options).command, folder, inputs);
+  const runs::Folder kept{place};
+  const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options, place, kept);
+  const predict::Decision decision = decided(prediction, options, place);
   deliver(predict::answer(prediction, decision, made_with(inputs, prediction.seed, prediction.request.changes)),
           {.folder = folder,
            .name = "predict",
            .inputs = inputs,
            .json = options.json,
            .yes_is_required = true,
-           .shown_files = {"page", "runs"}});
+           .shown_files = {"page", "runs"},
+           .when_written = [&kept] { kept.remove(); }});
 }
 
 void add_thresholds(const Verb& verb, PredictOptions& options) {
@@ -269,6 +275,7 @@ void fill(const Verb& verb) {
       .offers(folders);
   verb.flag("--json", options->json, "Print predict.json instead of the text");
   verb.examples(
+      "A prediction that was interrupted goes on when the same command is given again.\n"
       "Exit code 0: go; 1: no go.\n"
       "Examples:\n"
       "  fantail predict tasha3_launch1                      the launch that failed: no go, and why\n"

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include "fantail/deliver.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
@@ -120,12 +120,15 @@ void refuse_to_replace(const std::filesystem::path& file, const TuneOptions& opt
   }
 }
 
-tune::Tuning tuned(const sim::Scenario& scenario, const TuneOptions& options) {
+tune::Tuning tuned(const sim::Scenario& scenario, const TuneOptions& options, const runs::Place& place,
+                   const runs::Folder& kept) {
   std::optional<Progress> flying;
   Progress searching{"searching gains for " + scenario.name, {.unit = "steps", .rate = " a second", .total = {}}};
   double steps = 0.0;
-  return tune::tune(scenario, request(options), [&](tune::Stage stage, std::size_t done) {
-    give_up_if_interrupted();
+  tune::Request asked = request(options);
+  asked.kept = &kept;
+  return tune::tune(scenario, asked, [&](tune::Stage stage, std::size_t done) {
+    leave_if_interrupted(place.folder, place.parts);
     if (stage != tune::Stage::flying) {
       searching.show(++steps);
       return;
@@ -161,8 +164,6 @@ void tune_scenario(const TuneOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   const std::filesystem::path file = plan_file(options);
   refuse_to_replace(file, options);
-  const tune::Tuning tuning = tuned(scenario, options);
-  const std::string plan_name = tuning.is_proposed() ? file.string() : "";
   std::vector<std::string> changes = changes_of(options.scenario);
   for (const std::string& change : further_changes(options)) {
     changes.push_back(change);
@@ -170,6 +171,10 @@ void tune_scenario(const TuneOptions& options) {
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::path{"out"} / "tune" / variant_name(scenario.name, changes)
                           : std::filesystem::path{options.out};
+  const runs::Place place = place_of_flights("tune", request(options).command, folder, files_of(options.scenario));
+  const runs::Folder kept{place};
+  const tune::Tuning tuning = tuned(scenario, options, place, kept);
+  const std::string plan_name = tuning.is_proposed() ? file.string() : "";
   const std::string json =
       tune::tuning_json(tuning, plan_name, made_with(files_of(options.scenario), scenario.seed, changes));
   text::OutputFolder{folder, files_of(options.scenario)}.write(
@@ -178,6 +183,7 @@ void tune_scenario(const TuneOptions& options) {
   if (tuning.is_proposed()) {
     write(file, tune::plan_text(tuning));
   }
+  kept.remove();
   if (options.json) {
     fmt::print("{}", json);
   } else {
@@ -223,6 +229,8 @@ void fill(const Verb& verb) {
       .offers(folders);
   verb.flag("--json", options->json, "Print tune.json instead of the text");
   verb.examples(
+      "A search that was interrupted goes on with the flights that were finished when the same command is given "
+      "again.\n"
       "Exit code 0: a plan was written; 1: no gains were found, or the new plan loses flights, and none was.\n"
       "Examples:\n"
       "  fantail tune tasha3_launch2                          integral action, for a phase margin of 45 degrees\n"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -118,39 +119,25 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
   const std::vector<Task> tasks = tasks_of(campaign, twins);
   const runs::Folder store{
       {.folder = folder, .identity = identity_of(campaign, program, twins), .not_beside = "campaign.json"}};
-  runs::Flights flights;
+  std::vector<runs::Part> parts;
   std::vector<std::size_t> task_of;  // a part
   std::vector<CellLimit> limits;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     limits.push_back(limit_of(tasks[i].cell, twins));
     std::string name = tasks[i].cell.name() + '.';
     std::ranges::replace(name, '/', '.');
-    for (runs::Part& part :
-         runs::parts_of({.count = tasks[i].grid ? tasks[i].grid->size() : 0}, runs_of_a_part, name)) {
-      flights.parts.push_back(std::move(part));
-      task_of.push_back(i);
-    }
+    const runs::Stretch all{.first = 0, .count = tasks[i].grid ? tasks[i].grid->size() : 0};
+    std::ranges::move(runs::parts_of(all, runs_of_a_part, name), std::back_inserter(parts));
+    task_of.resize(parts.size(), i);
   }
-  std::vector<CellSum> sums(flights.parts.size());
-  flights.fly = [&](std::size_t i, const std::function<void()>& flew_one) {
-    runs::RowText text;
-    for (std::uint64_t k = 0; k < flights.parts[i].flights.count; ++k) {
-      Run run = flown(twins, tasks[task_of[i]], flights.parts[i].flights.first + k);
-      text(run);
-      flew_one();
-    }
-    return text.text();
-  };
-  flights.take = [&](std::size_t i, const std::string& text) {
-    std::vector<Run> rows(flights.parts[i].flights.count);
-    if (!runs::read_rows(text, rows.data(), rows.size())) {
-      return false;
-    }
-    for (const Run& run : rows) {
-      sums[i].add(run, limits[task_of[i]]);
-    }
-    return true;
-  };
+  std::vector<CellSum> sums(parts.size());
+  const runs::Flights flights = runs::rows_of<Run>(
+      parts, [&](std::size_t i, std::uint64_t number) { return flown(twins, tasks[task_of[i]], number); },
+      [&](std::size_t i, std::vector<Run>& rows) {
+        for (const Run& run : rows) {
+          sums[i].add(run, limits[task_of[i]]);
+        }
+      });
   const runs::Summary summary = runs::run(flights, &store, threads, look);
   Result result{.campaign = campaign,
                 .scenario = twins.scenario.name,

@@ -12,6 +12,7 @@
 
 #include "faults/flown_cell.hpp"
 #include "input/scenario_file.hpp"
+#include "runs/row_text.hpp"
 
 namespace fantail::faults {
 
@@ -43,8 +44,7 @@ struct Run {
 
   friend bool operator==(const Run&, const Run&) = default;
 };
-template <typename Text>
-void fields(Text& text, Run& run) {
+inline void fields(runs::RowText& text, Run& run) {
   text(run.number, run.seed, run.begin_ms, run.outcome, run.is_breach, run.came_back, run.apart_deg, run.trim_after_s,
        run.stands_after_s, run.what);
 }

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "input/fault_file.hpp"
-#include "runs/identity.hpp"
+#include "runs/folder.hpp"
 
 namespace fantail::faults {
 namespace {

@@ -18,6 +18,8 @@
 namespace fantail::hardover {
 namespace {
 
+constexpr std::uint64_t flights_of_a_part = 8;
+
 struct Flown {
   std::vector<sim::Vector3> velocity_m_s;  ///< earth, of each tick
   std::vector<double> push_m2;             ///< side force over the dynamic pressure
@@ -195,15 +197,14 @@ Study fly(sim::Scenario scenario, const Options& options,
       }
     }
   }
-  runs::parallel_for(
-      study.effects.size(), options.threads,
-      [&](std::size_t i) {
-        Effect& effect = study.effects[i];
-        sim::Scenario broken = scenario;
-        broken.faults.push_back(fault_of(effect, options.failure));
-        effect = effect_of(flown(broken), sound, effect, study);
-      },
-      [&](std::size_t done) { look(done, study.effects.size()); });
+  const std::vector<Effect> failures = study.effects;
+  const auto fly_one = [&](std::uint64_t i) {
+    sim::Scenario broken = scenario;
+    broken.faults.push_back(fault_of(failures[i], options.failure));
+    return effect_of(flown(broken), sound, failures[i], study);
+  };
+  runs::run(runs::rows_into<Effect>(study.effects, flights_of_a_part, "", fly_one), options.kept, options.threads,
+            [&](std::uint64_t done) { look(done, failures.size()); });
   return study;
 }
 

@@ -11,6 +11,8 @@
 
 #include "core/flight_plan.hpp"
 #include "result/document.hpp"
+#include "runs/folder.hpp"
+#include "runs/row_text.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::hardover {
@@ -30,9 +32,10 @@ inline constexpr double cut_s = 0.02;
 /// nose at an angle of attack.
 struct Options {
   Failure failure = Failure::hard_over;
-  double step_s = 0.25;               ///< between the instants at which the canard fails, above zero
-  std::optional<double> coupler_m{};  ///< where the bending moment is wanted, from the tip of the nose
-  unsigned threads = 0;               ///< 0: as many as the machine has
+  double step_s = 0.25;                ///< between the instants at which the canard fails, above zero
+  std::optional<double> coupler_m{};   ///< where the bending moment is wanted, from the tip of the nose
+  unsigned threads = 0;                ///< 0: as many as the machine has
+  const runs::Folder* kept = nullptr;  ///< of finished flights; null: none are kept
 };
 
 /// Of one flight, from the instant of the failure on.
@@ -50,6 +53,11 @@ struct Effect {
   double away_m = 0.0;                 ///< its apogee from that of the sound rocket, over ground
   std::optional<double> moment_n_m{};  ///< at the coupler
 };
+inline void fields(runs::RowText& text, Effect& effect) {
+  text(effect.canard, effect.stop_rad, effect.from_s, effect.side_force_n, effect.pressure_pa,
+       effect.angle_of_attack_rad, effect.roll_rate_rad_s, effect.rolled_rad, effect.turned_rad, effect.apogee_m,
+       effect.away_m, effect.moment_n_m);
+}
 
 /// Slower, an angle in the flow says little.
 inline constexpr double slowest_m_s = 20.0;

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "predict/drawn_wind.hpp"
 #include "predict/margins.hpp"
 #include "predict/run_notes.hpp"
 #include "predict/tunnel_use.hpp"
@@ -168,6 +169,21 @@ std::string airframe_sentence(const sim::Scenario& scenario, std::size_t number,
       others_follow ? ", whatever the sentences of vehicle and scenario below say of them" : "");
 }
 
+/// What a run comes to is read back from its text, as is that of one that was flown before an interruption.
+void fly_runs(Prediction& p, const AirframeSpread& airframes, const Options& options,
+              const std::function<void(std::size_t)>& look) {
+  constexpr std::uint64_t runs_of_a_part = 16;
+  const auto fly_one = [&](std::uint64_t i) {
+    return fly_run(p.flown, airframes.draw(runs::key_of_run(p.seed, i)), runs::seed_of_run(p.seed, i));
+  };
+  runs::run(runs::rows_into<Run>(p.runs, runs_of_a_part, "", fly_one), options.kept, options.threads, look);
+  if (p.flown.motion == sim::FlightMotion::six_dof) {
+    for (Run& run : p.runs) {
+      run.wind = drawn_wind(p.flown.wind, p.flown.wind_spread, run.seed);
+    }
+  }
+}
+
 }  // namespace
 
 double usual_offset_rad(const std::vector<Run>& runs) {
@@ -212,13 +228,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.servo_lag_s = p.flown.vehicle.servo.lag_s;
   p.delay_s = stability::loop_delay_s(p.flown.vehicle);
   const AirframeSpread airframes = spread_of_airframes(scenario, tunnel, options);
-  runs::parallel_for(
-      options.runs, options.threads,
-      [&](std::size_t i) {
-        const std::uint64_t seed = runs::seed_of_run(scenario.seed, i);
-        p.runs[i] = fly_run(p.flown, airframes.draw(runs::key_of_run(scenario.seed, i)), seed);
-      },
-      look);
+  fly_runs(p, airframes, options, look);
   p.reach = canard_reach(scenario, usual_offset_rad(p.runs));
   count(p);
   p.offset_size_rad = spread_of(p.runs, [](const Run& run) { return std::abs(run.offset_rad); });

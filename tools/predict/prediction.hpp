@@ -16,6 +16,7 @@
 #include "predict/roll_resonance.hpp"
 #include "predict/run.hpp"
 #include "predict/tunnel_result.hpp"
+#include "runs/folder.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::predict {
@@ -38,6 +39,7 @@ struct Options {
   std::optional<double> servo_lag_s{};    ///< measured; else the vehicle's
   std::optional<double> servo_delay_s{};  ///< measured, from command to canard, lag apart; else what the vehicle says
   Request request{};
+  const runs::Folder* kept = nullptr;  ///< of finished runs; null: none are kept
 };
 
 /// Roll over time, over all runs that left the pad.

@@ -12,6 +12,7 @@
 #include "fly/fly_scenario.hpp"
 #include "predict/tunnel_result.hpp"
 #include "report/verdict.hpp"
+#include "runs/row_text.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::predict {
@@ -47,6 +48,17 @@ struct Run {
   std::vector<double> roll_rate_rad_s{};
   std::vector<std::optional<double>> reference_rad{};  ///< at the same times, under control
 };
+inline void fields(runs::RowText& text, TunnelStep& step) {
+  text(step.damping_m2, step.torque_m, step.offset_begin_rad, step.offset_end_rad);
+}
+/// All but the wind, which drawn_wind() gives again.
+inline void fields(runs::RowText& text, Run& run) {
+  text(run.seed, run.airframe, run.offset_rad, run.authority_margin_rad, run.outcome, run.verdict, run.ended_early,
+       run.ended_by_tilt, run.notes, run.largest_hold_error_rad, run.saturated_share, run.settle_rad,
+       run.settle_reference_rad, run.speed_at_control_start_m_s, run.top_speed_m_s, run.extremes.top_mach,
+       run.extremes.static_margin_calibres, run.extremes.angle_of_attack_rad, run.apogee_m, run.drift_m,
+       run.spin_rate_rad_s, run.roll_angle_rad, run.roll_rate_rad_s, run.reference_rad);
+}
 
 /// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's
 /// disturbance. The offset goes from its begin value at lift-off to its end value 1.7 s later and stays: on the first

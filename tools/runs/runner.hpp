@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -65,24 +66,43 @@ struct Flights {
   std::function<bool(std::size_t part)> is_enough{};
 };
 
-/// Rows that are a pure function of their number, into `rows`, which has as many; fields() says what a row consists of.
+/// Rows that are each a pure function of a flight's number; `take` is given those of a part, from any thread.
 template <typename Row>
-[[nodiscard]] Flights flights_into(std::vector<Row>& rows, std::uint64_t of_a_part, const std::string& name,
-                                   std::function<Row(std::uint64_t)> fly) {
-  Flights all{.parts = parts_of({.first = 0, .count = rows.size()}, of_a_part, name)};
-  all.fly = [parts = all.parts, fly = std::move(fly)](std::size_t part, const std::function<void()>& flown) {
+[[nodiscard]] Flights rows_of(const std::vector<Part>& parts,
+                              std::function<Row(std::size_t part, std::uint64_t flight)> fly,
+                              std::function<void(std::size_t part, std::vector<Row>& rows)> take) {
+  Flights all{.parts = parts};
+  all.fly = [parts, fly = std::move(fly)](std::size_t part, const std::function<void()>& flown) {
     RowText text;
-    for (std::uint64_t i = 0; i < parts[part].flights.count; ++i) {
-      Row row = fly(parts[part].flights.first + i);
+    const Stretch& flights = parts[part].flights;
+    for (std::uint64_t flight = flights.first; flight < flights.first + flights.count; ++flight) {
+      Row row = fly(part, flight);
       text(row);
       flown();
     }
     return text.text();
   };
-  all.take = [parts = all.parts, &rows](std::size_t part, const std::string& text) {
-    return read_rows(text, rows.data() + parts[part].flights.first, parts[part].flights.count);
+  all.take = [parts, take = std::move(take)](std::size_t part, const std::string& text) {
+    std::vector<Row> rows(parts[part].flights.count);
+    const bool are_these = read_rows(text, rows);
+    if (are_these) {
+      take(part, rows);
+    }
+    return are_these;
   };
   return all;
+}
+
+/// The same into `all`, which has as many rows as are to be flown.
+template <typename Row>
+[[nodiscard]] Flights rows_into(std::vector<Row>& all, std::uint64_t of_a_part, const std::string& name,
+                                std::function<Row(std::uint64_t flight)> fly) {
+  return rows_of<Row>(
+      parts_of({.first = 0, .count = all.size()}, of_a_part, name),
+      [fly = std::move(fly)](std::size_t /*part*/, std::uint64_t flight) { return fly(flight); },
+      [&all, of_a_part](std::size_t part, std::vector<Row>& rows) {
+        std::ranges::move(rows, all.begin() + static_cast<std::ptrdiff_t>(part * of_a_part));
+      });
 }
 
 /// What came of it.

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "campaign/judged_flight.hpp"
 #include "predict/run.hpp"
+#include "protocol/plan_block.hpp"
 #include "report/running_figures.hpp"
 #include "runs/runner.hpp"
 #include "tune/airframes.hpp"
@@ -135,35 +138,42 @@ std::optional<double> command_noise_rad(const flight::Flight& flight) {
 
 std::vector<Pair> fly_pairs(const sim::Scenario& scenario, const core::FlightPlan& after, const Request& request,
                             const std::function<void(std::size_t)>& look) {
+  constexpr std::uint64_t pairs_of_a_part = 4;
   std::vector<Pair> pairs(request.flights);
-  runs::parallel_for(
-      request.flights, request.threads,
-      [&](std::size_t i) {
-        Pair& pair = pairs[i];
-        pair.seed = runs::seed_of_run(scenario.seed, i);
-        sim::Scenario rocket = drawn(scenario, request.spread, pair.seed);
-        pair.damping_m2 = rocket.vehicle.roll_plant.damping_m2;
-        pair.torque_m = rocket.vehicle.roll_plant.torque_m;
-        pair.before = flown(rocket);
-        rocket.plan = after;
-        pair.after = flown(rocket);
-      },
-      look);
+  const auto fly_pair = [&](std::uint64_t i) {
+    Pair pair{.seed = runs::seed_of_run(scenario.seed, i)};
+    sim::Scenario rocket = drawn(scenario, request.spread, pair.seed);
+    pair.damping_m2 = rocket.vehicle.roll_plant.damping_m2;
+    pair.torque_m = rocket.vehicle.roll_plant.torque_m;
+    pair.before = flown(rocket);
+    rocket.plan = after;
+    pair.after = flown(rocket);
+    return pair;
+  };
+  const std::string name = fmt::format("pairs.{:08x}.", protocol::plan_crc(after));
+  runs::run(runs::rows_into<Pair>(pairs, pairs_of_a_part, name, fly_pair), request.kept, request.threads, look);
   return pairs;
 }
 
-Sum fly_one(const sim::Scenario& scenario, const core::FlightPlan& plan, const Request& request,
-            const std::function<void(std::size_t)>& look) {
-  std::vector<Pair> pairs(request.flights);
-  runs::parallel_for(
-      request.flights, request.threads,
-      [&](std::size_t i) {
-        sim::Scenario rocket = drawn(scenario, request.spread, runs::seed_of_run(scenario.seed, i));
-        rocket.plan = plan;
-        pairs[i].after = flown(rocket);
-      },
-      look);
-  return sum(pairs, &Pair::after);
+std::vector<Sum> fly_each(const sim::Scenario& scenario, const std::vector<core::FlightPlan>& plans,
+                          const Request& request, const std::function<void(std::size_t)>& look) {
+  std::vector<Pair> rockets(plans.size() * request.flights);
+  const auto fly_one = [&](std::uint64_t i) {
+    sim::Scenario rocket = drawn(scenario, request.spread, runs::seed_of_run(scenario.seed, i % request.flights));
+    rocket.plan = plans[i / request.flights];
+    return Pair{.after = flown(rocket)};
+  };
+  runs::Flights flights = runs::rows_into<Pair>(rockets, request.flights, "", fly_one);
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    flights.parts[i].name = fmt::format("choice.{:08x}", protocol::plan_crc(plans[i]));
+  }
+  runs::run(flights, request.kept, request.threads, look);
+  std::vector<Sum> sums;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const auto own = rockets.begin() + static_cast<std::ptrdiff_t>(i * request.flights);
+    sums.push_back(sum({own, own + static_cast<std::ptrdiff_t>(request.flights)}, &Pair::after));
+  }
+  return sums;
 }
 
 std::optional<RollError> compared(const Flown& flown) {

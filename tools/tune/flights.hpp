@@ -9,6 +9,7 @@
 
 #include "flight/flight.hpp"
 #include "report/verdict.hpp"
+#include "runs/row_text.hpp"
 #include "sim/scenario.hpp"
 #include "tune/request.hpp"
 
@@ -31,6 +32,8 @@ struct RollErrors {
 /// what the servos do for noise alone, of a flight without excitation. Empty: nothing is settled for that long.
 [[nodiscard]] std::optional<double> command_noise_rad(const flight::Flight& flight);
 
+inline void fields(runs::RowText& text, RollError& error) { text(error.mean_rad, error.largest_rad); }
+
 /// One flight by one plan.
 struct Flown {
   RollErrors errors{};
@@ -38,6 +41,10 @@ struct Flown {
   double saturated_share = 0.0;  ///< of the time under control
   flight::Extremes extremes{};
 };
+inline void fields(runs::RowText& text, Flown& flown) {
+  text(flown.errors.settled, flown.errors.all, flown.outcome, flown.saturated_share, flown.extremes.top_mach,
+       flown.extremes.static_margin_calibres, flown.extremes.angle_of_attack_rad);
+}
 
 /// One rocket of the spread by both plans.
 struct Pair {
@@ -47,6 +54,9 @@ struct Pair {
   Flown before{};
   Flown after{};
 };
+inline void fields(runs::RowText& text, Pair& pair) {
+  text(pair.seed, pair.damping_m2, pair.torque_m, pair.before, pair.after);
+}
 
 /// The same rockets, with the same seeds, by the scenario's plan and by another. `look` is told how many pairs are done
 /// and may throw to give up.
@@ -72,8 +82,8 @@ struct Sum {
 
 [[nodiscard]] Sum sum(const std::vector<Pair>& pairs, Flown Pair::* of);
 
-/// The same rockets by one plan alone.
-[[nodiscard]] Sum fly_one(const sim::Scenario& scenario, const core::FlightPlan& plan, const Request& request,
-                          const std::function<void(std::size_t done)>& look);
+/// The same rockets by each of these plans alone.
+[[nodiscard]] std::vector<Sum> fly_each(const sim::Scenario& scenario, const std::vector<core::FlightPlan>& plans,
+                                        const Request& request, const std::function<void(std::size_t done)>& look);
 
 }  // namespace fantail::tune

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/flight_plan.hpp"
+#include "runs/folder.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::tune {
@@ -17,9 +18,10 @@ struct Request {
   double settling_s = 1.0;  ///< see settling_s() of a loop
   double spread = 1.5;      ///< damping and torque are each within this factor of the vehicle's
   std::size_t flights = 24;
-  unsigned threads = 0;   ///< 0: as many as the machine has; no figure depends on it
-  std::string command{};  ///< that repeats it
-  std::string version{};  ///< of the program
+  unsigned threads = 0;                ///< 0: as many as the machine has; no figure depends on it
+  const runs::Folder* kept = nullptr;  ///< of finished flights; null: none are kept
+  std::string command{};               ///< that repeats it
+  std::string version{};               ///< of the program
 };
 
 }  // namespace fantail::tune

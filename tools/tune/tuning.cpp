@@ -151,21 +151,20 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
   few.flights = rockets;
   sim::Scenario other = scenario;
   other.seed ^= other_rockets;
-  std::optional<core::FlightPlan> best;
-  Sum best_flown;
+  std::vector<core::FlightPlan> plans;
   for (const Law& law : found.laws) {
-    const core::FlightPlan plan = with_law(scenario, t.request.rejection, law, t.speeds.range);
-    if (!has_margin(scenario, plan, t)) {
-      continue;
+    plans.push_back(with_law(scenario, t.request.rejection, law, t.speeds.range));
+    if (!has_margin(scenario, plans.back(), t)) {
+      plans.pop_back();
     }
-    const Sum flown = fly_one(other, plan, few, [&look](std::size_t) { look(Stage::choosing, 0); });
-    const bool is_better = !best || flown.steady > best_flown.steady ||
-                           (flown.steady == best_flown.steady && flown.mean_rad &&
-                            (!best_flown.mean_rad || *flown.mean_rad < *best_flown.mean_rad));
-    if (is_better) {
-      best = plan;
-      best_flown = flown;
-    }
+  }
+  const std::vector<Sum> flown = fly_each(other, plans, few, [&look](std::size_t) { look(Stage::choosing, 0); });
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const bool is_better = !best || flown[i].steady > flown[*best].steady ||
+                           (flown[i].steady == flown[*best].steady && flown[i].mean_rad &&
+                            (!flown[*best].mean_rad || *flown[i].mean_rad < *flown[*best].mean_rad));
+    best = is_better ? i : best;
   }
   if (found.laws.empty()) {
     say_why_not_found(t, found);
@@ -178,7 +177,7 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
         "the speeds of the search.",
         brief(degrees(t.request.phase_margin_rad), 1));
   }
-  return best;
+  return best ? std::optional{plans[*best]} : std::nullopt;
 }
 
 /// Everything that is known without a new law.
