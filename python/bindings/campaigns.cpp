@@ -18,6 +18,7 @@
 #include "campaign/conclude.hpp"
 #include "campaign/merge.hpp"
 #include "campaign/setup.hpp"
+#include "input/scenario_file.hpp"
 #include "python/bindings/bind.hpp"
 #include "text/error.hpp"
 
@@ -53,13 +54,10 @@ campaign::Campaign campaign_of(const CampaignRequest& asked) {
     throw text::Error{text::ErrorKind::usage, objection};
   }
   campaign::Campaign campaign{.scenario = asked.scenario,
-                              .changes = {},
+                              .changes = input::parse_overrides(asked.changes),
                               .seed = asked.seed ? *asked.seed : campaign::seed_of(asked.scenario),
                               .runs = asked.runs,
                               .shard = {.number = asked.shard.first, .of = asked.shard.second}};
-  for (const std::string& change : asked.changes) {
-    campaign.changes.push_back(input::parse_override(change));
-  }
   if (asked.until_within || asked.until_decided) {
     campaign.stop = campaign::StopRule{.question = campaign::parse_question(asked.share),
                                        .within = asked.until_within,

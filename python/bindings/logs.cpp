@@ -15,6 +15,7 @@
 #include "flight_log/integrity.hpp"
 #include "flight_log/replay.hpp"
 #include "flight_log/to_report.hpp"
+#include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "logs/flight_file.hpp"
 #include "protocol/state_block.hpp"
@@ -63,7 +64,7 @@ std::string result_json(const Flight& flight, const flight_log::Regeneration& r)
 
 std::pair<std::string, Flown> replay(const Flight& flight, const std::string& log,
                                      const std::vector<std::string>& changes) {
-  const core::FlightPlan plan = flight_log::plan_for_replay(flight, log, overrides(changes));
+  const core::FlightPlan plan = flight_log::plan_for_replay(flight, log, input::parse_overrides(changes));
   const flight_log::Regeneration result = flight_log::replay(flight, log, plan);
   flight::Flight flown = flight_log::to_report(flight, result);
   flown.plan = plan;

@@ -12,6 +12,7 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "input/plan_file.hpp"
+#include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
 #include "protocol/plan_block.hpp"
@@ -105,7 +106,7 @@ std::string fields_json() {
 
 core::FlightPlan load(const std::string& name, const std::vector<std::string>& changes) {
   input::Document document = input::Document::load(input::find_input(input::Shipped::plan, name));
-  for (const input::Override& change : overrides(changes)) {
+  for (const input::Override& change : input::parse_overrides(changes)) {
     document.apply(change);
   }
   return input::read_plan(document);
@@ -126,7 +127,7 @@ void bind_plans(nb::module_& m) {
                         .def(
                             "changed",
                             [](const core::FlightPlan& plan, const std::vector<std::string>& changes) {
-                              return input::changed_plan(plan, overrides(changes));
+                              return input::changed_plan(plan, input::parse_overrides(changes));
                             },
                             nb::arg("changes"))
                         .def_prop_ro("values_json", &values_json)

@@ -16,15 +16,6 @@ namespace nb = nanobind;
 
 namespace fantail::python {
 
-std::vector<input::Override> overrides(const std::vector<std::string>& changes) {
-  std::vector<input::Override> all;
-  all.reserve(changes.size());
-  for (const std::string& text : changes) {
-    all.push_back(input::parse_override(text));
-  }
-  return all;
-}
-
 Scenario Scenario::load(std::string source, std::vector<std::string> changes, std::string seed) {
   const auto number = text::whole_number(seed);
   if (!seed.empty() && !number) {
@@ -32,7 +23,7 @@ Scenario Scenario::load(std::string source, std::vector<std::string> changes, st
                       "--seed: \"" + seed + "\" is not a seed; allowed: a whole number, 0 to 18446744073709551615"};
   }
   Scenario loaded{.source = std::move(source), .changes = std::move(changes), .seed = std::move(seed), .scenario = {}};
-  loaded.scenario = input::load_scenario(loaded.source, overrides(loaded.changes));
+  loaded.scenario = input::load_scenario(loaded.source, input::parse_overrides(loaded.changes));
   loaded.scenario.changed_values = loaded.all_changes().size();
   loaded.scenario.seed = number.value_or(loaded.scenario.seed);
   return loaded;

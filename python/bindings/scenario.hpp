@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "input/document.hpp"
 #include "sim/scenario.hpp"
 
 namespace fantail::python {
@@ -23,7 +22,5 @@ struct Scenario {
   /// The changes with the seed, as results name them.
   [[nodiscard]] std::vector<std::string> all_changes() const;
 };
-
-[[nodiscard]] std::vector<input::Override> overrides(const std::vector<std::string>& changes);
 
 }  // namespace fantail::python

@@ -11,11 +11,7 @@ namespace fantail::faults {
 namespace {
 
 sim::Scenario launch_with(const std::vector<std::string>& changes) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario("tasha3_launch2", overrides);
+  return input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
 }
 
 TEST(FaultLimit, SaysHowTheRocketThatWasFlownBreaksTheRuleOfTheStop) {

@@ -16,11 +16,8 @@ namespace fantail::hardover {
 namespace {
 
 Study study(const std::vector<std::string>& changes, const Options& options) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return fly(input::load_scenario("tasha3_launch2", overrides), options, [](std::size_t, std::size_t) {});
+  return fly(input::load_scenario("tasha3_launch2", input::parse_overrides(changes)), options,
+             [](std::size_t, std::size_t) {});
 }
 
 std::string text_of(const Study& found) { return result::text(answer(found)); }

@@ -13,11 +13,7 @@ namespace fantail::input {
 namespace {
 
 sim::Vehicle vehicle(const std::vector<std::string>& changes) {
-  std::vector<Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(parse_override(change));
-  }
-  return load_scenario("tasha3_launch2", overrides).vehicle;
+  return load_scenario("tasha3_launch2", parse_overrides(changes)).vehicle;
 }
 
 std::string refusal(const std::vector<std::string>& changes) {

@@ -12,11 +12,7 @@ namespace fantail::input {
 namespace {
 
 sim::Vehicle vehicle(const std::string& scenario, const std::vector<std::string>& changes = {}) {
-  std::vector<Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(parse_override(change));
-  }
-  return load_scenario(scenario, overrides).vehicle;
+  return load_scenario(scenario, parse_overrides(changes)).vehicle;
 }
 
 std::string refusal(const std::string& change) {

@@ -48,11 +48,7 @@ struct Start {
 
 // The avionics in the whole simulated world, sensor noise of 0.3 m/s2 included.
 Start fly(const std::string& scenario_name, const std::vector<std::string>& settings, std::uint64_t seed) {
-  std::vector<input::Override> changes;
-  for (const std::string& setting : settings) {
-    changes.push_back(input::parse_override(setting));
-  }
-  sim::Scenario scenario = input::load_scenario(scenario_name, changes);
+  sim::Scenario scenario = input::load_scenario(scenario_name, input::parse_overrides(settings));
   scenario.seed = seed;
   sim::World world{scenario};
   std::optional<core::Microseconds> detected;

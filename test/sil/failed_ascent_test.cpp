@@ -20,11 +20,7 @@ namespace {
 using report::Outcome;
 
 sim::Scenario second_launch(const std::vector<std::string>& changes) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario("tasha3_launch2", overrides);
+  return input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
 }
 
 struct JudgedAscent {

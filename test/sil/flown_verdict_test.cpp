@@ -34,11 +34,7 @@ Judged fly(const sim::Scenario& scenario) {
 }
 
 sim::Scenario launch2(const std::vector<std::string>& changes = {}) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario("tasha3_launch2", overrides);
+  return input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
 }
 
 // All trims at 3 degrees: the canards deflect by -12 to +6. The offset wants -7 first and +6.5 later.

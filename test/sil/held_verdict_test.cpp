@@ -16,11 +16,7 @@ using report::Outcome;
 
 /// The second launch.
 campaign::JudgedFlight flown_with(const std::vector<std::string>& changes = {}) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return campaign::fly_and_judge(input::load_scenario("tasha3_launch2", overrides));
+  return campaign::fly_and_judge(input::load_scenario("tasha3_launch2", input::parse_overrides(changes)));
 }
 
 bool says(const campaign::JudgedFlight& flown, const std::string& words) {

@@ -17,11 +17,7 @@ namespace fantail::sil {
 namespace {
 
 sim::Scenario shipped(const char* name, const std::vector<std::string>& changes = {}) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario(name, overrides);
+  return input::load_scenario(name, input::parse_overrides(changes));
 }
 
 /// The verdict, and every figure, note, event and margin of the summary; returns the outcome.

@@ -16,11 +16,7 @@ namespace {
 constexpr double offset_deg = -4.9;
 
 flight::Flight fly(const std::string& scenario, const std::vector<std::string>& changes = {}) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return fly::fly_scenario(input::load_scenario(scenario, overrides));
+  return fly::fly_scenario(input::load_scenario(scenario, input::parse_overrides(changes)));
 }
 
 const std::vector<std::string> observed{"offset.rejection=observer", "roll_model.roll_inertia_kg_m2=0.00393",

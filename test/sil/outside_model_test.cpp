@@ -17,11 +17,7 @@ namespace fantail::sil {
 namespace {
 
 sim::Scenario launch_with(const std::vector<std::string>& changes) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario("tasha3_launch2", overrides);
+  return input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
 }
 
 report::Verdict verdict_on(const flight::Flight& flight) { return report::verdict(flight, report::figures(flight)); }

@@ -18,11 +18,7 @@ namespace fantail::sil {
 namespace {
 
 flight::Flight fly(std::vector<std::string> changes) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return fly::fly_scenario(input::load_scenario("tasha3_launch2", overrides));
+  return fly::fly_scenario(input::load_scenario("tasha3_launch2", input::parse_overrides(changes)));
 }
 
 flight::Flight six_dof(std::vector<std::string> changes) {

@@ -66,11 +66,7 @@ inline FlownWorld fly(const Scenario& scenario) {
 
 /// A shipped scenario with changes as on the command line.
 inline Scenario scenario(const std::string& name, const std::vector<std::string>& changes = {}) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario(name, overrides);
+  return input::load_scenario(name, input::parse_overrides(changes));
 }
 
 inline FlownWorld fly(const std::string& name, const std::vector<std::string>& changes = {}) {

@@ -36,11 +36,7 @@ std::vector<Reading> readings(const Scenario& scenario) {
 }
 
 Scenario load(const std::string& name, const std::vector<std::string>& changes) {
-  std::vector<input::Override> parsed;
-  for (const std::string& change : changes) {
-    parsed.push_back(input::parse_override(change));
-  }
-  return input::load_scenario(name, parsed);
+  return input::load_scenario(name, input::parse_overrides(changes));
 }
 
 TEST(WindSensor, ShowsWholeStepsOrWithoutARoundingWhatIs) {

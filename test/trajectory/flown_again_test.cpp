@@ -13,11 +13,7 @@ namespace fantail::test {
 namespace {
 
 sim::Scenario scenario(const std::vector<std::string>& changes) {
-  std::vector<input::Override> overrides;
-  for (const std::string& change : changes) {
-    overrides.push_back(input::parse_override(change));
-  }
-  return input::load_scenario("tasha3_launch2", overrides);
+  return input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
 }
 
 flight::Flight fly_on(sim::Scenario scenario, const std::string& text) {

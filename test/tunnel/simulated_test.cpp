@@ -21,11 +21,7 @@ namespace fantail::tunnel {
 namespace {
 
 flight::Flight flown(const std::string& scenario, const std::vector<std::string>& changes = {}) {
-  std::vector<input::Override> parsed;
-  for (const std::string& change : changes) {
-    parsed.push_back(input::parse_override(change));
-  }
-  return fly::fly_scenario(input::load_scenario(scenario, parsed));
+  return fly::fly_scenario(input::load_scenario(scenario, input::parse_overrides(changes)));
 }
 
 TunnelLog wind_log(const flight::Flight& flight) {

@@ -21,6 +21,7 @@
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "faults/results.hpp"
+#include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
@@ -49,7 +50,7 @@ struct FaultsOptions {
 
 faults::Campaign asked_for(const FaultsOptions& options) {
   faults::Campaign campaign{.scenario = options.scenario.scenario,
-                            .changes = {},
+                            .changes = input::parse_overrides(options.scenario.changes),
                             .seed = options.scenario.seed.empty() ? campaign::seed_of(options.scenario.scenario)
                                                                   : *text::whole_number(options.scenario.seed),
                             .device = options.device,
@@ -58,9 +59,6 @@ faults::Campaign asked_for(const FaultsOptions& options) {
                             .step_ms = options.step_ms,
                             .every = options.whole ? 1 : options.every,
                             .seeds = options.seeds};
-  for (const std::string& change : options.scenario.changes) {
-    campaign.changes.push_back(input::parse_override(change));
-  }
   return campaign;
 }
 

@@ -89,12 +89,7 @@ std::vector<std::filesystem::path> files_of(const ScenarioOptions& options) {
 }
 
 sim::Scenario load(const ScenarioOptions& options) {
-  std::vector<input::Override> changes;
-  changes.reserve(options.changes.size());
-  for (const std::string& text : options.changes) {
-    changes.push_back(input::parse_override(text));
-  }
-  sim::Scenario scenario = input::load_scenario(options.scenario, changes);
+  sim::Scenario scenario = input::load_scenario(options.scenario, input::parse_overrides(options.changes));
   for (const auto* warnings : {&scenario.vehicle.warnings, &scenario.warnings}) {
     for (const std::string& warning : *warnings) {
       say("fantail: warning: " + warning + "\n");

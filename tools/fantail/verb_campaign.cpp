@@ -25,6 +25,7 @@
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
+#include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
 #include "text/number.hpp"
@@ -80,14 +81,11 @@ std::optional<double> share(const std::optional<double>& percent) {
 
 campaign::Campaign asked_for(const CampaignOptions& options) {
   campaign::Campaign campaign{.scenario = options.scenario.scenario,
-                              .changes = {},
+                              .changes = input::parse_overrides(options.scenario.changes),
                               .seed = options.scenario.seed.empty() ? campaign::seed_of(options.scenario.scenario)
                                                                     : *text::whole_number(options.scenario.seed),
                               .runs = options.runs,
                               .shard = *parse_shard(options.shard)};
-  for (const std::string& change : options.scenario.changes) {
-    campaign.changes.push_back(input::parse_override(change));
-  }
   if (options.until_within_percent || options.until_decided) {
     campaign.stop =
         campaign::StopRule{.question = campaign::parse_question(options.question),

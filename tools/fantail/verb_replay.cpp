@@ -19,7 +19,7 @@
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/replay.hpp"
-#include "input/document.hpp"
+#include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
@@ -90,11 +90,7 @@ std::filesystem::path folder_of(const ReplayOptions& options) {
 }
 
 void show_what_if(const ReplayOptions& options, const flight_log::Flight& flight, const Replayed& flown) {
-  std::vector<input::Override> changes;
-  changes.reserve(options.changes.size());
-  for (const std::string& text : options.changes) {
-    changes.push_back(input::parse_override(text));
-  }
+  const std::vector<input::Override> changes = input::parse_overrides(options.changes);
   const core::FlightPlan plan = flight_log::plan_for_replay(flight, options.log, changes);
   const flight_log::Regeneration changed = flight_log::replay(flight, options.log, plan);
   WhatIf result = what_if(flight, flown.result, changed);

@@ -234,6 +234,12 @@ std::string unknown_section(const std::string& section) {
   return "unknown section " + section + (meant ? "; did you mean " + *meant + "?" : "");
 }
 
+std::vector<Override> parse_overrides(std::span<const std::string> texts) {
+  std::vector<Override> all(texts.size());
+  std::ranges::transform(texts, all.begin(), parse_override);
+  return all;
+}
+
 sim::Scenario load_scenario(const std::string& name_or_path, std::span<const Override> changes) {
   ScenarioFiles files = ScenarioFiles::load(name_or_path);
   for (const Override& change : changes) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "input/document.hpp"
 #include "input/field.hpp"
@@ -42,6 +43,9 @@ class ScenarioFiles {
 
 /// "unknown section servos; did you mean servo?", of the three files.
 [[nodiscard]] std::string unknown_section(const std::string& section);
+
+/// Changes as a command line has them, section.key=value each. Throws text::Error.
+[[nodiscard]] std::vector<Override> parse_overrides(std::span<const std::string> texts);
 
 /// A shipped name or a path, with changes from the command line, which may reach into the scenario, its plan or its
 /// vehicle. Throws text::Error.

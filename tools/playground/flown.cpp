@@ -69,10 +69,7 @@ Wish wish_of(std::string_view words) {
 
 sim::Scenario scenario_of(const Wish& wish) {
   append_to_scenarios(wish.fault);
-  std::vector<input::Override> changes;
-  for (const std::string& setting : wish.settings) {
-    changes.push_back(input::parse_override(setting));
-  }
+  const std::vector<input::Override> changes = input::parse_overrides(wish.settings);
   sim::Scenario scenario = input::load_scenario(wish.scenario, changes);
   scenario.changed_values = changes.size() + (wish.seed ? 1 : 0);
   scenario.seed = wish.seed.value_or(scenario.seed);
