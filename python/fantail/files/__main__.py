@@ -59,7 +59,7 @@ def install(folder):
         venv.create(folder, with_pip=True, clear=True)
     except subprocess.CalledProcessError:  # Debian has it in a package of its own
         raise ImportError("python3-venv, a Debian package") from None
-    subprocess.run([os.path.join(folder, "bin", "python"), "-m", "pip", "--quiet", "--disable-pip-version-check", "install", "--no-deps", "-r",
+    subprocess.run([os.path.join(folder, "bin", "python"), "-m", "pip", "--disable-pip-version-check", "install", "--no-deps", "-r",
                     HERE / "requirements.txt"], check=True, stdout=sys.stderr)
 
 
