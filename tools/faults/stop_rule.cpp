@@ -90,7 +90,7 @@ std::string about_stop(const CellResult& cell, const Twins& twins) {
     return {};
   }
   const StopRule rule{twins.scenario, cell.cell.row->recipe.fault};
-  const std::string of_rocket = rule.is_kept() ? std::string{} : rule.sentence();
+  std::string of_rocket = rule.is_kept() ? std::string{} : rule.sentence();
   if (cell.colour != Colour::known_limit || rule.stop_rad() <= rule.nearest_rad()) {
     return of_rocket;
   }
