@@ -143,8 +143,9 @@ std::string objection_to_map(const std::string& text) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<ListenOptions>();
-  verb.option("LOG", options->log,
-              "A ULog (.ulg), MAT (.mat) or Parquet file (.parquet), or a CSV file of any other name")
+  verb.option(
+          "LOG", options->log,
+          "A ULog (.ulg), MAT or Parquet file, any other that `fantail convert` reads, or a CSV file of any other name")
       .offers(files)
       .required();
   verb.option("--columns", options->columns,
