@@ -286,16 +286,11 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
 result::Answer answer(const Verdict& verdict) {
   switch (verdict.outcome) {
     case Outcome::held: return result::Answer::yes;
-    case Outcome::not_held:
-    case Outcome::oscillates:
-    case Outcome::off_command:
-    case Outcome::ascent_failed:
-    case Outcome::no_control: return result::Answer::no;
-    case Outcome::cut_short: return verdict.ended_early ? result::Answer::no : result::Answer::undecided;
     case Outcome::outside_model:
-    case Outcome::not_judged: break;
+    case Outcome::not_judged: return result::Answer::undecided;
+    case Outcome::cut_short: return verdict.ended_early ? result::Answer::no : result::Answer::undecided;
+    default: return result::Answer::no;
   }
-  return result::Answer::undecided;
 }
 
 }  // namespace fantail::report
