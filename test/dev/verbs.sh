@@ -37,6 +37,12 @@ quick() {
   call 0 compare out/tasha3_launch2 out/tasha3_launch2 --b true
   call 0 listen out/tasha3_launch2/flight.csv
   call 0 log info out/tasha3_launch2
+  python=$project/build/test-venv/bin/python # has the packages; without it convert names the command that installs them
+  if [ -e "$python" ]; then
+    FANTAIL_PYTHON=$python call 0 convert out/tasha3_launch2/flight.csv --to parquet
+  else
+    call 69 convert out/tasha3_launch2/flight.csv --to parquet
+  fi
   call 0 replay out/tasha3_launch2
   call 0 report out/tasha3_launch2
   call 0 plan check tasha3_launch2

@@ -38,10 +38,15 @@ function flown(words) {
   return result;
 }
 
+// No command line made the page's: "made" is the last member, and apart from it both are the same bytes.
+function unmade(summary) {
+  return summary.slice(0, summary.indexOf('\n  "made": {'));
+}
+
 // Everything that the flight came to, and with log_sha256 every byte of its record.
 function assertSame(words) {
   const result = flown(words);
-  assert.strictEqual(result.summary, native(words), words.join(" "));
+  assert.strictEqual(unmade(result.summary), unmade(native(words)), words.join(" "));
   assert.match(JSON.parse(result.summary).log_sha256 ?? "none", /^([0-9a-f]{64}|none)$/);
   return result;
 }
@@ -74,7 +79,7 @@ test("a fault of the page is the same as in a scenario's file", () => {
   const result = flown(["tasha3_launch2", ...fault.map((line) => `faults.${line.replace(" = ", "=")}`)]);
   const ofFile = JSON.parse(native(["tasha3_launch2"], file));
   ofFile.notes.shift();  // asks whether what was copied is true of this run
-  assert.deepStrictEqual(JSON.parse(result.summary), ofFile);
+  assert.deepStrictEqual({...JSON.parse(result.summary), made: null}, {...ofFile, made: null});
   assert.notStrictEqual(JSON.parse(result.summary).log_sha256, JSON.parse(flown(["tasha3_launch2"]).summary).log_sha256);
 });
 
