@@ -138,7 +138,7 @@ Folder::Lock::Lock(const fs::path& folder) {
 
 Folder::Lock::~Lock() { close(file_); }
 
-Folder::Folder(Place place)
+Folder::Folder(const Place& place)
     : parts_{place.folder / place.parts}, identity_{identity_json(place.identity)}, made_{uppermost_missing(parts_)} {
   if (!place.replaces_others) {
     refuse_earlier_version(place.folder);

@@ -47,7 +47,7 @@ class Folder {
   /// Makes the folder, or goes on in it. Throws text::Error (bad_configuration) when it holds other flights, naming
   /// what differs, or such of an earlier version, or when another process is at work in it; (bad_data) when it does not
   /// say what it holds; text::OutputError when it cannot be written.
-  explicit Folder(Place place);
+  explicit Folder(const Place& place);
   /// A folder that it has made and in which no part was stored is gone afterwards.
   ~Folder();
   Folder(const Folder&) = delete;
