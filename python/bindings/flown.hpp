@@ -26,7 +26,10 @@ struct Flown {
   std::vector<std::pair<std::string, Column>> kept{};  ///< of a flight without its rows
   bool is_whole = true;
 
-  explicit Flown(flight::Flight&& flown) : flight{std::move(flown)}, results{report::results(flight)} {}
+  explicit Flown(flight::Flight&& flown)
+      : flight{std::move(flown)},
+        results{report::results(flight, {.version = FANTAIL_VERSION, .seed = flight.seed, .changes = flight.changes})} {
+  }
 
   /// In the order of flight.csv.
   [[nodiscard]] std::vector<std::string> column_names() const;

@@ -11,7 +11,8 @@ def test_every_value_is_that_of_the_program(program):
         plan = fantail.plan(name)
         shown = json.loads(program.run("plan", "show", name, "--json").stdout)
         flat = {f"{section}.{key}": tuple(value) if isinstance(value, list) else value
-                for section, values in shown.items() for key, value in values.items()}
+                for section, values in shown.items() if section not in ("answer", "sentence", "made")
+                for key, value in values.items()}
         assert list(plan) == list(flat)
         for field in plan.fields.values():
             if field.kind == "number":

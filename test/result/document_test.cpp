@@ -123,7 +123,7 @@ TEST(Document, TheWorstOfEachFigureMayStandInAnotherRow) {
   EXPECT_EQ(found.canard, 1U) << "of a figure that cannot be worse the first";
   EXPECT_EQ(found.turned_rad, std::numbers::pi / 2);
   EXPECT_EQ(found.apogee_m, 900.0);
-  EXPECT_EQ(meanings<Flight>(flight_fields).front(), "Way turned: the largest angle to the other one.");
+  EXPECT_EQ(meanings(found, flight_fields).front(), "Way turned: the largest angle to the other one.");
 }
 
 TEST(Document, TheAnswerColoursItsHeadingOnPageAndTerminal) {

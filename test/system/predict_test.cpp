@@ -22,7 +22,7 @@ TEST(Predict, TheFirstLaunchIsNoGoWithItsReasonAndEverythingIsWritten) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("No go: the fin offset of about 7."), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("larger than the 6 degree canard limit in "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("seed 1; "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("seed 1\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("hindsight"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("Swirl subtracted: 0 degrees"), std::string::npos) << outcome.out;
   const std::filesystem::path written = folder.path() / "out/predict/tasha3_launch1";

@@ -66,11 +66,10 @@ void fly(const HardoverOptions& options) {
   });
   progress.reset();
   study.made = made;
-  deliver(hardover::answer(study), {.folder = folder,
-                                    .name = "hardover",
-                                    .inputs = inputs,
-                                    .json = options.json,
-                                    .when_written = [&kept] { kept.remove(); }});
+  deliver(hardover::answer(study),
+          {.folder = folder, .name = "hardover", .inputs = inputs, .json = options.json, .when_written = [&kept] {
+             kept.remove();
+           }});
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ void deliver(const result::Document& document, const Delivery& delivery) {
   if (delivery.json) {
     fmt::print("{}", data);
   } else {
-    std::string text = result::text(document, paint);
+    std::string text = result::text(document, paint, output_columns());
     for (const std::string& file : delivery.shown_files) {
       text += fmt::format("  {:<8} {}\n", file,
                           (delivery.folder / (file == "page" ? delivery.name + ".html" : file + ".csv")).string());

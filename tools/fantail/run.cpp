@@ -89,16 +89,16 @@ ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const
   return output_was_taken() ? ExitCode::done : complain_about_output();
 }
 
-/// What was typed, without what changes nothing that stands in a page: where results go, how they are told, how many
-/// processors make them.
+/// What was typed, without what changes nothing in a result: where results and telemetry go, how they are told, how
+/// many processors make them.
 std::string command_of(const char* name, const std::vector<std::string>& words) {
-  constexpr std::array<std::string_view, 3> with_value{"--out", "--color", "--threads"};
+  constexpr std::array<std::string_view, 4> with_value{"--out", "--color", "--threads", "--lcm"};
   std::string command = fmt::format("fantail {}", name);
   for (auto word = words.begin(); word != words.end(); ++word) {
     const std::string option = word->substr(0, word->find('='));
     if (std::ranges::find(with_value, option) != with_value.end()) {
       word += option == *word && word + 1 != words.end() ? 1 : 0;
-    } else if (*word != "--json") {
+    } else if (*word != "--json" && *word != "--realtime") {
       command.append(1, ' ').append(text::shell_word(*word));
     }
   }

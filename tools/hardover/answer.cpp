@@ -97,8 +97,8 @@ std::string_view no_clearance() {
          "point of impact and no flight without a parachute.";
 }
 
-std::vector<std::string> definitions() {
-  std::vector<std::string> all = result::meanings<E>(effect_fields);
+std::vector<std::string> definitions(const Effect& worst) {
+  std::vector<std::string> all = result::meanings(worst, effect_fields);
   all.insert(all.begin(), "Sound rocket: the same flight without the failure; the two are compared until apogee.");
   return all;
 }
@@ -222,7 +222,7 @@ result::Document answer(const Study& study) {
                       .not_in_it = {std::string{no_clearance()}}},
           .facts = facts(study),
           .sections = {{"At worst, each figure by itself", {at_worst(study, worst)}},
-                       {"What the words mean", {result::Sentences{.all = definitions()}}, files},
+                       {"What the words mean", {result::Sentences{.all = definitions(worst)}}, files},
                        {"When it fails", plots, files},
                        {"How this is known", {base(study), result::Sentences{.all = remarks(study, worst)}}},
                        {"The study", {result::figures("", study, study_fields)}, programs},

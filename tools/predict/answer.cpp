@@ -137,8 +137,8 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
   const result::Table over_time = band(p);
   return {.kind = "launch prediction",
           .title = p.scenario,
-          .subtitle = fmt::format("{}, plan {}; {}, seed {}; Fantail {}{}", p.vehicle, p.plan_name, runs(p.runs.size()),
-                                  p.seed, made.version, changes),
+          .subtitle =
+              fmt::format("{}, plan {}; {}, seed {}{}", p.vehicle, p.plan_name, runs(p.runs.size()), p.seed, changes),
           .verdict = {.answer = answer_of(decision),
                       .heading = std::string{decision.heading()},
                       .sentence = decision.text,

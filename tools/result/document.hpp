@@ -13,6 +13,7 @@
 #include "json/value.hpp"
 #include "page/chart.hpp"
 #include "result/field.hpp"
+#include "text/wrapped.hpp"
 
 namespace fantail::result {
 
@@ -82,7 +83,8 @@ struct Document {
 
 /// Colours words, or does not.
 using Paint = std::string (*)(page::Tone tone, std::string_view words);
-[[nodiscard]] std::string text(const Document& document, Paint paint = nullptr);
+/// A table that is wider than `columns` has its rows as sentences.
+[[nodiscard]] std::string text(const Document& document, Paint paint = nullptr, std::size_t columns = text::any_width);
 /// Throws std::logic_error when two blocks have one key.
 [[nodiscard]] std::string json(const Document& document);
 [[nodiscard]] std::string html(const Document& document);
@@ -142,12 +144,12 @@ template <typename Row>
   return worst;
 }
 
-/// "Way turned: the largest angle between ... ." for each field that can be worse.
+/// "Way turned: the largest angle between ... ." for each field that can be worse and that the row knows.
 template <typename Row>
-[[nodiscard]] std::vector<std::string> meanings(const Fields<Row> auto& fields) {
+[[nodiscard]] std::vector<std::string> meanings(const Row& row, const Fields<Row> auto& fields) {
   std::vector<std::string> all;
   for (const Field<Row>& field : fields) {
-    if (field.worse != Worse::neither) {
+    if (field.worse != Worse::neither && !std::holds_alternative<std::monostate>(field.get(row))) {
       all.push_back(sentence_of(column(field)));
     }
   }

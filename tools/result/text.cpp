@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ std::string line(std::string_view sentence) { return fmt::format("  {}\n", sente
 std::string text(const std::string& paragraph) { return line(paragraph); }
 std::string text(const Picture&) { return {}; }
 std::string text(const Data&) { return {}; }
+std::string text(const Table&) { return {}; }  // by its own width
 
 std::string text(const Sentences& sentences) {
   std::string all;
@@ -39,7 +41,16 @@ std::string text(const Figures& figures) {
   return all;
 }
 
-std::string text(const Table& table) {
+/// "criterion roll is held; found none of the runs", for a place that is narrower than the table.
+std::string in_a_line(const Table& table, const std::vector<std::size_t>& columns, const std::vector<Cell>& row) {
+  std::string all;
+  for (const std::size_t i : columns) {
+    all += fmt::format("{}{} {}", all.empty() ? "" : "; ", heading(table.columns[i]), shown(table.columns[i], row[i]));
+  }
+  return line(all);
+}
+
+std::string text(const Table& table, std::size_t columns) {
   const std::vector<std::size_t> shown_columns = known_columns(table);
   std::vector<std::size_t> widths;
   for (const std::size_t i : shown_columns) {
@@ -47,6 +58,15 @@ std::string text(const Table& table) {
     for (const std::vector<Cell>& row : table.rows) {
       widest = std::max(widest, shown(table.columns[i], row[i]).size());
     }
+  }
+  std::string narrow;
+  if (std::accumulate(widths.begin(), widths.end(), 2 * widths.size()) > columns) {
+    for (const std::vector<Cell>& row : table.rows) {
+      narrow += in_a_line(table, shown_columns, row);
+    }
+  }
+  if (table.rows.empty() || !narrow.empty()) {
+    return narrow;
   }
   text::Table lines{std::vector<text::Table::Column>(shown_columns.size())};
   const auto add = [&](const auto& cell) {
@@ -62,12 +82,12 @@ std::string text(const Table& table) {
   for (const std::vector<Cell>& row : table.rows) {
     add([&](std::size_t i) { return shown(table.columns[i], row[i]); });
   }
-  return lines.text(~std::size_t{0});
+  return lines.text(text::any_width);
 }
 
 }  // namespace
 
-std::string text(const Document& document, Paint paint) {
+std::string text(const Document& document, Paint paint, std::size_t columns) {
   const Verdict& verdict = document.verdict;
   const bool leads = paint != nullptr && verdict.sentence.starts_with(verdict.heading + ":");
   std::string all = fmt::format("{}: {}\n", document.title, document.subtitle);
@@ -81,7 +101,8 @@ std::string text(const Document& document, Paint paint) {
     if (section.readers == Readers::all && !section.blocks.empty()) {
       all += "\n" + section.heading + (section.heading.empty() ? "" : ":\n");
       for (const Block& block : section.blocks) {
-        all += std::visit([](const auto& one) { return text(one); }, block);
+        const auto* table = std::get_if<Table>(&block);
+        all += table != nullptr ? text(*table, columns) : std::visit([](const auto& one) { return text(one); }, block);
       }
     }
   }
