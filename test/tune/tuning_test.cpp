@@ -50,12 +50,12 @@ TEST(Tuning, ItsPlanReadsBackBitForBit) {
 
 TEST(Tuning, IsTheSameInTextJsonAndPage) {
   const Tuning& t = second_launch();
-  const json::Value said = json::parse(tuning_json(t, "x.toml"));
+  const json::Value said = json::parse(result::json(answer(t, "x.toml", {})));
   EXPECT_EQ(said["proposed"], true);
   EXPECT_EQ(said["plan"], "x.toml");
   EXPECT_EQ(said["flights"].size(), 6U);
-  EXPECT_NE(tuning_text(t).find(flights_sentence(t)), std::string::npos);
-  EXPECT_NE(tuning_html(t, "x.toml").find("Flights over the spread"), std::string::npos);
+  EXPECT_NE(result::text(answer(t, "", {})).find(flights_sentence(t)), std::string::npos);
+  EXPECT_NE(result::html(answer(t, "x.toml", {})).find("Flights over the spread"), std::string::npos);
 }
 
 TEST(Tuning, SaysOfWhichFlightsTheNewPlanHasFewer) {
@@ -86,7 +86,7 @@ TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
   EXPECT_NE(t.why_none.find("the fin offset of up to -7.3 degrees is beyond the 6 degree canard limit"),
             std::string::npos)
       << t.why_none;
-  EXPECT_EQ(json::parse(tuning_json(t, ""))["plan"].is_null(), true);
+  EXPECT_EQ(json::parse(result::json(answer(t, "", {})))["plan"].is_null(), true);
 }
 
 TEST(Tuning, SaysWhatTheShortestSettlingTimeIs) {

@@ -63,7 +63,7 @@ void deliver(const result::Document& document, const Delivery& delivery) {
       text += fmt::format("  {:<8} {}\n", file,
                           (delivery.folder / (file == "page" ? delivery.name + ".html" : file + ".csv")).string());
     }
-    show_text(text);
+    show_text(text + delivery.last_line + (delivery.last_line.empty() ? "" : "\n"));
   }
   if (delivery.yes_is_required && document.verdict.answer != result::Answer::yes) {
     throw RequirementNotMet{""};

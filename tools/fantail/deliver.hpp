@@ -24,6 +24,7 @@ struct Delivery {
   bool json = false;                             ///< on standard output, instead of text
   bool yes_is_required = false;                  ///< exit code 1 for every other answer
   std::vector<std::string> shown_files{"page"};  ///< "page", or the key of a spreadsheet: their paths end the text
+  std::string last_line{};                       ///< of the text
   std::function<void()> when_written{};          ///< called when the files are there, before anything is printed
 };
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,7 +14,6 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "input/shipped.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
@@ -175,21 +173,20 @@ void tune_scenario(const TuneOptions& options) {
   const runs::Folder kept{place};
   const tune::Tuning tuning = tuned(scenario, options, place, kept);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
-  const std::string json =
-      tune::tuning_json(tuning, plan_name, made_with(files_of(options.scenario), scenario.seed, changes));
-  text::OutputFolder{folder, files_of(options.scenario)}.write(
-      std::array{text::NamedFile{.name = "tune.html", .content = tune::tuning_html(tuning, plan_name)},
-                 text::NamedFile{.name = "tune.json", .content = json}});
-  if (tuning.is_proposed()) {
-    write(file, tune::plan_text(tuning));
-  }
-  kept.remove();
-  if (options.json) {
-    fmt::print("{}", json);
-  } else {
-    show("{}\n  page  {}\n  plan  {}\n", painted_decision(tune::tuning_text(tuning)), (folder / "tune.html").string(),
-         plan_name.empty() ? "none written" : plan_name + ", to be named " + how_to_fly(options, file));
-  }
+  const std::vector<std::filesystem::path> inputs = files_of(options.scenario);
+  deliver(tune::answer(tuning, plan_name, made_with(inputs, scenario.seed, changes)),
+          {.folder = folder,
+           .name = "tune",
+           .inputs = inputs,
+           .json = options.json,
+           .last_line =
+               plan_name.empty() ? "  plan     none written" : "           to be named " + how_to_fly(options, file),
+           .when_written = [&] {
+             if (tuning.is_proposed()) {
+               write(file, tune::plan_text(tuning));
+             }
+             kept.remove();
+           }});
   if (!tuning.is_proposed()) {
     throw RequirementNotMet{""};
   }

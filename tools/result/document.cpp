@@ -77,6 +77,9 @@ std::string shown(const Column& column, const Cell& cell) {
   if (const auto* judged = std::get_if<Judged>(&cell)) {
     return judged->words;
   }
+  if (const auto* is = std::get_if<bool>(&cell)) {
+    return *is ? "yes" : "no";
+  }
   const double value = number(column, cell);
   return std::holds_alternative<std::monostate>(cell) ? column.absent
          : column.words != nullptr                    ? column.words(value)

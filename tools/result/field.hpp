@@ -59,8 +59,9 @@ struct Judged {
   auto operator<=>(const Judged&) const = default;
 };
 
-/// The content of one place: nothing, when it is unknown; a number in SI, alone or of many runs; a count; words.
-using Cell = std::variant<std::monostate, double, Spread, Share, std::uint64_t, std::string, Judged>;
+/// The content of one place: nothing, when it is unknown; a number in SI, alone or of many runs; a count; words; yes or
+/// no.
+using Cell = std::variant<std::monostate, double, Spread, Share, std::uint64_t, std::string, Judged, bool>;
 
 enum class Worse : std::uint8_t { neither, larger, smaller };
 [[nodiscard]] bool is_worse(const Cell& one, const Cell& than, Worse worse);
@@ -119,6 +120,7 @@ class Get {
   static Cell cell(std::size_t value) { return std::uint64_t{value}; }
   static Cell cell(const std::string& value) { return value; }
   static Cell cell(double value) { return value; }
+  static Cell cell(bool value) { return value; }
   static Cell cell(const Spread& value) { return value; }
   static Cell cell(const Share& value) { return value; }
   template <typename T>
@@ -127,7 +129,7 @@ class Get {
   }
 
   std::variant<double Row::*, std::optional<double> Row::*, Spread Row::*, std::optional<Spread> Row::*, Share Row::*,
-               std::size_t Row::*, std::string Row::*, Cell (*)(const Row&)>
+               std::size_t Row::*, std::string Row::*, bool Row::*, Cell (*)(const Row&)>
       source_;
 };
 

@@ -89,10 +89,10 @@ std::string text(const Table& table, std::size_t columns) {
 
 std::string text(const Document& document, Paint paint, std::size_t columns) {
   const Verdict& verdict = document.verdict;
-  const bool leads = paint != nullptr && verdict.sentence.starts_with(verdict.heading + ":");
+  const bool leads = verdict.sentence.starts_with(verdict.heading + ":");
   std::string all = fmt::format("{}: {}\n", document.title, document.subtitle);
-  all += leads ? paint(tone(verdict), verdict.heading) + verdict.sentence.substr(verdict.heading.size())
-               : verdict.sentence;
+  all += paint != nullptr ? paint(tone(verdict), verdict.heading) : verdict.heading;
+  all += leads ? verdict.sentence.substr(verdict.heading.size()) : ": " + verdict.sentence;
   all += verdict.not_in_it.empty() ? "\n" : "\n\n" + verdict.not_in_it_heading + "\n";
   for (const std::string& sentence : verdict.not_in_it) {
     all += line(sentence);

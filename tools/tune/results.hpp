@@ -4,13 +4,10 @@
 #include <filesystem>
 #include <string>
 
-#include "result/answer.hpp"
+#include "result/document.hpp"
 #include "tune/tuning.hpp"
 
 namespace fantail::tune {
-
-/// Is there a plan that is better? Undecided where it is not better, or outside of the model.
-[[nodiscard]] result::Answer answer(const Tuning& tuning);
 
 // Sentences that text, page and plan share.
 
@@ -28,12 +25,11 @@ namespace fantail::tune {
 /// What was searched and how, a sentence each.
 [[nodiscard]] std::vector<std::string> basis(const Tuning& tuning);
 
-/// For the terminal.
-[[nodiscard]] std::string tuning_text(const Tuning& tuning);
-/// `plan_file`: where the plan was written; empty: nowhere.
-[[nodiscard]] std::string tuning_json(const Tuning& tuning, const std::string& plan_file,
-                                      const result::Made& made = {});
-[[nodiscard]] std::string tuning_html(const Tuning& tuning, const std::string& plan_file);
+/// Is there a better plan? Undecided: it is not better, or outside of the model. `plan_file`: where the plan was
+/// written; empty: nowhere.
+[[nodiscard]] result::Document answer(const Tuning& tuning, const std::string& plan_file, const result::Made& made);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_fields();
 /// A plan file: every field, and where it came from. Only of a plan that is proposed.
 [[nodiscard]] std::string plan_text(const Tuning& tuning);
 

@@ -180,28 +180,4 @@ std::vector<std::string> basis(const Tuning& t) {
   return all;
 }
 
-std::string tuning_text(const Tuning& t) {
-  std::string text = fmt::format("{} ({})\n", t.scenario, t.vehicle);
-  if (const std::string outside = model_sentence(t); !outside.empty()) {
-    text += outside + "\n";
-  }
-  if (!t.why_none.empty()) {
-    return text + t.why_none + "\n" + loop_sentence(t) + "\n" + (t.alternative.empty() ? "" : t.alternative + "\n");
-  }
-  text += fmt::format("Gains of {} (the plan has {}).\n{}\n{}\n", law_words(t.after->plan), law_words(t.before.plan),
-                      loop_sentence(t), flights_sentence(t));
-  for (const std::string& sentence : remarks(t)) {
-    text += sentence + "\n";
-  }
-  text += t.alternative.empty() ? "" : t.alternative + "\n";
-  if (t.before.noise_rad && t.after->noise_rad) {
-    text += fmt::format("Noise moves the command by {} degrees (standard deviation) instead of {}.\n",
-                        fixed(degrees(*t.after->noise_rad), 3), fixed(degrees(*t.before.noise_rad), 3));
-  }
-  for (const std::string& sentence : basis(t)) {
-    text += "  " + sentence + "\n";
-  }
-  return text;
-}
-
 }  // namespace fantail::tune
