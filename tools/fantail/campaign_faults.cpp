@@ -128,6 +128,7 @@ void fly_all(const FaultsOptions& options) {
   const faults::Campaign campaign = asked_for(options);
   const fs::path folder = folder_of(options);
   const faults::Prepared prepared = prepare_shown(campaign, options.threads);
+  const result::Made made = made_with(files_of(options.scenario), {}, changes_of(options.scenario));
   const faults::Extent& extent = prepared.extent;
   say(fmt::format("fantail: {} flights in {} cells\n", extent.flights, extent.cells));
   faults::Result result;
@@ -145,8 +146,7 @@ void fly_all(const FaultsOptions& options) {
   }
   Chapters chapters{"faults", 1, "the worst flights and the page"};
   faults::write_worst(result, prepared, folder, [&folder] { leave_if_interrupted(folder); });
-  const std::string summary = faults::report_json(
-      result, FANTAIL_VERSION, made_with(files_of(options.scenario), {}, changes_of(options.scenario)));
+  const std::string summary = faults::report_json(result, FANTAIL_VERSION, made);
   const std::array<text::NamedFile, 2> files{
       {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};
   text::OutputFolder{folder, files_of(options.scenario)}.write(files);

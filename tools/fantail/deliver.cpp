@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/core.h>
 
@@ -36,9 +38,14 @@ result::Made made_with(const std::vector<fs::path>& inputs, std::optional<std::u
   result::Made made{
       .command = page::made_by_command(), .version = FANTAIL_VERSION, .seed = seed, .changes = std::move(changes)};
   for (const fs::path& file : inputs) {
-    if (fs::is_regular_file(file)) {
+    if (std::error_code unknown; !fs::is_regular_file(file, unknown)) {
+      continue;
+    }
+    try {
       const std::string bytes = text::read_input(file);
       made.inputs.push_back({file.filename().string(), text::sha256(std::as_bytes(std::span{bytes}))});
+    } catch (const std::runtime_error&) {
+      continue;  // a result without a hash is worth more than none
     }
   }
   return made;

@@ -143,6 +143,7 @@ void print_shard(const campaign::Shard& shard, std::size_t runs, const fs::path&
 void fly_campaign(const CampaignOptions& options) {
   const campaign::Campaign campaign = asked_for(options);
   const fs::path folder = folder_of(options);
+  const result::Made made = made_with(files_of(options.scenario), campaign.seed, changes_of(options.scenario));
   campaign::FlownCampaign flown = fly(campaign, folder, options.threads);
   if (!flown.remark.empty()) {
     say("fantail: " + flown.remark + "\n");
@@ -153,9 +154,8 @@ void fly_campaign(const CampaignOptions& options) {
   }
   Chapters chapters{"campaign", 1, "figures, the worst flights and the page"};
   const campaign::Report report = campaign::conclude(
-      campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent),
-      made_with(files_of(options.scenario), campaign.seed, changes_of(options.scenario)), folder,
-      [&] { leave_if_interrupted(folder, campaign::runs_name); });
+      campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent), made,
+      folder, [&] { leave_if_interrupted(folder, campaign::runs_name); });
   chapters.end();
   if (options.json) {
     fmt::print("{}", campaign::report_json(report));

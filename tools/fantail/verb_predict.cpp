@@ -213,16 +213,16 @@ void predict_launch(const PredictOptions& options) {
   const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
   const runs::Place place = place_of_flights("predict", request(options).command, folder, inputs);
   const runs::Folder kept{place};
+  const result::Made made = made_with(inputs, scenario.seed, request(options).changes);
   const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options, place, kept);
   const predict::Decision decision = decided(prediction, options, place);
-  deliver(predict::answer(prediction, decision, made_with(inputs, prediction.seed, prediction.request.changes)),
-          {.folder = folder,
-           .name = "predict",
-           .inputs = inputs,
-           .json = options.json,
-           .yes_is_required = true,
-           .shown_files = {"page", "runs"},
-           .when_written = [&kept] { kept.remove(); }});
+  deliver(predict::answer(prediction, decision, made), {.folder = folder,
+                                                        .name = "predict",
+                                                        .inputs = inputs,
+                                                        .json = options.json,
+                                                        .yes_is_required = true,
+                                                        .shown_files = {"page", "runs"},
+                                                        .when_written = [&kept] { kept.remove(); }});
 }
 
 void add_thresholds(const Verb& verb, PredictOptions& options) {

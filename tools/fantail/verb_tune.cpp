@@ -171,10 +171,11 @@ void tune_scenario(const TuneOptions& options) {
                           : std::filesystem::path{options.out};
   const runs::Place place = place_of_flights("tune", request(options).command, folder, files_of(options.scenario));
   const runs::Folder kept{place};
+  const std::vector<std::filesystem::path> inputs = files_of(options.scenario);
+  const result::Made made = made_with(inputs, scenario.seed, changes);
   const tune::Tuning tuning = tuned(scenario, options, place, kept);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
-  const std::vector<std::filesystem::path> inputs = files_of(options.scenario);
-  deliver(tune::answer(tuning, plan_name, made_with(inputs, scenario.seed, changes)),
+  deliver(tune::answer(tuning, plan_name, made),
           {.folder = folder,
            .name = "tune",
            .inputs = inputs,
