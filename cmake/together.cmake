@@ -38,7 +38,7 @@ set(FANTAIL_COMPILED_APART
   "test/system|bench_trouble_test.cpp fly_test.cpp log_export_test.cpp"
   "tools/bench|sheet.cpp sheet_text.cpp turn_figures.cpp watch.cpp"
   "tools/input|file_kind.cpp geometry_checks.cpp number_field.cpp vehicle_fields.cpp"
-  "tools/link|plan_reader.cpp plan_sender.cpp"
+  "tools/link|plan_transfer.cpp"
   "tools/predict|answer.cpp run.cpp"
   "tools/report|path_section.cpp read_summary.cpp results.cpp running_figures.cpp summary_json.cpp"
   "tools/tunnel|swing.cpp swirl.cpp swirl_report.cpp"

@@ -11,7 +11,6 @@
 
 #include "flight/fly_command.hpp"
 #include "fly/fly_scenario.hpp"
-#include "fly/without_control.hpp"
 #include "python/bindings/bind.hpp"
 #include "python/bindings/flown.hpp"
 #include "python/bindings/scenario.hpp"

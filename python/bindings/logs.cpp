@@ -13,7 +13,7 @@
 #include "core/autopilot.hpp"
 #include "flight_log/event_text.hpp"
 #include "flight_log/integrity.hpp"
-#include "flight_log/replay.hpp"
+#include "flight_log/regenerate.hpp"
 #include "flight_log/to_report.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"

@@ -8,7 +8,7 @@
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 #include "text/output_folder.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace nb = nanobind;
 

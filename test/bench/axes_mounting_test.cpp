@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bench/axes_mounting.hpp"
-
 #include <gtest/gtest.h>
 
-#include "bench/axes_verdict.hpp"
+#include "bench/axes.hpp"
 #include "bench/turned_rocket.hpp"
 #include "core/flight_plan_members.hpp"
 

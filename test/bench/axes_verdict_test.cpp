@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "bench/axes_verdict.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/axes.hpp"
 #include "bench/turned_rocket.hpp"
 
 namespace fantail::bench {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/too_slow.hpp"
+#include "bench/perform.hpp"
 #include "synthetic.hpp"
 
 namespace fantail::bench {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bench/filling_sheet.hpp"
-
 #include <gtest/gtest.h>
 
+#include "bench/sheet.hpp"
 #include "synthetic.hpp"
 
 namespace fantail::bench {

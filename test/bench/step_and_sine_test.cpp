@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/least_movement.hpp"
+#include "bench/exercise.hpp"
 #include "bench/sheet.hpp"
 #include "json/value.hpp"
 #include "lockstep.hpp"

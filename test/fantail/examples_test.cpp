@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -16,9 +16,9 @@
 #include "avionics/can_frame.hpp"
 #include "chosen_input.hpp"
 #include "gateway/gateway.hpp"
-#include "link/log_flights.hpp"
+#include "link/log_download.hpp"
 #include "link/log_reader.hpp"
-#include "link/plan_reader.hpp"
+#include "link/plan_transfer.hpp"
 #include "protocol/bus_codec.hpp"
 
 namespace fantail::fuzz {

@@ -14,7 +14,7 @@
 #include "identify/result/validation_findings.hpp"
 #include "input_file.hpp"
 #include "json/value.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "runs/folder.hpp"
 
 namespace fantail::fuzz {

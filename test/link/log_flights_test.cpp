@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "link/log_flights.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "link/log_download.hpp"
 #include "link/made_record.hpp"
 #include "protocol/log_notes.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "live/address.hpp"
-
 #include <gtest/gtest.h>
+
+#include "live/server.hpp"
 
 namespace fantail::live {
 namespace {

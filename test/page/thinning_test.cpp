@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "page/thinning.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "page/svg_plot.hpp"
 #include "seed.hpp"
 
 namespace fantail::page {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The rule of the kinds, where a test can look whether a row keeps it: what a number was made from shows when another
 // is changed.
-#include "paper/computed.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "paper/print.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "paper/fastest_ascent.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "paper/recomputed.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "paper/first_launch_identified.hpp"
-
 #include <gtest/gtest.h>
+
+#include "paper/recomputed.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/chapters.hpp"
+#include "paper/paper_page.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "paper/chapters.hpp"
-#include "paper/computed.hpp"
+#include "paper/paper_page.hpp"
+#include "paper/print.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "predict/canard_reach.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -9,6 +7,7 @@
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
+#include "predict/margins.hpp"
 #include "predict/run.hpp"
 #include "text/degrees.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "predict/drawn_wind.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "predict/run.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "predict/run_notes.hpp"
-
 #include <gtest/gtest.h>
+
+#include "predict/run.hpp"
 
 namespace fantail::predict {
 namespace {

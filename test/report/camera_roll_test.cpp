@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "report/camera_roll.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
+#include "report/figures.hpp"
 #include "report/html.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "report/descent.hpp"
-
 #include <gtest/gtest.h>
 
+#include "report/verdict_parts.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {

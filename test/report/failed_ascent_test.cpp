@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "report/failed_ascent.hpp"
-
 #include <filesystem>
 #include <fstream>
 
@@ -8,7 +6,8 @@
 
 #include "json/value.hpp"
 #include "report/html.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
+#include "report/verdict_parts.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "report/gain_margin_text.hpp"
-
 #include <gtest/gtest.h>
 
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::report {

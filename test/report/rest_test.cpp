@@ -8,7 +8,7 @@
 #include "json/value.hpp"
 #include "page/page.hpp"
 #include "report/html.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "report/side_deflection.hpp"
-
 #include <array>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "report/summary_json.hpp"
-
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
+#include "report/results.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {

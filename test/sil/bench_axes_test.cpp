@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/axes_mounting.hpp"
-#include "bench/axes_verdict.hpp"
+#include "bench/axes.hpp"
 #include "core/flight_plan_members.hpp"
 #include "sil/bench_at_world.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "avionics/can_frame.hpp"
 #include "bench/cycle.hpp"
-#include "bench/too_slow.hpp"
+#include "bench/perform.hpp"
 #include "sil/bench_at_world.hpp"
 #include "text/degrees.hpp"
 

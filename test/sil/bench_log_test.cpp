@@ -9,7 +9,6 @@
 #include "avionics/can_frame.hpp"
 #include "input/scenario_file.hpp"
 #include "link/log_download.hpp"
-#include "link/log_flights.hpp"
 #include "random_stream.hpp"
 #include "sil/bench_at_world.hpp"
 #include "system/folder.hpp"

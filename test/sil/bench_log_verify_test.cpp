@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "link/log_flights.hpp"
-#include "link/log_verify.hpp"
+#include "link/log_download.hpp"
 #include "link/made_record.hpp"
 #include "random_stream.hpp"
 #include "seed.hpp"

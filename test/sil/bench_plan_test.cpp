@@ -4,8 +4,7 @@
 #include "avionics/can_frame.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "link/arm_steps.hpp"
-#include "link/plan_reader.hpp"
-#include "link/plan_sender.hpp"
+#include "link/plan_transfer.hpp"
 #include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/zero.hpp"
-#include "link/plan_sender.hpp"
+#include "link/plan_transfer.hpp"
 #include "sil/bench_at_world.hpp"
 #include "text/degrees.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "link/arm_steps.hpp"
 #include "link/place.hpp"
-#include "link/plan_sender.hpp"
+#include "link/plan_transfer.hpp"
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
 

@@ -10,7 +10,7 @@
 #include "campaign/judged_flight.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "report/verdict.hpp"
 #include "text/degrees.hpp"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "input/scenario_file.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "seed.hpp"
 #include "sil/random_launch.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/too_slow.hpp"
+#include "bench/perform.hpp"
 #include "sil/bench_at_world.hpp"
 #include "sil/bus_filter.hpp"
 

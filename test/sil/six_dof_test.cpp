@@ -10,8 +10,8 @@
 #include "fly/fly_scenario.hpp"
 #include "fly/gravity_turn.hpp"
 #include "input/scenario_file.hpp"
-#include "report/descent.hpp"
 #include "report/figures.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::sil {

@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "bench/too_slow.hpp"
+#include "bench/perform.hpp"
 #include "random_stream.hpp"
 #include "seed.hpp"
 #include "sil/bench_at_world.hpp"

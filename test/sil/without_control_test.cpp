@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the same rocket would have done with its canards at trim.
-#include "fly/without_control.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "text/degrees.hpp"
 

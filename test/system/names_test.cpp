@@ -9,7 +9,7 @@
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::test {
 namespace {

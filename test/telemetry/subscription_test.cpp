@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "telemetry/subscription.hpp"
-
 #include <gtest/gtest.h>
 
 #include "system/folder.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "text/csv_cell.hpp"
-
 #include <gtest/gtest.h>
+
+#include "text/quoting.hpp"
 
 namespace fantail::text {
 namespace {

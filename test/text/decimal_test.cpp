@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "text/decimal.hpp"
-
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "text/number.hpp"
 
 namespace fantail::text {
 namespace {

@@ -16,7 +16,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "text/folder_lock.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::text {

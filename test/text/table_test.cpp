@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "text/table.hpp"
-
 #include <gtest/gtest.h>
 
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::text {
 namespace {

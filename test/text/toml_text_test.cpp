@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "text/toml_text.hpp"
-
 #include <gtest/gtest.h>
 
 #include "text/error.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::text {
 namespace {

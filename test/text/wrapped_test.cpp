@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "text/wrapped.hpp"
-
 #include <gtest/gtest.h>
+
+#include "text/layout.hpp"
 
 namespace fantail::text {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "input/scenario_file.hpp"
 #include "text/degrees.hpp"
-#include "tune/airframes.hpp"
 
 namespace fantail::tune {
 namespace {

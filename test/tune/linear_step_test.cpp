@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "tune/linear_step.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "tune/linear_trial.hpp"
 
 namespace fantail::tune {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "input/scenario_file.hpp"
 #include "stability/roll_loop.hpp"
-#include "tune/airframes.hpp"
-#include "tune/linear_step.hpp"
+#include "tune/flights.hpp"
+#include "tune/linear_trial.hpp"
 
 namespace fantail::tune {
 namespace {

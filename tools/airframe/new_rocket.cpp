@@ -15,7 +15,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
-#include "text/toml_text.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::airframe {
 namespace {

@@ -9,8 +9,8 @@
 #include "json/value.hpp"
 #include "page/page.hpp"
 #include "text/degrees.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/table.hpp"
 
 namespace fantail::airframe {
 namespace {

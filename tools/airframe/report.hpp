@@ -5,7 +5,7 @@
 
 #include "airframe/summary.hpp"
 #include "result/answer.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::airframe {
 

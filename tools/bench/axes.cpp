@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "link/frame_order.hpp"
 #include "link/session.hpp"
-#include "link/wrapping_counter.hpp"
 
 namespace fantail::bench {
 namespace {

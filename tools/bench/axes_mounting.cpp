@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bench/axes_mounting.hpp"
-
 #include <array>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "bench/axes_verdict.hpp"
+#include "bench/axes.hpp"
 #include "core/flight_plan_table.hpp"
 #include "sim/sensor_mounting.hpp"
 

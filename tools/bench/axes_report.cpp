@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "bench/axes_verdict.hpp"
+#include "bench/axes.hpp"
 #include "json/value.hpp"
 #include "sim/units.hpp"
 #include "text/degrees.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "bench/axes_verdict.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/axes.hpp"
 #include "sim/units.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include "bench/perform.hpp"
-#include "bench/too_slow.hpp"
 #include "bench/trace.hpp"
 
 namespace fantail::bench {

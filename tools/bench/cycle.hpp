@@ -13,7 +13,7 @@
 #include "link/session.hpp"
 #include "result/answer.hpp"
 #include "sim/canard_tolerances.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::bench {
 

@@ -6,8 +6,8 @@
 #include "bench/cycle.hpp"
 #include "bench/sheet_parts.hpp"
 #include "text/degrees.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/table.hpp"
 
 namespace fantail::bench {
 namespace {

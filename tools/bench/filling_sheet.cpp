@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/filling_sheet.hpp"
-
+#include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
 
 namespace fantail::bench {

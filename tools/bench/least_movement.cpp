@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "bench/least_movement.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "bench/exercise.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

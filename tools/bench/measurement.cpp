@@ -6,7 +6,6 @@
 
 #include "bench/readings.hpp"
 #include "bench/trace.hpp"
-#include "bench/turn_figures.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::bench {

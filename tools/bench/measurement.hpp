@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "bench/exercise.hpp"
+#include "bench/trace.hpp"
 #include "link/avionics_link.hpp"
 #include "sim/canard_tolerances.hpp"
 
@@ -74,5 +76,34 @@ struct Figures {
 [[nodiscard]] std::optional<double> slowest_ratio(const link::Recording& recording, const Exercise& exercise,
                                                   const Turn& turn, std::size_t canard,
                                                   const sim::CanardTolerances& tolerances);
+
+// The parts of measure(), each for one kind of movement; each fills what it can.
+
+/// Angles reached in the holds at both limits, and where the centre is found again from above and from below.
+void add_ends(const CanardTrace& trace, Figures& figures);
+void add_centre(const CanardTrace& trace, Figures& figures);
+
+/// The first step, and the speed of the step that begins with part `widest`. Needs `sign`.
+void add_steps(const CanardTrace& trace, Part widest, Figures& figures);
+
+/// How the encoder follows a sine.
+void add_wave(const CanardTrace& trace, double frequency_hz, Figures& figures);
+/// How far the command was the sine that was asked for.
+void add_sent_wave(const CanardTrace& trace, const Exercise& exercise, std::size_t canard, Figures& figures);
+
+/// Level, noise and drift whenever the canard should have stood still.
+void add_rest(const CanardTrace& trace, Figures& figures);
+
+/// What the avionics commanded in a sine, held against the sine that was asked for.
+struct SentWave {
+  std::vector<double> asked_rad{};     ///< within the limit, a value for each of the trace, where it fits best
+  double difference = 0.0;             ///< root mean square of command - asked, over that of the wave
+  std::size_t longest_standstill = 0;  ///< of the command within the sine, in ticks
+};
+/// Empty when the trace has no sine, or the limit leaves nothing of it.
+[[nodiscard]] std::optional<SentWave> sent_wave(const CanardTrace& trace, const Exercise& exercise, std::size_t canard);
+
+/// The largest difference with which what was commanded still is the sine asked for.
+[[nodiscard]] double most_difference(double frequency_hz);
 
 }  // namespace fantail::bench

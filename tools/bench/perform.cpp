@@ -2,11 +2,13 @@
 #include "bench/perform.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "bench/punctuality.hpp"
-#include "bench/too_slow.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -54,6 +56,21 @@ link::Recording record(const Exercise& exercise, link::Session& session, link::A
 }
 
 }  // namespace
+
+std::string advice(const Exercise& exercise, double done_s) {
+  // At its end it is voided for what is missing of the whole.
+  if (exercise.kind() != ExerciseKind::limits || exercise.turns().size() == 1 || done_s >= exercise.duration_s()) {
+    return {};
+  }
+  double alone_s = 0.0;
+  for (std::size_t canard = 0; canard < core::canard_count; ++canard) {
+    alone_s = std::max(alone_s, Exercise::limits_of(exercise.bounds(), canard).duration_s());
+  }
+  return done_s < alone_s
+             ? std::string{}
+             : fmt::format(". One canard alone, with --canard N, takes {:.1f} s; this PC kept up for {:.1f} s", alone_s,
+                           done_s);
+}
 
 link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
                         const std::function<void(double)>& progress,

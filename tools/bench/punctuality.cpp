@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "bench/too_slow.hpp"
+#include "bench/perform.hpp"
 #include "bench/trace.hpp"
 
 namespace fantail::bench {

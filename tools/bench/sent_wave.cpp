@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bench/sent_wave.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "bench/measurement.hpp"
 
 namespace fantail::bench {
 namespace {

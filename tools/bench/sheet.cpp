@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "bench/board_state.hpp"
-#include "bench/sent_wave.hpp"
+#include "bench/measurement.hpp"
 #include "bench/trace.hpp"
 #include "core/flight_plan.hpp"
 #include "text/degrees.hpp"

@@ -9,7 +9,7 @@
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
 #include "core/tick_record.hpp"
-#include "text/table.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::bench {
 namespace {

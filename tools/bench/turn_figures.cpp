@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "bench/turn_figures.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "bench/measurement.hpp"
 #include "bench/readings.hpp"
-#include "bench/sent_wave.hpp"
 
 namespace fantail::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include "input/shipped.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::campaign {
 namespace {

@@ -10,10 +10,10 @@
 #include "campaign/judged_flight.hpp"
 #include "flight/table.hpp"
 #include "runs/runner.hpp"
-#include "text/csv_cell.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
+#include "text/quoting.hpp"
 #include "text/sha256.hpp"
 
 namespace fantail::campaign {

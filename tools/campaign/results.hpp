@@ -7,7 +7,7 @@
 
 #include "campaign/analysis.hpp"
 #include "result/answer.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::campaign {
 

@@ -7,8 +7,8 @@
 
 #include "campaign/results.hpp"
 #include "flight/model_end.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/table.hpp"
 
 namespace fantail::campaign {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/shell_word.hpp"
-#include "text/table.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::detection {
 namespace {

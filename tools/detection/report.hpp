@@ -8,7 +8,7 @@
 
 #include "detection/campaign.hpp"
 #include "result/answer.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::detection {
 

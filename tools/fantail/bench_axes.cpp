@@ -4,8 +4,6 @@
 #include <fmt/core.h>
 
 #include "bench/axes.hpp"
-#include "bench/axes_mounting.hpp"
-#include "bench/axes_verdict.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/deliver.hpp"
@@ -13,7 +11,7 @@
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
-#include "link/plan_reader.hpp"
+#include "link/plan_transfer.hpp"
 
 namespace fantail::tool {
 namespace {

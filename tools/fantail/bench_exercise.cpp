@@ -11,10 +11,8 @@
 #include <fmt/core.h>
 
 #include "bench/exercise.hpp"
-#include "bench/least_movement.hpp"
 #include "bench/perform.hpp"
 #include "bench/sheet.hpp"
-#include "bench/too_slow.hpp"
 #include "fantail/bench_desk.hpp"
 #include "fantail/bench_options.hpp"
 #include "fantail/bench_page.hpp"

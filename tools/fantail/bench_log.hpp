@@ -13,7 +13,7 @@
 #include "fantail/can_place.hpp"
 #include "fantail/terminal.hpp"
 #include "json/value.hpp"
-#include "link/log_verify.hpp"
+#include "link/log_download.hpp"
 
 namespace fantail::tool {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/filling_sheet.hpp"
+#include "bench/sheet.hpp"
 #include "bench/trace.hpp"
 #include "live/broadcast.hpp"
 #include "live/panel.hpp"

@@ -17,7 +17,7 @@
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
-#include "link/plan_sender.hpp"
+#include "link/plan_transfer.hpp"
 #include "link/session.hpp"
 #include "protocol/plan_block.hpp"
 #include "replies/sentence.hpp"

@@ -13,7 +13,7 @@
 #include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
 #include "json/value.hpp"
-#include "link/plan_reader.hpp"
+#include "link/plan_transfer.hpp"
 #include "replies/sentence.hpp"
 
 namespace fantail::tool {

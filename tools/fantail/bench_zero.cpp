@@ -23,7 +23,7 @@
 #include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
-#include "link/plan_reader.hpp"
+#include "link/plan_transfer.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {

@@ -11,9 +11,9 @@
 #include "fantail/terminal.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
+#include "text/layout.hpp"
 #include "text/output_folder.hpp"
-#include "text/printable.hpp"
-#include "text/table.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

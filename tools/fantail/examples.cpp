@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "manual/command_lines.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "link/log_flights.hpp"
+#include "link/log_download.hpp"
 
 namespace fantail::tool {
 

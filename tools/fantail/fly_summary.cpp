@@ -12,9 +12,9 @@
 #include "fantail/terminal.hpp"
 #include "fantail/verdict_color.hpp"
 #include "flight/phase_names.hpp"
-#include "report/gain_margin_text.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::tool {
 

@@ -24,7 +24,7 @@
 #include "input/messages.hpp"
 #include "log_export/formats.hpp"
 #include "log_export/replayed_flight.hpp"
-#include "telemetry/type_texts.hpp"
+#include "telemetry/messages.hpp"
 #include "text/error.hpp"
 #include "text/output_folder.hpp"
 

@@ -22,7 +22,7 @@
 #include "input/messages.hpp"
 #include "manual/command.hpp"
 #include "manual/completion.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "fantail/interrupt.hpp"
 #include "fantail/standard_streams.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 

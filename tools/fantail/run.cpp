@@ -22,7 +22,7 @@
 #include "manual/roff.hpp"
 #include "page/page.hpp"
 #include "text/error.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "fantail/terminal.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::tool {
 namespace {

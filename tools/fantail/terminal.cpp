@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include "fantail/standard_streams.hpp"
-#include "text/printable.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

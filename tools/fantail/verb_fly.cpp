@@ -25,11 +25,9 @@
 #include "fantail/wall_clock.hpp"
 #include "flight/fly_command.hpp"
 #include "fly/fly_scenario.hpp"
-#include "fly/without_control.hpp"
 #include "hil/wire.hpp"
 #include "report/results.hpp"
-#include "text/printable.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 #include "trajectory/trajectory.hpp"
 
 namespace fantail::tool {

@@ -18,7 +18,7 @@
 #include "link/place.hpp"
 #include "link/session.hpp"
 #include "replies/sentence.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

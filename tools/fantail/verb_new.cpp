@@ -24,7 +24,7 @@
 #include "input/vehicle_file.hpp"
 #include "text/input_file.hpp"
 #include "text/output_folder.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -30,7 +30,7 @@
 #include "sim/world.hpp"
 #include "telemetry/tick_reporter.hpp"
 #include "text/output_folder.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

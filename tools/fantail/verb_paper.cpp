@@ -13,7 +13,6 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
-#include "paper/chapters.hpp"
 #include "paper/paper_page.hpp"
 #include "text/output_folder.hpp"
 

@@ -24,7 +24,7 @@
 #include "report/results.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

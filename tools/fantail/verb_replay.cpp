@@ -18,7 +18,7 @@
 #include "fantail/terminal.hpp"
 #include "fantail/what_if.hpp"
 #include "flight_log/integrity.hpp"
-#include "flight_log/replay.hpp"
+#include "flight_log/regenerate.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"

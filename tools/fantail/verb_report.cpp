@@ -23,8 +23,7 @@
 #include "report/results.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
-#include "text/printable.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

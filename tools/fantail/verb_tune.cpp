@@ -17,8 +17,7 @@
 #include "input/shipped.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
-#include "text/shell_word.hpp"
-#include "text/toml_text.hpp"
+#include "text/quoting.hpp"
 #include "tune/results.hpp"
 
 namespace fantail::tool {

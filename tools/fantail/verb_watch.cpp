@@ -16,9 +16,9 @@
 #include "fantail/verdict_color.hpp"
 #include "hal/linux/clock.hpp"
 #include "telemetry/panel.hpp"
-#include "telemetry/subscription.hpp"
+#include "telemetry/receiver.hpp"
 #include "text/error.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -6,7 +6,7 @@
 #include "campaign/setup.hpp"
 #include "faults/results.hpp"
 #include "json/value.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 // The results for scripts and for the terminal.
 namespace fantail::faults {

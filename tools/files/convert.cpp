@@ -20,7 +20,7 @@
 #include "json/value.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::files {
 namespace {

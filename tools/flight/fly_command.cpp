@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flight/fly_command.hpp"
 
-#include "text/shell_word.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::flight {
 

@@ -13,7 +13,7 @@
 #include "protocol/little_endian.hpp"
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::flight_log {
 namespace {

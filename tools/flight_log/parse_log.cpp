@@ -17,7 +17,7 @@
 #include "protocol/log_losses.hpp"
 #include "protocol/log_schema.hpp"
 #include "protocol/plan_block.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::flight_log {
 namespace {

@@ -11,8 +11,10 @@
 #include "core/flight_plan_fields.hpp"
 #include "core/tick_record.hpp"
 #include "flight_log/schema.hpp"
+#include "input/plan_file.hpp"
 #include "protocol/log_schema.hpp"
 #include "protocol/state_block.hpp"
+#include "text/error.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -156,6 +158,10 @@ class Replay {
   std::optional<std::uint32_t> last_tick_;
 };
 
+[[noreturn]] void refuse(const std::string& log, const std::string& why) {
+  throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: cannot be replayed. {}", log, why)};
+}
+
 }  // namespace
 
 core::Inputs inputs_of(const Flight& flight, const protocol::LogTick& tick, const core::CanardsPlan& canards) {
@@ -210,6 +216,30 @@ Regeneration regenerate(const Flight& flight, const core::FlightPlan& plan) {
   result.unreachable = flight.ticks.size() - result.compared;
   if (result.compared == 0) {
     result.obstacle = "None of its checkpoints fits this program's flight law.";
+  }
+  return result;
+}
+
+core::FlightPlan plan_for_replay(const Flight& flight, const std::string& log,
+                                 std::span<const input::Override> changes) {
+  if (!flight.plan) {
+    refuse(log, flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
+                                  : "No intact header is left, and so no flight plan.");
+  }
+  for (const input::Override& change : changes) {
+    if (change.section == "sensors" && !change.key.starts_with("gyro")) {
+      refuse(log,
+             fmt::format("{} changes nothing in a replay: what a log holds is turned into the rocket's axes already",
+                         change.text()));
+    }
+  }
+  return changes.empty() ? *flight.plan : input::changed_plan(*flight.plan, changes);
+}
+
+Regeneration replay(const Flight& flight, const std::string& log, const core::FlightPlan& plan) {
+  Regeneration result = regenerate(flight, plan);
+  if (!result.obstacle.empty()) {
+    refuse(log, result.obstacle);
   }
   return result;
 }

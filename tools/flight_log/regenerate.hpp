@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "core/inputs.hpp"
 #include "core/tick_record.hpp"
 #include "flight_log/flight_log.hpp"
+#include "input/document.hpp"
 
 namespace fantail::flight_log {
 
@@ -50,5 +52,14 @@ struct Regeneration {
 /// with what was recorded, byte for byte. `plan` is flight.plan, or a changed one: then the inputs are still those of
 /// the flight that was flown (open loop), and the differences are what the change would have done to the commands.
 [[nodiscard]] Regeneration regenerate(const Flight& flight, const core::FlightPlan& plan);
+
+/// The plan of a flight with some values changed, for a replay that a person has asked for. Throws text::Error:
+/// bad_data when `log`, as the person calls it, holds no plan that can be used; for a change that a replay cannot show;
+/// bad_configuration as changed_plan() does.
+[[nodiscard]] core::FlightPlan plan_for_replay(const Flight& flight, const std::string& log,
+                                               std::span<const input::Override> changes);
+
+/// regenerate(), for which nothing stands in the way. Throws text::Error (bad_data) that says what does.
+[[nodiscard]] Regeneration replay(const Flight& flight, const std::string& log, const core::FlightPlan& plan);
 
 }  // namespace fantail::flight_log

@@ -7,7 +7,7 @@
 #include <charconv>
 
 #include "protocol/little_endian.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::flight_log {
 namespace {

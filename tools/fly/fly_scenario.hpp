@@ -47,4 +47,12 @@ using TakeRow = std::function<void(const flight::Row& row, const flight::Flight&
 /// Seconds from power-up to the end, where they are known beforehand: in the tunnel.
 [[nodiscard]] std::optional<double> expected_length_s(const sim::Scenario& scenario);
 
+/// The rocket of a flight without control: the same scenario, seed and faults, flown by a plan whose gains are zero and
+/// which neither excites nor rejects an offset, so that all it ever commands is trim. A point every 10 ms. Empty where
+/// that says nothing: without control in the flight or in its plan, and on the gimbal and on pins, where something else
+/// holds the rocket.
+[[nodiscard]] std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& scenario,
+                                                                      const flight::Flight& flight,
+                                                                      const Look& look = {});
+
 }  // namespace fantail::fly

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "fly/without_control.hpp"
-
 #include <cstdint>
 
+#include "fly/fly_scenario.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::fly {

@@ -11,7 +11,6 @@
 #include "core/flight_plan_fields.hpp"
 #include "input/file_checks.hpp"
 #include "input/section.hpp"
-#include "text/decimal.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 

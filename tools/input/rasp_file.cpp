@@ -13,8 +13,8 @@
 
 #include "input/file_text.hpp"
 #include "input/messages.hpp"
-#include "text/decimal.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::input {
 namespace {

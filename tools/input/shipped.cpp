@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "input/messages.hpp"
-#include "input/shipped_place.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 

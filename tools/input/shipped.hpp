@@ -18,6 +18,24 @@ namespace fantail::input {
 /// What kind of file a name stands for, and so in which folder the shipped ones lie.
 enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_result };
 
+/// Where the shipped files of a kind lie in the project, and what they are called.
+struct ShippedPlace {
+  std::string_view noun;       ///< for people: "flight plan"
+  std::string_view folder;     ///< "firmware/plans"
+  std::string_view extension;  ///< ".toml"
+};
+
+[[nodiscard]] constexpr ShippedPlace place_of(Shipped kind) {
+  switch (kind) {
+    case Shipped::scenario: return {"scenario", "sim/scenarios", ".toml"};
+    case Shipped::vehicle: return {"vehicle", "sim/vehicles", ".toml"};
+    case Shipped::motor: return {"motor", "sim/motors", ".eng"};
+    case Shipped::tunnel_result: return {"tunnel result", "sim/tunnel_results", ".csv"};
+    case Shipped::plan: break;
+  }
+  return {"flight plan", "firmware/plans", ".toml"};
+}
+
 /// The file that a person means: a path when it names an existing file or looks like one, else a shipped name. Throws
 /// text::Error (no_such_input) with the shipped names and a suggestion.
 [[nodiscard]] std::filesystem::path find_input(Shipped kind, const std::string& name_or_path);

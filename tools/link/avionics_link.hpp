@@ -18,7 +18,6 @@
 #include "hal/clock.hpp"
 #include "link/frame_order.hpp"
 #include "link/heartbeats.hpp"
-#include "link/link_error.hpp"
 #include "link/place.hpp"
 #include "protocol/bus_codec.hpp"
 

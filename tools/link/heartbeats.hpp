@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "link/wrapping_counter.hpp"
+#include "link/frame_order.hpp"
 
 namespace fantail::link {
 

@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "core/time.hpp"
 #include "link/log_reader.hpp"
 
 namespace fantail::link {
 
 /// What has been downloaded so far, in a file that outlives this program. Verified bytes only are written to it, in
 /// order; a program that is killed can leave it shorter. A power cut, a disk or a person can leave it wrong, so what is
-/// read back is to be verified again (log_verify.hpp). Every call throws text::OutputError with the path and the
-/// system's reason.
+/// read back is to be verified again. Every call throws text::OutputError with the path and the system's reason.
 class LogPart {
  public:
   /// Goes on with the file that is there; makes its folder.
@@ -74,5 +74,43 @@ struct ListedFlight {
 /// `progress` is told the bytes looked through.
 [[nodiscard]] std::vector<ListedFlight> list_flights(LogReader& reader, std::uint32_t used_bytes,
                                                      const std::function<void(std::uint32_t)>& progress);
+
+/// What a second look at a downloaded stretch has found.
+struct LogCheck {
+  std::uint32_t mended_bytes = 0;    ///< were not as the avionics has them, and now are
+  std::uint32_t unsteady_bytes = 0;  ///< in chunks that were read differently each time
+  bool intact = false;               ///< every record is there, by its CRC-32C and its number, up to a last cut-off one
+  /// All that is on this PC is what the avionics has: each byte stands under the CRC-32C of its record, or two fetches
+  /// of it agree. What is not intact then is damaged in the flash.
+  [[nodiscard]] bool agrees() const { return unsteady_bytes == 0; }
+};
+
+/// Verifies a part that holds the whole stretch, and fetches again what fails. Of the first `resumed_bytes`, which this
+/// run did not fetch, everything that no intact record covers is fetched again. If a flight is not whole then, so is
+/// the whole stretch: only two fetches that agree make it damage in the flash, or a record that was cut off there.
+/// `progress` is told the bytes fetched again; it may throw to give up, and the part stays.
+[[nodiscard]] LogCheck verify(LogReader& reader, const LogStretch& stretch, LogPart& part, std::uint32_t resumed_bytes,
+                              const std::function<void(std::uint32_t)>& progress);
+
+/// One flight in a downloaded record, as far as its frames tell.
+struct RecordedFlight {
+  std::size_t begin = 0;  ///< its bytes in the record
+  std::size_t end = 0;
+  std::string vehicle{};                    ///< of its first intact header
+  std::optional<std::uint32_t> power_up{};  ///< of the same
+  core::Microseconds first_time{};
+  core::Microseconds last_time{};
+  std::size_t records = 0;          ///< intact ones
+  std::size_t missing_records = 0;  ///< by their numbers, without those that the recorder itself left out
+  std::size_t damaged_bytes = 0;    ///< that belong to no intact record and are not erased flash
+  std::size_t cut_off_bytes = 0;    ///< of its last record, which a power cut left unfinished; they are no damage
+
+  [[nodiscard]] double duration_s() const { return 1e-6 * static_cast<double>((last_time - first_time).count()); }
+  [[nodiscard]] bool intact() const { return missing_records == 0 && damaged_bytes == 0; }
+};
+
+/// The flights of a record, one behind the other. Each begins where the numbers of the records begin anew or a header
+/// names another flight, and ends with its last byte that is not erased flash.
+[[nodiscard]] std::vector<RecordedFlight> split_flights(std::span<const std::byte> record);
 
 }  // namespace fantail::link

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "link/log_flights.hpp"
-
 #include <algorithm>
 
+#include "link/log_download.hpp"
 #include "protocol/log_frame.hpp"
 #include "protocol/log_header.hpp"
 #include "protocol/log_losses.hpp"

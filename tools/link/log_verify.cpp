@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "link/log_verify.hpp"
-
 #include <algorithm>
 #include <vector>
 
-#include "link/log_flights.hpp"
+#include "link/log_download.hpp"
 #include "protocol/log_frame.hpp"
 
 namespace fantail::link {

@@ -2,11 +2,22 @@
 #pragma once
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
 
 namespace fantail::link {
+
+/// The avionics does not answer, refuses, or has ended the session. what() says it for a person.
+class LinkError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// More than one avionics reports on the bus, so no report says which rocket it is about.
+class TwoRockets : public LinkError {
+  using LinkError::LinkError;
+};
 
 /// Where a bench stands: at a real bus, where waiting takes time, or at a simulated one, which moves on while the bench
 /// waits. So a procedure is written once, from top to bottom, and every test of it is the procedure itself.

@@ -7,7 +7,7 @@
 
 #include "listen/heard.hpp"
 #include "result/answer.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::listen {
 

@@ -5,8 +5,8 @@
 #include "listen/outputs.hpp"
 #include "listen/sentences.hpp"
 #include "text/degrees.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/table.hpp"
 
 namespace fantail::listen {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "live/address.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -9,6 +7,8 @@
 
 #include <arpa/inet.h>
 #include <fmt/core.h>
+
+#include "live/server.hpp"
 
 namespace fantail::live {
 namespace {

@@ -8,9 +8,8 @@
 #include <fmt/core.h>
 
 #include "json/value.hpp"
-#include "live/assets.hpp"
-#include "page/assets.hpp"
 #include "page/page.hpp"
+#include "page/parts.hpp"
 
 namespace fantail::live {
 

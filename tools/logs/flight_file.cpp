@@ -9,7 +9,7 @@
 #include "logs/column_map.hpp"
 #include "logs/load_table.hpp"
 #include "logs/one_flight.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {

@@ -12,7 +12,7 @@
 #include <fmt/core.h>
 
 #include "report/figures.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 #include "text/number.hpp"

@@ -18,7 +18,7 @@
 #include "logs/load_table.hpp"
 #include "logs/log_doubts.hpp"
 #include "logs/one_flight.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "manual/roff.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::manual {
 namespace {

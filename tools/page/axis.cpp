@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "page/axis.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
 #include <fmt/core.h>
 
+#include "page/svg_plot.hpp"
 #include "text/number.hpp"
 
 namespace fantail::page {

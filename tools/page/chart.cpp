@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "page/assets.hpp"
 #include "page/parts.hpp"
 
 namespace fantail::page {

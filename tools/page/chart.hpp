@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "page/axis.hpp"
+#include "page/svg_plot.hpp"
 
 namespace fantail::page {
 

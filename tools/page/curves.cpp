@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "page/parts.hpp"
-#include "page/thinning.hpp"
+#include "page/svg_plot.hpp"
 
 namespace fantail::page {
 namespace {

@@ -11,10 +11,9 @@
 #include <fmt/core.h>
 
 #include "json/value.hpp"
-#include "page/assets.hpp"
 #include "page/page.hpp"
 #include "page/parts.hpp"
-#include "page/thinning.hpp"
+#include "page/svg_plot.hpp"
 
 namespace fantail::page {
 namespace {

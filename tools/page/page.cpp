@@ -7,9 +7,9 @@
 
 #include <fmt/core.h>
 
-#include "page/assets.hpp"
+#include "page/parts.hpp"
 #include "text/number.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::page {
 namespace {

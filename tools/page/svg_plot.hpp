@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,9 +12,38 @@
 
 #include <fmt/core.h>
 
-#include "page/axis.hpp"
-
 namespace fantail::page {
+
+struct Range {
+  double low;
+  double high;
+};
+
+/// Grows to hold the value; what is not finite changes nothing.
+void include(std::optional<Range>& range, double value);
+
+/// Fit to be drawn: low below high by more than rounding can hide, whatever came in.
+[[nodiscard]] Range drawable(Range range);
+
+struct Tick {
+  double value;
+  std::string text;
+};
+
+/// 1, 2 or 5 times a power of ten apart, so that their number is near `wanted`.
+[[nodiscard]] std::vector<Tick> even_ticks(Range range, double wanted);
+/// 1, 2 and 5 times the powers of ten, or the powers alone when that is too many; even ones when the range is narrow.
+[[nodiscard]] std::vector<Tick> decade_ticks(Range range, double wanted);
+/// At these values and nowhere else, each once.
+[[nodiscard]] std::vector<Tick> ticks_at(std::span<const double> values, Range range);
+
+/// Which samples of several series on one clock to draw: of each of `buckets` equal stretches the first sample and the
+/// smallest and largest of every series, and the last sample of all. No peak is lost, however short; NaN is skipped.
+/// Increasing indices without repeats. All series have the same length.
+[[nodiscard]] std::vector<std::size_t> keep_extremes(std::span<const std::vector<double>> series, std::size_t buckets);
+
+/// The samples before which others are missing: each comes five times later than is usual here. Increasing.
+[[nodiscard]] std::vector<std::size_t> gaps(std::span<const double> x);
 
 /// How wide the text stands in the plot's own units, rather too much than too little: nobody knows the reader's
 /// font.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "page/thinning.hpp"
-
 #include <algorithm>
 #include <numeric>
+
+#include "page/svg_plot.hpp"
 
 namespace fantail::page {
 

@@ -5,8 +5,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include "paper/chapters.hpp"
-#include "paper/drawing.hpp"
+#include "paper/paper_page.hpp"
 #include "paper/runs.hpp"
 #include "tunnel/flow.hpp"
 

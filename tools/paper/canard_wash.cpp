@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "paper/canard_wash.hpp"
-
 #include <cmath>
 #include <string>
 #include <utility>
@@ -8,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "identify/identification.hpp"
+#include "paper/recomputed.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

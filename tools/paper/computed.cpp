@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "paper/computed.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include <fmt/core.h>
+
+#include "paper/print.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "paper/drawing.hpp"
-
 #include <limits>
 #include <utility>
 
 #include "page/page.hpp"
+#include "paper/runs.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::paper {

@@ -8,10 +8,9 @@
 
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/identification.hpp"
-#include "paper/chapters.hpp"
-#include "paper/drawing.hpp"
-#include "paper/first_launch_ascent.hpp"
-#include "paper/first_launch_identified.hpp"
+#include "paper/paper_page.hpp"
+#include "paper/recomputed.hpp"
+#include "paper/runs.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

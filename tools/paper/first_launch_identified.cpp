@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "paper/first_launch_identified.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "paper/recomputed.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

@@ -10,8 +10,8 @@
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
-#include "paper/chapters.hpp"
 #include "paper/outside_rows.hpp"
+#include "paper/paper_page.hpp"
 #include "sim/units.hpp"
 #include "text/number.hpp"
 

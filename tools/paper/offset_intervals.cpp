@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "paper/offset_intervals.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/identification.hpp"
 #include "paper/published_steps.hpp"
+#include "paper/recomputed.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::paper {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "paper/kind.hpp"
+#include "paper/claim.hpp"
 
 namespace fantail::paper {
 

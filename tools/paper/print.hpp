@@ -4,8 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "paper/claim.hpp"
 #include "paper/published_steps.hpp"
 
 namespace fantail::paper {
@@ -82,5 +85,24 @@ class Print {
  private:
   std::array<double, number_count> numbers_{};
 };
+
+/// A printed number, and how the other printed ones give it. `ours` must not look at `theirs`; a test changes the
+/// printed number and sees that ours stays.
+struct Computed {
+  const char* place;
+  const char* what;
+  Number theirs;
+  double (*ours)(const Print& print);
+  const char* unit = "%";
+  int decimals = 1;
+  double tolerance = 0.05;
+  const char* why_otherwise = "";
+  std::string (*remark)(const Print& print) = nullptr;
+};
+
+[[nodiscard]] std::span<const Computed> computed();
+
+/// The only way to a row of the kind `computed`.
+[[nodiscard]] Claim worked_out(const Computed& row, const Print& print);
 
 }  // namespace fantail::paper

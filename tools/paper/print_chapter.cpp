@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
-#include "paper/chapters.hpp"
-#include "paper/computed.hpp"
-#include "paper/print_slips.hpp"
+#include "paper/paper_page.hpp"
+#include "paper/print.hpp"
+#include "paper/recomputed.hpp"
 #include "text/number.hpp"
 
 namespace fantail::paper {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "paper/print_slips.hpp"
-
 #include <fmt/core.h>
+
+#include "paper/recomputed.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/chirp.hpp"
 #include "identify/identification.hpp"
-#include "paper/chapters.hpp"
-#include "paper/drawing.hpp"
-#include "paper/offset_intervals.hpp"
+#include "paper/paper_page.hpp"
+#include "paper/recomputed.hpp"
+#include "paper/runs.hpp"
 #include "report/results.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

@@ -6,9 +6,9 @@
 #include <fmt/core.h>
 
 #include "input/scenario_file.hpp"
-#include "paper/canard_wash.hpp"
-#include "paper/chapters.hpp"
-#include "paper/drawing.hpp"
+#include "paper/paper_page.hpp"
+#include "paper/recomputed.hpp"
+#include "paper/runs.hpp"
 #include "paper/tunnel_step.hpp"
 #include "text/degrees.hpp"
 

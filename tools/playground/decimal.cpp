@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// text/decimal.hpp without std::from_chars, which libc++ 19 has for whole numbers only. strtod of musl rounds as
+// text/number.hpp without std::from_chars, which libc++ 19 has for whole numbers only. strtod of musl rounds as
 // exactly, and there is no locale; what it reads beyond decimals is taken away from it.
-#include "text/decimal.hpp"
-
 #include <cmath>
 #include <cstdlib>
 #include <string>
+
+#include "text/number.hpp"
 
 namespace fantail::text {
 

@@ -11,12 +11,11 @@
 
 #include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
-#include "fly/without_control.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "playground/shipped_texts.hpp"
 #include "report/figures.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
 #include "report/verdict.hpp"
 #include "sim/scenario.hpp"
 #include "text/degrees.hpp"

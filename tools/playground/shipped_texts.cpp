@@ -13,7 +13,6 @@
 #include "input/file_text.hpp"
 #include "input/messages.hpp"
 #include "input/shipped.hpp"
-#include "input/shipped_place.hpp"
 #include "text/error.hpp"
 
 namespace fantail::playground {

@@ -7,8 +7,9 @@
 #include "predict/prediction.hpp"
 #include "stability/gain_choice.hpp"
 
-// What would have to change, tried on the runs before it is said.
 namespace fantail::predict {
+
+// What would have to change, tried on the runs before it is said.
 
 struct LimitAdvice {
   std::string sentence{};
@@ -39,5 +40,10 @@ struct Trial {
 /// none of them be judged. `look` is called after each flight.
 [[nodiscard]] Trial trial(const Prediction& prediction, const LimitAdvice& limit, const GainAdvice& gains,
                           const Look& look = look_nowhere);
+
+/// In six degrees of freedom, where the plan's tilt limit ends control early: in how much less wind the first of these
+/// runs, flown again, do not come to that, or that they do even without, and whether they do from an upright guide.
+/// Empty where no run comes to it. `look` is called after each flight.
+[[nodiscard]] std::string advice_on_wind(const Prediction& prediction, const Look& look);
 
 }  // namespace fantail::predict

@@ -7,7 +7,6 @@
 
 #include "flight/flight.hpp"
 #include "json/value.hpp"
-#include "predict/charts.hpp"
 #include "predict/fields.hpp"
 #include "predict/sentences.hpp"
 #include "text/degrees.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "page/chart.hpp"
 #include "predict/decision.hpp"
 #include "result/document.hpp"
 
@@ -12,5 +13,14 @@ namespace fantail::predict {
 
 /// Every figure in its files, for the manual.
 [[nodiscard]] std::vector<result::Listed> listed_fields();
+
+// Pictures of predict.html that no table has.
+
+/// The reference of the run that is controlled longest, over the times of the band.
+[[nodiscard]] page::Series reference(const Prediction& prediction);
+/// How many of the runs have an offset of at most this size, with the canard limit.
+[[nodiscard]] page::Chart offset_chart(const Prediction& prediction);
+/// Damping and torque of the airframes drawn, and of the tunnel's steps.
+[[nodiscard]] page::Chart airframe_chart(const Prediction& prediction);
 
 }  // namespace fantail::predict

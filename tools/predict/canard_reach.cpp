@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "predict/canard_reach.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,8 +8,9 @@
 
 #include "core/flight_plan.hpp"
 #include "flight/flight.hpp"
+#include "predict/margins.hpp"
 #include "sim/deflection_range.hpp"
-#include "stability/plan_ranges.hpp"
+#include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

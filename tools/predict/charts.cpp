@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "predict/charts.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "predict/answer.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {

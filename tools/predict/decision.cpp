@@ -12,10 +12,7 @@
 #include <fmt/format.h>
 
 #include "predict/advice.hpp"
-#include "predict/leaning_guide.hpp"
-#include "predict/model_end.hpp"
 #include "predict/sentences.hpp"
-#include "predict/wind_advice.hpp"
 #include "stability/canard_sense.hpp"
 #include "text/number.hpp"
 

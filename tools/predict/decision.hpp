@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,5 +48,29 @@ struct Decision {
 /// tried with, and may throw to give up.
 [[nodiscard]] Decision decide(const Prediction& prediction, const Thresholds& thresholds,
                               const Look& look = look_nowhere);
+
+/// Of a launch that is in some run beyond a flight::ModelEnd; empty otherwise. Never met: what is outside the model
+/// cannot be judged, whatever the runs look like.
+[[nodiscard]] std::optional<Criterion> within_model(const Prediction& prediction);
+
+/// No run is beyond another end than that of the angle of attack, which comes with the wind that a run draws: such runs
+/// count as not held, and where enough others are, the launch is a go with a caution.
+[[nodiscard]] bool is_outside_by_wind_alone(const Prediction& prediction);
+
+/// Runs that would be held if the simulation held there.
+[[nodiscard]] std::size_t steady_outside_model(const Prediction& prediction);
+
+/// A clause on a static margin that is little or unknown; empty: neither.
+[[nodiscard]] std::string stability_caution(const Prediction& prediction);
+
+// A simulated rocket keeps to the line of its guide, a real one bends over and comes to the plan's tilt limit, which
+// ends control. A point mass tells when.
+
+/// Whether control would last as long as in the runs, or to within a second of the point mass's apogee. Empty for
+/// a guide that hardly leans, and without a run under control.
+[[nodiscard]] std::optional<Criterion> tilt_limit(const Prediction& prediction);
+
+/// The most that the guide may lean for it, in half degrees, as a sentence; empty where that would be hardly at all.
+[[nodiscard]] std::string advice_on_tilt(const Prediction& prediction);
 
 }  // namespace fantail::predict

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "predict/drawn_wind.hpp"
-
 #include <numbers>
 
+#include "predict/run.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::predict {

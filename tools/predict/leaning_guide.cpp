@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "predict/leaning_guide.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "fly/gravity_turn.hpp"
+#include "predict/decision.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

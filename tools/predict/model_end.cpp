@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "predict/model_end.hpp"
-
 #include <algorithm>
 
 #include <fmt/core.h>
 
+#include "predict/decision.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {

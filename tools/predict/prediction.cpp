@@ -7,10 +7,9 @@
 
 #include <fmt/core.h>
 
-#include "predict/drawn_wind.hpp"
+#include "predict/airframe.hpp"
 #include "predict/margins.hpp"
-#include "predict/run_notes.hpp"
-#include "predict/tunnel_use.hpp"
+#include "predict/run.hpp"
 #include "runs/runner.hpp"
 #include "stability/roll_loop.hpp"
 #include "stability/speed_range.hpp"

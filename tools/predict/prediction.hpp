@@ -11,7 +11,6 @@
 #include "campaign/share.hpp"
 #include "flight/flight.hpp"
 #include "predict/airframe.hpp"
-#include "predict/canard_reach.hpp"
 #include "predict/margins.hpp"
 #include "predict/roll_resonance.hpp"
 #include "predict/run.hpp"

@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "campaign/judged_flight.hpp"
-#include "predict/canard_reach.hpp"
-#include "predict/drawn_wind.hpp"
+#include "predict/margins.hpp"
 #include "report/figures.hpp"
 
 namespace fantail::predict {

@@ -14,6 +14,7 @@
 #include "report/verdict.hpp"
 #include "runs/row_text.hpp"
 #include "sim/scenario.hpp"
+#include "sim/wind.hpp"
 
 namespace fantail::predict {
 
@@ -81,5 +82,16 @@ inline constexpr auto look_nowhere = [] {};
 /// balance it.
 [[nodiscard]] std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
                                                     double speed_m_s);
+
+/// What the flights of the runs remark, each sentence once, with in how many of them. Sentences that differ in their
+/// figures only count as one; it has the figures of the first run.
+[[nodiscard]] std::vector<std::string> notes_of(const std::vector<Run>& runs);
+
+/// The wind of one run: its speed normal about the stated one, drawn again until it is not below zero, and where it
+/// comes from anywhere within the spread to both sides of what is stated, each direction alike. Profile, gust and
+/// turbulence stay as stated; turbulence has a stream of its own. The same seed draws the same wind, and a spread of
+/// zero the stated one.
+[[nodiscard]] sim::WindParameters drawn_wind(const sim::WindParameters& stated, const sim::WindSpread& spread,
+                                             std::uint64_t seed);
 
 }  // namespace fantail::predict

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "predict/run_notes.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 
 #include <fmt/core.h>
+
+#include "predict/run.hpp"
 
 namespace fantail::predict {
 namespace {

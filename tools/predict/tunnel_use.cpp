@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "predict/tunnel_use.hpp"
-
 #include <cmath>
 #include <string>
 
 #include <fmt/core.h>
 
+#include "predict/airframe.hpp"
 #include "text/error.hpp"
 
 namespace fantail::predict {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "predict/wind_advice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "predict/advice.hpp"
 #include "predict/sentences.hpp"
 
 namespace fantail::predict {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "report/camera_roll.hpp"
-
 #include <cmath>
+
+#include "report/figures.hpp"
 
 namespace fantail::report {
 

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "report/chart_drawer.hpp"
-#include "report/side_deflection.hpp"
+#include "report/figures.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::report {

@@ -11,9 +11,9 @@
 
 #include "flight/phase_names.hpp"
 #include "report/chart_drawer.hpp"
-#include "report/descent.hpp"
 #include "report/html.hpp"
-#include "report/settle_point.hpp"
+#include "report/rest.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "report/control_end.hpp"
-
 #include <algorithm>
 
 #include <fmt/core.h>
 
 #include "flight/phase_names.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "report/descent.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "report/verdict_parts.hpp"
 
 namespace fantail::report {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "report/failed_ascent.hpp"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -9,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

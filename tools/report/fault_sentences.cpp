@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "report/fault_sentences.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "report/verdict_parts.hpp"
 #include "text/number.hpp"
 
 namespace fantail::report {

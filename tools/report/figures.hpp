@@ -2,16 +2,57 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
-#include "report/camera_roll.hpp"
 #include "report/extent.hpp"
 #include "report/hold.hpp"
-#include "report/side_deflection.hpp"
 
 namespace fantail::report {
+
+/// How far the roll that a camera sees and the roll angle, which is the integral of a body rate, came apart since
+/// launch detection: the rocket cones. Of a simulated flight in six degrees of freedom.
+struct CameraRoll {
+  double largest_rad = 0.0;  ///< of the camera's less the true roll angle, with its sign
+  double at_end_rad = 0.0;   ///< likewise, at the end of control
+
+  friend bool operator==(const CameraRoll&, const CameraRoll&) = default;
+};
+
+/// Row by row.
+class CameraRollWatch {
+ public:
+  /// Each row, in order. Those from launch detection to the end of control count.
+  void add(const flight::Row& row);
+
+  [[nodiscard]] const std::optional<CameraRoll>& found() const { return found_; }
+
+ private:
+  double zero_rad_ = 0.0;
+  std::optional<CameraRoll> found_{};
+};
+
+/// Of a canard from the angle of its shaft: from trim, and positive in the sense that rolls the rocket positively.
+[[nodiscard]] double deflection_rad(const core::CanardPlan& canard, double angle_rad);
+
+/// What four canards that do not stand alike do beside rolling the rocket: the sum of their deflections as vectors
+/// across the axis, with the canards numbered around the rocket so that 1 lies opposite 3, and 2 opposite 4. An angle
+/// of one canard; zero while all four turn alike. Deflections are those of the encoders, from the trims of the plan.
+struct SideDeflection {
+  double largest_rad = 0.0;
+  double mean_rad = 0.0;
+  /// The largest moment about the centre of gravity that this makes, in air of 1.225 kg/m3. Empty: the vehicle does not
+  /// say where its canards are, or the speed is not known.
+  std::optional<double> largest_moment_n_m{};
+
+  friend bool operator==(const SideDeflection&, const SideDeflection&) = default;
+};
+
+/// Over the ticks in which all four encoders can be read. Empty without any, and without a plan.
+[[nodiscard]] std::optional<SideDeflection> side_deflection(const flight::Flight& flight,
+                                                            std::span<const flight::Row> control);
 
 /// The numbers of one flight. Empty: the flight has no such figure (no control, no truth, a tunnel run, ...).
 ///

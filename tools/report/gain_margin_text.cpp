@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "report/gain_margin_text.hpp"
-
 #include <cmath>
 
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

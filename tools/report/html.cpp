@@ -13,10 +13,8 @@
 
 #include "flight/phase_names.hpp"
 #include "page/page.hpp"
-#include "report/control_end.hpp"
-#include "report/descent.hpp"
-#include "report/gain_margin_text.hpp"
-#include "report/settle_point.hpp"
+#include "report/rest.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

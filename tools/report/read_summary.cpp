@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "json/value.hpp"
-#include "report/failed_ascent.hpp"
-#include "report/summary_json.hpp"
+#include "report/results.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::report {
 namespace {

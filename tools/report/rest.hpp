@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "flight/flight.hpp"
 
@@ -43,5 +44,11 @@ class RunningRest {
   double sum_of_errors_rad_ = 0.0;
   std::size_t rows_ = 0;
 };
+
+/// Where the law of the plan comes to rest: "R + u_d/kp".
+[[nodiscard]] std::string settle_point_name(const flight::Flight& flight);
+
+/// Why it comes to rest there, with this flight's own numbers where they are known.
+[[nodiscard]] std::string settle_point_text(const flight::Flight& flight);
 
 }  // namespace fantail::report

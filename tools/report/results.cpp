@@ -10,7 +10,6 @@
 
 #include "flight/write_csv.hpp"
 #include "report/html.hpp"
-#include "report/summary_json.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::report {

@@ -7,9 +7,9 @@
 
 #include <fmt/core.h>
 
+#include "report/figures.hpp"
 #include "report/html.hpp"
 #include "report/roll_truth.hpp"
-#include "report/side_deflection.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
-#include "report/camera_roll.hpp"
 #include "report/extent.hpp"
 #include "report/figures.hpp"
 #include "report/hold.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "report/settle_point.hpp"
-
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "page/axis.hpp"
+#include "page/svg_plot.hpp"
+#include "report/rest.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

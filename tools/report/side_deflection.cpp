@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "report/side_deflection.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "report/figures.hpp"
 
 namespace fantail::report {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "report/summary_json.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +7,8 @@
 #include <string>
 
 #include "json/value.hpp"
-#include "report/failed_ascent.hpp"
+#include "report/results.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/sha256.hpp"
 
@@ -123,7 +122,7 @@ Json unmeasured(const flight::Unmeasured& u) {
           {"speed_bound_from_s", rounded(u.speed_bound_from_s)}};
 }
 
-Json outages(const flight::Flight& flight) {
+Json outage_list(const flight::Flight& flight) {
   Json all = Json::array();
   for (const flight::Outage& outage : flight.outages) {
     all.push_back({{"from_s", rounded(outage.from_s)},
@@ -233,7 +232,7 @@ std::string summary_json(const flight::Flight& flight, const Figures& figures, c
     summary["before_burnout"] = before_burnout_json(flight);
   }
   if (!flight.outages.empty()) {
-    summary["outages"] = outages(flight);
+    summary["outages"] = outage_list(flight);
   }
   json::keep_exact(summary, "seed");
   result::put_answer(summary, answer(verdict), verdict.text, made);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "report/unknown_roll.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -8,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "report/verdict_parts.hpp"
 #include "text/number.hpp"
 
 namespace fantail::report {

@@ -8,10 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "report/control_end.hpp"
-#include "report/failed_ascent.hpp"
-#include "report/fault_sentences.hpp"
-#include "report/unknown_roll.hpp"
+#include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

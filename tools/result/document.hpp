@@ -13,7 +13,7 @@
 #include "json/value.hpp"
 #include "page/chart.hpp"
 #include "result/field.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::result {
 

@@ -6,7 +6,7 @@
 
 #include "result/document.hpp"
 #include "result/parts.hpp"
-#include "text/table.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::result {
 namespace {

@@ -45,4 +45,7 @@ enum class Search : std::uint8_t { both_gains, derivative_gain };
 [[nodiscard]] std::optional<double> longest_servo_lag_s(const LoopsAtSpeeds& loops, const Gains& gains,
                                                         double shortest_s, const PhaseMarginDemand& demand);
 
+/// The preferred numbers of IEC 60063, E24, from one end to the other, increasing: neighbours differ by a tenth.
+[[nodiscard]] std::vector<double> round_numbers_between(double from, double to);
+
 }  // namespace fantail::stability

@@ -4,10 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 
+#include "core/flight_plan_fields.hpp"
 #include "stability/roll_loop.hpp"
 
 namespace fantail::stability {
+
+PlanRange plan_range(std::string_view section, std::string_view key) {
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    if (field.section == section && field.key == key) {
+      return {.minimum = static_cast<double>(field.minimum * field.scale),
+              .maximum = static_cast<double>(field.maximum * field.scale)};
+    }
+  }
+  throw std::logic_error{"a plan has no " + std::string{section} + "." + std::string{key}};
+}
 
 std::vector<double> speeds_between(const core::FlightPlan& plan, const SpeedRange& range, int steps) {
   const double width_m_s = range.highest_m_s - range.lowest_m_s;

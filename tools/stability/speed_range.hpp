@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/flight_plan.hpp"
@@ -31,5 +32,14 @@ struct MarginsInRange {
 };
 
 [[nodiscard]] MarginsInRange margins_in_range(const sim::Scenario& scenario, const SpeedRange& range);
+
+/// What a plan may say, in SI and radians.
+struct PlanRange {
+  double minimum = 0.0;
+  double maximum = 0.0;
+};
+
+/// Of a field of the plan. Throws std::logic_error for one that is not there.
+[[nodiscard]] PlanRange plan_range(std::string_view section, std::string_view key);
 
 }  // namespace fantail::stability

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "replies/sentence.hpp"
-#include "text/table.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::telemetry {
 namespace {

@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 
 #include "telemetry/receiver.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::telemetry {
 

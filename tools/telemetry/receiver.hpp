@@ -3,9 +3,12 @@
 
 #include <array>
 #include <bitset>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -15,8 +18,37 @@
 
 #include "hal/clock.hpp"
 #include "telemetry/messages.hpp"
+#include "telemetry/url.hpp"
 
 namespace fantail::telemetry {
+
+/// Hears our channels on an LCM network, or in a log at the log's own pace.
+class Subscription {
+ public:
+  /// Takes one message: its channel and its bytes.
+  using Take = std::function<void(std::string_view channel, std::span<const std::byte> bytes)>;
+
+  /// Throws TelemetryError.
+  explicit Subscription(const Url& url);
+  ~Subscription();
+  Subscription(const Subscription&) = delete;
+  Subscription& operator=(const Subscription&) = delete;
+
+  /// Until something has come, at most so long; a signal ends it early.
+  void wait(std::chrono::milliseconds at_most) const;
+
+  /// Hands over all that has come. False: the log has ended.
+  bool listen(const Take& take);
+
+  /// Of a log, so far: bytes that belong to no whole event.
+  [[nodiscard]] std::uint64_t foreign_bytes() const;
+
+ private:
+  class Network;
+  class Log;
+  std::unique_ptr<Network> network_;  ///< one of the two
+  std::unique_ptr<Log> log_;
+};
 
 /// How well one channel is heard. Of the numbers from the first one heard to the highest, each is received or lost.
 struct ChannelFigures {

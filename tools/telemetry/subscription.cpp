@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "telemetry/subscription.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <system_error>
@@ -9,6 +7,7 @@
 
 #include "telemetry/datagram_receiver.hpp"
 #include "telemetry/lcm_format.hpp"
+#include "telemetry/receiver.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 

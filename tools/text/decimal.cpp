@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "text/decimal.hpp"
-
 #include <charconv>
 #include <system_error>
+
+#include "text/number.hpp"
 
 namespace fantail::text {
 

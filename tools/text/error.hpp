@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::text {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "text/folder_lock.hpp"
-
 #include <cerrno>
 #include <string>
 #include <system_error>

@@ -9,8 +9,6 @@
 
 #include <fmt/core.h>
 
-#include "text/decimal.hpp"
-
 namespace fantail::text {
 
 std::string_view trimmed(std::string_view text) {

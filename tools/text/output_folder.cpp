@@ -17,8 +17,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "text/folder_lock.hpp"
-
 namespace fantail::text {
 namespace {
 

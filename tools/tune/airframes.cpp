@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "tune/airframes.hpp"
-
 #include <cmath>
 
 #include "sim/random.hpp"
+#include "tune/flights.hpp"
 
 namespace fantail::tune {
 

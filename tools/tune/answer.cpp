@@ -8,7 +8,6 @@
 #include "json/value.hpp"
 #include "report/verdict.hpp"
 #include "text/degrees.hpp"
-#include "tune/charts.hpp"
 #include "tune/results.hpp"
 
 namespace fantail::tune {

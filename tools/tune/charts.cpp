@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tune/charts.hpp"
-
 #include <limits>
 
 #include <fmt/core.h>
@@ -9,6 +7,7 @@
 #include "report/figures.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "tune/results.hpp"
 
 namespace fantail::tune {
 namespace {

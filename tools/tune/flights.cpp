@@ -11,7 +11,6 @@
 #include "protocol/plan_block.hpp"
 #include "report/running_figures.hpp"
 #include "runs/runner.hpp"
-#include "tune/airframes.hpp"
 
 namespace fantail::tune {
 namespace {

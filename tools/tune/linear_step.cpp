@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "tune/linear_step.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "sim/servo.hpp"
+#include "tune/linear_trial.hpp"
 
 namespace fantail::tune {
 namespace {

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "core/gain_schedule.hpp"
-#include "tune/airframes.hpp"
-#include "tune/linear_step.hpp"
+#include "tune/flights.hpp"
 
 namespace fantail::tune {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "result/document.hpp"
 #include "tune/tuning.hpp"
@@ -32,5 +33,12 @@ namespace fantail::tune {
 [[nodiscard]] std::vector<result::Listed> listed_fields();
 /// A plan file: every field, and where it came from. Only of a plan that is proposed.
 [[nodiscard]] std::string plan_text(const Tuning& tuning);
+
+// Pictures of tune.html, each of both plans; of a tuning that has found a law.
+
+/// Least phase margin and crossover over air speed.
+[[nodiscard]] std::vector<result::Block> loop_pictures(const Tuning& tuning);
+/// Roll angle and command over time, as the vehicle as it is was flown.
+[[nodiscard]] std::vector<result::Block> step_pictures(const Tuning& tuning);
 
 }  // namespace fantail::tune

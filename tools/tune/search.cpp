@@ -11,8 +11,7 @@
 #include <fmt/core.h>
 
 #include "stability/gain_choice.hpp"
-#include "stability/plan_ranges.hpp"
-#include "stability/round_numbers.hpp"
+#include "stability/speed_range.hpp"
 #include "tune/linear_trial.hpp"
 
 namespace fantail::tune {

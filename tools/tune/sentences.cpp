@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "stability/plan_ranges.hpp"
+#include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 #include "tune/results.hpp"

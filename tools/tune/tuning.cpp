@@ -8,15 +8,15 @@
 #include <fmt/core.h>
 
 #include "fly/fly_scenario.hpp"
-#include "predict/canard_reach.hpp"
+#include "predict/margins.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "stability/canard_sense.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
-#include "tune/airframes.hpp"
-#include "tune/linear_step.hpp"
+#include "tune/flights.hpp"
+#include "tune/linear_trial.hpp"
 #include "tune/results.hpp"
 
 namespace fantail::tune {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "result/answer.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
 #include "tunnel/tunnel_log.hpp"

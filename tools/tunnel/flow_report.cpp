@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "page/page.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/table.hpp"
 #include "tunnel/flow.hpp"
 #include "tunnel/json.hpp"
 

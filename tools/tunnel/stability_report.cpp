@@ -7,9 +7,8 @@
 
 #include "page/page.hpp"
 #include "text/degrees.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/table.hpp"
-#include "text/wrapped.hpp"
 #include "tunnel/json.hpp"
 #include "tunnel/stability.hpp"
 

@@ -9,9 +9,9 @@
 
 #include <fmt/core.h>
 
-#include "text/csv_cell.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "text/quoting.hpp"
 #include "tunnel/statistics.hpp"
 
 namespace fantail::tunnel {

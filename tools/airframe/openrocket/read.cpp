@@ -15,7 +15,7 @@
 #include "airframe/openrocket/stored_flight.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {

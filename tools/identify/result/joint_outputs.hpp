@@ -7,7 +7,7 @@
 
 #include "identify/result/joint_findings.hpp"
 #include "result/answer.hpp"
-#include "text/wrapped.hpp"
+#include "text/layout.hpp"
 
 namespace fantail::identify::result {
 

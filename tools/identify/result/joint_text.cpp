@@ -10,9 +10,9 @@
 #include "identify/result/outputs.hpp"
 #include "identify/result/uncertainty.hpp"
 #include "text/degrees.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
-#include "text/table.hpp"
 
 namespace fantail::identify::result {
 namespace {

@@ -7,8 +7,8 @@
 #include "identify/result/frequency_page.hpp"
 #include "identify/result/outputs.hpp"
 #include "text/degrees.hpp"
+#include "text/layout.hpp"
 #include "text/number.hpp"
-#include "text/table.hpp"
 
 namespace fantail::identify::result {
 namespace {

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "text/printable.hpp"
+#include "text/quoting.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include "text/error.hpp"
 
 namespace fantail::text {
 namespace {
@@ -13,6 +20,54 @@ struct Form {
 constexpr Form forms[]{{0x80, 0x00, 0}, {0xE0, 0xC0, 0x80}, {0xF0, 0xE0, 0x800}, {0xF8, 0xF0, 0x10000}};
 
 }  // namespace
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r#") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  }
+  return quoted + '"';
+}
+
+std::string shell_word(const std::string& word) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view{"._-+=:/,"}.find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) {
+    return word;
+  }
+  std::string all = "'";
+  for (const char c : word) {
+    all += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return all + "'";
+}
+
+std::string toml_text(std::string_view text) {
+  std::string out{'"'};
+  for (std::string_view rest = text; !rest.empty();) {
+    const char c = rest.front();
+    std::size_t length = 1;
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
+    } else if (length = printable_character(rest); length > 0) {
+      out += rest.substr(0, length);
+    } else {
+      throw Error{
+          ErrorKind::bad_configuration,
+          fmt::format("\"{}\" is not text in UTF-8, which a TOML file must be; rename what is called so", text)};
+    }
+    rest.remove_prefix(length);
+  }
+  out += '"';
+  return out;
+}
 
 std::size_t printable_character(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
