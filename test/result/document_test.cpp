@@ -104,6 +104,65 @@ TEST(Document, EveryJsonHasAnswerSentenceAndHowItWasMade) {
   EXPECT_TRUE(json::parse(json(drawn))["made"]["seed"].is_null());
 }
 
+struct Swing {
+  double frequency_rad_s = 0.0;
+  double reach_rad_s = 0.0;
+};
+constexpr auto swing_fields = fields<Swing>({
+    {"frequency", "frequency", units::rad_s, 2,
+     [](const Swing& s) { return Cell{Estimate{s.frequency_rad_s, s.reach_rad_s}}; }, "a figure"},
+    {"period", "period", units::s, 2, [](const Swing& s) { return Cell{6.0 / s.frequency_rad_s}; }, "a figure"},
+    {"lot", "lot", units::none, 0, [](const Swing&) { return Cell{Digits{"7 or more"}}; }, "a figure"},
+});
+
+TEST(Document, AnEstimateHasItsIntervalInEveryOutput) {
+  const Table swings = table("swings", std::vector{Swing{2.0, 0.125}, Swing{0.0, 0.0}}, swing_fields);
+  Document document = document_of({swings});
+  document.json_decimals = 2;
+  const json::Value first = json::parse(json(document))["swings"][0];
+  EXPECT_EQ(first["frequency_rad_s"]["value"], 2.0);
+  EXPECT_EQ(first["frequency_rad_s"]["low_95"], 1.88) << "two decimals";
+  EXPECT_EQ(first["frequency_rad_s"]["high_95"], 2.13);
+  EXPECT_EQ(first["lot"], "7 or more");
+  EXPECT_TRUE(json::parse(json(document))["swings"][1]["period_s"].is_null()) << "an infinite one";
+  EXPECT_TRUE(holds(text(document),
+                    "  frequency, rad/s     period, s        lot\n"
+                    "       2.00 ± 0.12          3.00  7 or more\n"))
+      << text(document);
+  EXPECT_TRUE(holds(html(document), "2.00<small>± 0.12</small>")) << html(document);
+  EXPECT_EQ(csv(only(swings, {"lot", "frequency"})), "lot,frequency_rad_s\n7 or more,2.000000\n7 or more,0.000000\n");
+}
+
+TEST(Document, FiguresOfTwoThingsStandBesideEachOther) {
+  Flight one = quarter_turn();
+  Flight other = quarter_turn();
+  one.apogee_m.reset();
+  const auto figures_of = [](const Flight& flight) { return figures("", flight, flight_fields); };
+  Document document = document_of({beside({{"the law", figures_of(one)}, {"the log", figures_of(other)}})});
+  EXPECT_TRUE(holds(text(document), "  apogee, m                               -                 1235\n"))
+      << text(document);
+  other.apogee_m.reset();
+  document = document_of({beside({{"the law", figures_of(one)}, {"the log", figures_of(other)}})});
+  EXPECT_FALSE(holds(text(document), "apogee")) << "known of neither";
+}
+
+TEST(Document, APageFoldsASectionAndDrawsByHand) {
+  Document document = document_of({Drawing{"<svg class=\"a\"></svg>", "<svg class=\"b\"></svg>", "To scale."}});
+  EXPECT_TRUE(holds(html(document), "<figcaption>To scale.</figcaption>")) << html(document);
+  EXPECT_FALSE(holds(html(document), "<details>"));
+  document.sections.front().folded = "Show it";
+  EXPECT_TRUE(holds(html(document), "<h2>Found</h2>\n<details><summary>Show it</summary>\n<figure>")) << html(document);
+}
+
+TEST(Document, ASectionWithNothingToShowHasNoHeading) {
+  Document document = document_of({Sentences{"remarks"}, Table{.key = "rows"}, Figures{}});
+  EXPECT_FALSE(holds(text(document), "Found"));
+  EXPECT_FALSE(holds(html(document), "Found"));
+  EXPECT_EQ(json::parse(json(document))["remarks"].size(), 0U);
+  document.sections.front().blocks.emplace_back("Here.");
+  EXPECT_TRUE(holds(text(document), "\nFound:\n  Here.\n")) << text(document);
+}
+
 TEST(Document, TwoBlocksWithOneKeyAreRefused) {
   const Figures once = figures("worst", quarter_turn(), flight_fields);
   EXPECT_THROW((void)json(document_of({once, once})), std::logic_error);

@@ -53,8 +53,8 @@ result::Made made_with(const std::vector<fs::path>& inputs, std::optional<std::u
 
 void deliver(const result::Document& document, const Delivery& delivery) {
   const std::string data = result::json(document);
-  std::vector<text::NamedFile> files{{delivery.name + ".html", result::html(document)},
-                                     {delivery.name + ".json", data}};
+  const std::string page = (delivery.page.empty() ? delivery.name : delivery.page) + ".html";
+  std::vector<text::NamedFile> files{{page, result::html(document)}, {delivery.name + ".json", data}};
   for (const result::Table& sheet : document.spreadsheets) {
     files.push_back({sheet.key.value() + ".csv", result::csv(sheet)});
   }
@@ -67,8 +67,7 @@ void deliver(const result::Document& document, const Delivery& delivery) {
   } else {
     std::string text = result::text(document, paint, output_columns());
     for (const std::string& file : delivery.shown_files) {
-      text += fmt::format("  {:<8} {}\n", file,
-                          (delivery.folder / (file == "page" ? delivery.name + ".html" : file + ".csv")).string());
+      text += fmt::format("  {:<8} {}\n", file, (delivery.folder / (file == "page" ? page : file + ".csv")).string());
     }
     show_text(text + delivery.last_line + (delivery.last_line.empty() ? "" : "\n"));
   }

@@ -20,6 +20,7 @@ namespace fantail::tool {
 struct Delivery {
   std::filesystem::path folder;
   std::string name;                              ///< of its files, without an ending
+  std::string page{};                            ///< of its page, where it has another
   std::vector<std::filesystem::path> inputs{};   ///< files that no result may replace
   bool json = false;                             ///< on standard output, instead of text
   bool yes_is_required = false;                  ///< exit code 1 for every other answer

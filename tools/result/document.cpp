@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "result/parts.hpp"
 #include "text/number.hpp"
 
 namespace fantail::result {
@@ -25,7 +26,10 @@ auto& with_key(List& list, std::string_view key) {
 
 double number(const Column& column, const Cell& cell) {
   const auto* spread = std::get_if<Spread>(&cell);
-  const auto* value = spread != nullptr ? &spread->p50 : std::get_if<double>(&cell);
+  const auto* estimate = std::get_if<Estimate>(&cell);
+  const auto* value = spread != nullptr     ? &spread->p50
+                      : estimate != nullptr ? &estimate->value
+                                            : std::get_if<double>(&cell);
   return value != nullptr ? column.unit.shown_per_si * *value : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -65,6 +69,12 @@ std::string shown(const Column& column, const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell)) {
     return *words;
   }
+  if (const auto* digits = std::get_if<Digits>(&cell)) {
+    return digits->text;
+  }
+  if (const auto* estimate = std::get_if<Estimate>(&cell)) {
+    return fmt::format("{} ± {}", shown(column, estimate->value), shown(column, estimate->reach));
+  }
   if (const auto* count = std::get_if<std::uint64_t>(&cell)) {
     return fmt::format("{}", *count);
   }
@@ -101,6 +111,36 @@ Table numbered(Table table, std::string key) {
   table.columns.insert(table.columns.begin(), Column{.key = key, .label = key});
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     table.rows[i].insert(table.rows[i].begin(), Cell{std::uint64_t{i}});
+  }
+  return table;
+}
+
+Table only(const Table& table, const std::vector<std::string_view>& keys) {
+  Table some{.columns = {}, .rows = std::vector<std::vector<Cell>>(table.rows.size()), .read_every = table.read_every};
+  for (const std::string_view key : keys) {
+    const std::size_t from = table.column(key);
+    some.columns.push_back(table.columns[from]);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      some.rows[i].push_back(table.rows[i][from]);
+    }
+  }
+  return some;
+}
+
+Table beside(const std::vector<std::pair<std::string, Figures>>& things) {
+  Table table{.columns = {{.key = "figure"}}};
+  for (const auto& [name, figures] : things) {
+    table.columns.push_back({.key = name, .label = name});
+  }
+  for (std::size_t i = 0; i < things.front().second.all.size(); ++i) {
+    std::vector<Cell> row{heading(things.front().second.all[i])};
+    for (const auto& [name, figures] : things) {
+      const Figure& one = figures.all[i];
+      row.push_back(is_known(one) ? Cell{Digits{shown(one, one.value)}} : Cell{});
+    }
+    if (std::ranges::any_of(row.begin() + 1, row.end(), [](const Cell& cell) { return cell.index() != 0; })) {
+      table.rows.push_back(std::move(row));
+    }
   }
   return table;
 }

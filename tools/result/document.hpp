@@ -47,20 +47,28 @@ struct Picture {
 
   [[nodiscard]] Picture wide() &&;
 };
+/// What no chart can draw, as an SVG for a whole page and one for half of it.
+struct Drawing {
+  std::string wide{};
+  std::string narrow{};
+  std::string caption{};
+};
 /// For programs alone, where a value has a form of its own.
 struct Data {
   std::string key{};
   json::Value value{};
 };
-using Block = std::variant<std::string, Sentences, Figures, Table, Picture, Data>;
+using Block = std::variant<std::string, Sentences, Figures, Table, Picture, Drawing, Data>;
 
 /// For whom a section is: everybody; pages and JSON, as a long table; JSON alone.
 enum class Readers : std::uint8_t { all, files, programs };
 
+/// Where it has nothing to show, its heading is left out, too.
 struct Section {
   std::string heading{};
   std::vector<Block> blocks{};
   Readers readers = Readers::all;
+  std::string folded{};  ///< "Show each step": a page shows it when these words are clicked; empty: at once
 };
 
 /// One thing that the result was made from. Without a label it is for programs alone.
@@ -79,6 +87,7 @@ struct Document {
   std::vector<Section> sections{};
   std::vector<Table> spreadsheets{};  ///< a CSV file each, named by the key
   Made made{};
+  int json_decimals = 6;
 };
 
 /// Colours words, or does not.
@@ -91,7 +100,7 @@ using Paint = std::string (*)(page::Tone tone, std::string_view words);
 /// With a row for its keys; numbers with their unit in the key, as in JSON.
 [[nodiscard]] std::string csv(const Table& table);
 /// A cell as JSON has it, for Data.
-[[nodiscard]] json::Value json_of(const Unit& unit, const Cell& cell);
+[[nodiscard]] json::Value json_of(const Unit& unit, const Cell& cell, int decimals = 6);
 
 /// "Way turned: the largest angle between ... ."
 [[nodiscard]] std::string sentence_of(const Column& column);
@@ -115,6 +124,12 @@ template <typename Row>
 
 /// With the number of each row, from 0 on, in front of it.
 [[nodiscard]] Table numbered(Table table, std::string key);
+
+/// The columns of these keys, in their order.
+[[nodiscard]] Table only(const Table& table, const std::vector<std::string_view>& keys);
+
+/// The figures of several things in a column each, a row for each that is known of any of them.
+[[nodiscard]] Table beside(const std::vector<std::pair<std::string, Figures>>& things);
 
 enum class Wanted : std::uint8_t { all, that_can_be_worse };
 /// One row, its fields below each other.

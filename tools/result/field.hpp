@@ -52,6 +52,17 @@ struct Share {
   double high = 1.0;
   auto operator<=>(const Share&) const = default;
 };
+/// A number whose 95 % interval reaches equally far to both sides; in JSON "value", "low_95" and "high_95".
+struct Estimate {
+  double value = 0.0;
+  double reach = 0.0;
+  auto operator<=>(const Estimate&) const = default;
+};
+/// A number as it is read, where the row says its decimals and not the column.
+struct Digits {
+  std::string text{};
+  auto operator<=>(const Digits&) const = default;
+};
 /// Words that are good or bad; in JSON with underscores.
 struct Judged {
   Answer answer = Answer::none;
@@ -59,9 +70,10 @@ struct Judged {
   auto operator<=>(const Judged&) const = default;
 };
 
-/// The content of one place: nothing, when it is unknown; a number in SI, alone or of many runs; a count; words; yes or
-/// no.
-using Cell = std::variant<std::monostate, double, Spread, Share, std::uint64_t, std::string, Judged, bool>;
+/// The content of one place: nothing, when it is unknown; a number in SI, alone, with its interval or of many runs; a
+/// count; words; yes or no.
+using Cell =
+    std::variant<std::monostate, double, Estimate, Spread, Share, std::uint64_t, Digits, std::string, Judged, bool>;
 
 enum class Worse : std::uint8_t { neither, larger, smaller };
 [[nodiscard]] bool is_worse(const Cell& one, const Cell& than, Worse worse);
@@ -199,7 +211,7 @@ template <typename Row, std::size_t count>
   return all;
 }
 
-/// "6.28", "-", "+25", "6.3 (5.1 to 7.0)": without the unit, for people.
+/// "6.28", "-", "+25", "6.3 (5.1 to 7.0)", "6.3 ± 0.9": without the unit, for people.
 [[nodiscard]] std::string shown(const Column& column, const Cell& cell);
 /// "5.1 to 7.0"
 [[nodiscard]] std::string ends(const Column& column, const Spread& spread);

@@ -12,9 +12,9 @@ namespace fantail::result {
 namespace {
 
 std::string html(const std::string& paragraph) { return page::paragraph(paragraph); }
-std::string html(const Sentences& sentences) { return page::list(sentences.all); }
+std::string html(const Sentences& sentences) { return sentences.all.empty() ? "" : page::list(sentences.all); }
 std::string html(const Picture& picture) { return page::figure(picture.chart, picture.caption); }
-
+std::string html(const Drawing& drawing) { return page::figure(drawing.wide, drawing.narrow, drawing.caption); }
 std::string html(const Data&) { return {}; }
 
 page::Figure figure(const Figure& one) {
@@ -29,7 +29,7 @@ std::string html(const Figures& figures) {
   for (const Figure& one : known(figures.all)) {
     list.push_back(figure(one));
   }
-  return page::figure_row(list);
+  return list.empty() ? "" : page::figure_row(list);
 }
 
 std::string html(const Table& table) {
@@ -43,11 +43,16 @@ std::string html(const Table& table) {
     std::vector<page::Cell>& row = rows.emplace_back();
     for (const std::size_t i : shown_columns) {
       const Cell& cell = table.rows[at][i];
+      if (const auto* estimate = std::get_if<Estimate>(&cell)) {  // in one line the table is wider than the page
+        row.push_back({.text = shown(table.columns[i], estimate->value),
+                       .below = "± " + shown(table.columns[i], estimate->reach)});
+        continue;
+      }
       const auto* judged = std::get_if<Judged>(&cell);
       row.push_back({shown(table.columns[i], cell), judged != nullptr ? tone(judged->answer) : page::Tone::plain});
     }
   }
-  return page::table(columns, rows);
+  return rows.empty() ? "" : page::table(columns, rows);
 }
 
 bool is_half_page(const Block& block) {
@@ -96,8 +101,10 @@ std::string html(const Document& document) {
     page.findings.push_back({.what = verdict.not_in_it_heading, .about = sentence});
   }
   for (const Section& section : document.sections) {
-    if (section.readers != Readers::programs && !section.blocks.empty()) {
-      page.body_html += page::section(section.heading, body(section.blocks));
+    const std::string inside = body(section.blocks);
+    if (section.readers != Readers::programs && !inside.empty()) {
+      page.body_html +=
+          page::section(section.heading, section.folded.empty() ? inside : page::on_demand(section.folded, inside));
     }
   }
   return page::html(page);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -17,8 +18,16 @@ std::string key(const Column& column) { return column.key + std::string{column.u
 
 struct As {
   const Unit& unit;
+  int decimals;
   Value operator()(std::monostate) const { return {}; }
-  Value operator()(double si) const { return json::rounded(unit.per_si * si); }
+  Value operator()(double si) const {
+    return std::isfinite(si) ? Value{json::rounded(unit.per_si * si, decimals)} : Value{};
+  }
+  Value operator()(const Estimate& of) const {
+    const As& as = *this;
+    return {{"value", as(of.value)}, {"low_95", as(of.value - of.reach)}, {"high_95", as(of.value + of.reach)}};
+  }
+  Value operator()(const Digits& of) const { return of.text; }
   Value operator()(const Spread& of) const {
     const As& as = *this;
     return {{"mean", as(of.mean)}, {"p5", as(of.p5)}, {"p50", as(of.p50)}, {"p95", as(of.p95)}};
@@ -37,8 +46,6 @@ struct As {
   }
   Value operator()(const auto& as_it_is) const { return as_it_is; }
 };
-Value value(const Column& column, const Cell& cell) { return json_of(column.unit, cell); }
-
 /// "stability.worst": the member of a member; "": the document itself.
 Value& place(Value& all, std::string_view path) {
   if (path.empty()) {
@@ -56,28 +63,29 @@ void put(Value& all, std::string_view key, Value value) {
   there = std::move(value);
 }
 
-void add(Value&, const std::string&) {}
-void add(Value&, const Picture&) {}
-void add(Value& all, const Data& data) { put(all, data.key, data.value); }
-void add(Value& all, const Sentences& sentences) {
+void add(Value&, const std::string&, int) {}
+void add(Value&, const Picture&, int) {}
+void add(Value&, const Drawing&, int) {}
+void add(Value& all, const Data& data, int) { put(all, data.key, data.value); }
+void add(Value& all, const Sentences& sentences, int) {
   if (sentences.key) {
     put(all, *sentences.key, sentences.all);
   }
 }
-void add(Value& all, const Figures& figures) {
+void add(Value& all, const Figures& figures, int decimals) {
   if (figures.key) {
     for (const Figure& one : figures.all) {
-      put(place(all, *figures.key), key(one), value(one, one.value));
+      put(place(all, *figures.key), key(one), json_of(one.unit, one.value, decimals));
     }
   }
 }
-void add(Value& all, const Table& table) {
+void add(Value& all, const Table& table, int decimals) {
   if (table.key) {
     Value rows = Value::array();
     for (const std::vector<Cell>& cells : table.rows) {
       Value row;
       for (std::size_t i = 0; i < cells.size(); ++i) {
-        put(row, key(table.columns[i]), value(table.columns[i], cells[i]));
+        put(row, key(table.columns[i]), json_of(table.columns[i].unit, cells[i], decimals));
       }
       rows.push_back(row);
     }
@@ -87,7 +95,7 @@ void add(Value& all, const Table& table) {
 
 }  // namespace
 
-json::Value json_of(const Unit& unit, const Cell& cell) { return std::visit(As{unit}, cell); }
+json::Value json_of(const Unit& unit, const Cell& cell, int decimals) { return std::visit(As{unit, decimals}, cell); }
 
 std::string json(const Document& document) {
   Value all;
@@ -98,7 +106,7 @@ std::string json(const Document& document) {
   }
   for (const Section& section : document.sections) {
     for (const Block& block : section.blocks) {
-      std::visit([&all](const auto& one) { add(all, one); }, block);
+      std::visit([&](const auto& one) { add(all, one, document.json_decimals); }, block);
     }
   }
   return all.pretty();

@@ -15,6 +15,7 @@ std::string line(std::string_view sentence) { return fmt::format("  {}\n", sente
 
 std::string text(const std::string& paragraph) { return line(paragraph); }
 std::string text(const Picture&) { return {}; }
+std::string text(const Drawing&) { return {}; }
 std::string text(const Data&) { return {}; }
 std::string text(const Table&) { return {}; }  // by its own width
 
@@ -54,9 +55,9 @@ std::string text(const Table& table, std::size_t columns) {
   const std::vector<std::size_t> shown_columns = known_columns(table);
   std::vector<std::size_t> widths;
   for (const std::size_t i : shown_columns) {
-    std::size_t& widest = widths.emplace_back(heading(table.columns[i]).size());
+    std::size_t& widest = widths.emplace_back(text::display_width(heading(table.columns[i])));
     for (const std::vector<Cell>& row : table.rows) {
-      widest = std::max(widest, shown(table.columns[i], row[i]).size());
+      widest = std::max(widest, text::display_width(shown(table.columns[i], row[i])));
     }
   }
   std::string narrow;
@@ -98,12 +99,13 @@ std::string text(const Document& document, Paint paint, std::size_t columns) {
     all += line(sentence);
   }
   for (const Section& section : document.sections) {
-    if (section.readers == Readers::all && !section.blocks.empty()) {
-      all += "\n" + section.heading + (section.heading.empty() ? "" : ":\n");
-      for (const Block& block : section.blocks) {
-        const auto* table = std::get_if<Table>(&block);
-        all += table != nullptr ? text(*table, columns) : std::visit([](const auto& one) { return text(one); }, block);
-      }
+    std::string inside;
+    for (const Block& block : section.blocks) {
+      const auto* table = std::get_if<Table>(&block);
+      inside += table != nullptr ? text(*table, columns) : std::visit([](const auto& one) { return text(one); }, block);
+    }
+    if (section.readers == Readers::all && !inside.empty()) {
+      all += "\n" + section.heading + (section.heading.empty() ? "" : ":\n") + inside;
     }
   }
   all += "\n";
