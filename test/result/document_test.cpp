@@ -133,6 +133,44 @@ TEST(Document, AnEstimateHasItsIntervalInEveryOutput) {
   EXPECT_EQ(csv(only(swings, {"lot", "frequency"})), "lot,frequency_rad_s\n7 or more,2.000000\n7 or more,0.000000\n");
 }
 
+struct Damping {
+  Uncertain alpha_m2{};
+  Range interval_m2{};
+};
+constexpr auto damping_fields = fields<Damping>({
+    {"alpha", "damping", units::m2, 0, [](const Damping& d) { return Cell{d.alpha_m2}; }, "a figure"},
+    {"interval", "95 %", units::m2, 0, [](const Damping& d) { return Cell{d.interval_m2}; }, "a figure"},
+});
+
+TEST(Document, ADeviationSaysWithHowManyDigitsANumberIsRead) {
+  const Column column{.unit = units::m2};
+  for (const auto& [cell, as_read] :
+       std::vector<std::pair<Cell, std::string>>{{Uncertain{22.871, 0.41}, "22.87 ± 0.41"},
+                                                 {Uncertain{9.05, 0.052}, "9.050 ± 0.052"},
+                                                 {Uncertain{0.0019271, 0.0000034}, "0.0019271 ± 0.0000034"},
+                                                 {Uncertain{22.871, 0.0}, "22.8710"},
+                                                 {Range{22.1, 23.72}, "22.10 to 23.72"},
+                                                 {Range{0.0019199, 0.0019341}, "0.0019199 to 0.0019341"},
+                                                 {Range{12.0, {}}, "above 12.00"},
+                                                 {Range{{}, 30.0}, "below 30.0"},
+                                                 {Range{}, "without bounds"}}) {
+    EXPECT_EQ(shown(column, cell), as_read);
+  }
+  EXPECT_EQ(shown({.unit = units::deg}, Uncertain{-0.1, 0.002}), "-5.73 ± 0.11");
+}
+
+TEST(Document, ADeviationIsNoPartOfTheNumberInFiles) {
+  const std::vector<Damping> all{{{22.8711111, 0.41}, {0.00012345678912, {}}}};
+  Document document = document_of({figures("list.0", all.front(), damping_fields), Data{"list.1", "other"}});
+  document.json_decimals = -8;
+  const json::Value data = json::parse(json(document));
+  EXPECT_EQ(data["list"][0]["alpha_m2"], 22.871111) << "eight digits";
+  EXPECT_EQ(data["list"][0]["interval_m2"], (json::Value::array({0.00012345679, {}})));
+  EXPECT_EQ(data["list"][1], "other");
+  EXPECT_TRUE(holds(text(document), "  damping  22.87 m2 (± 0.41)\n")) << text(document);
+  EXPECT_EQ(csv(only(table("x", all, damping_fields), {"alpha"})), "alpha_m2\n22.871111\n");
+}
+
 TEST(Document, FiguresOfTwoThingsStandBesideEachOther) {
   Flight one = quarter_turn();
   Flight other = quarter_turn();

@@ -58,7 +58,7 @@ void deliver(const result::Document& document, const Delivery& delivery) {
   for (const result::Table& sheet : document.spreadsheets) {
     files.push_back({sheet.key.value() + ".csv", result::csv(sheet)});
   }
-  text::OutputFolder{delivery.folder, delivery.inputs}.write(files);
+  text::OutputFolder{delivery.folder, delivery.inputs}.write(files, delivery.removed);
   if (delivery.when_written) {
     delivery.when_written();
   }

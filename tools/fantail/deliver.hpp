@@ -22,6 +22,7 @@ struct Delivery {
   std::string name;                              ///< of its files, without an ending
   std::string page{};                            ///< of its page, where it has another
   std::vector<std::filesystem::path> inputs{};   ///< files that no result may replace
+  std::vector<std::string> removed{};            ///< files of an earlier result, which are none of these
   bool json = false;                             ///< on standard output, instead of text
   bool yes_is_required = false;                  ///< exit code 1 for every other answer
   std::vector<std::string> shown_files{"page"};  ///< "page", or the key of a spreadsheet: their paths end the text

@@ -27,9 +27,11 @@ auto& with_key(List& list, std::string_view key) {
 double number(const Column& column, const Cell& cell) {
   const auto* spread = std::get_if<Spread>(&cell);
   const auto* estimate = std::get_if<Estimate>(&cell);
-  const auto* value = spread != nullptr     ? &spread->p50
-                      : estimate != nullptr ? &estimate->value
-                                            : std::get_if<double>(&cell);
+  const auto* uncertain = std::get_if<Uncertain>(&cell);
+  const auto* value = spread != nullptr      ? &spread->p50
+                      : estimate != nullptr  ? &estimate->value
+                      : uncertain != nullptr ? &uncertain->value
+                                             : std::get_if<double>(&cell);
   return value != nullptr ? column.unit.shown_per_si * *value : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -46,7 +48,32 @@ page::Series& curve(page::Chart& chart, const std::string& name) {
   return chart.series.emplace_back(page::Series{.name = name, .role = roles[chart.series.size() % std::size(roles)]});
 }
 
+// Two digits of a deviation; at most four decimals, and of a number that is smaller than that five digits.
+int decimals_of(double deviation, double value) {
+  constexpr int most_decimals = 4;  // no sensor tells more of a number of usual size
+  const int most = std::max(most_decimals, decimals_for(value, most_decimals + 1));
+  return deviation > 0.0 ? std::clamp(decimals_for(deviation, 2), 0, most) : most;
+}
+
+std::string shown_range(const Unit& unit, const Range& range) {
+  const double low = unit.shown_per_si * range.low.value_or(0.0);
+  const double high = unit.shown_per_si * range.high.value_or(0.0);
+  const double deviation = range.low && range.high ? 0.25 * (high - low) : 0.05 * std::abs(low + high);
+  const int places = decimals_of(deviation, std::max(std::abs(low), std::abs(high)));
+  if (range.low && range.high) {
+    return fmt::format("{} to {}", text::fixed(low, places), text::fixed(high, places));
+  }
+  return range.low    ? "above " + text::fixed(low, places)
+         : range.high ? "below " + text::fixed(high, places)
+                      : "without bounds";
+}
+
 }  // namespace
+
+int decimals_for(double value, int digits) {
+  return value == 0.0 || !std::isfinite(value) ? digits - 1
+                                               : digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
 
 bool is_worse(const Cell& one, const Cell& than, Worse worse) {
   const bool is_known = !std::holds_alternative<std::monostate>(one);
@@ -74,6 +101,15 @@ std::string shown(const Column& column, const Cell& cell) {
   }
   if (const auto* estimate = std::get_if<Estimate>(&cell)) {
     return fmt::format("{} ± {}", shown(column, estimate->value), shown(column, estimate->reach));
+  }
+  if (const auto* uncertain = std::get_if<Uncertain>(&cell)) {
+    const double deviation = column.unit.shown_per_si * uncertain->deviation;
+    const int places = decimals_of(deviation, number(column, cell));
+    return text::fixed(number(column, cell), places) +
+           (deviation > 0.0 ? " \u00b1 " + text::fixed(deviation, places) : "");
+  }
+  if (const auto* range = std::get_if<Range>(&cell)) {
+    return shown_range(column.unit, *range);
   }
   if (const auto* count = std::get_if<std::uint64_t>(&cell)) {
     return fmt::format("{}", *count);
@@ -123,6 +159,14 @@ Table only(const Table& table, const std::vector<std::string_view>& keys) {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       some.rows[i].push_back(table.rows[i][from]);
     }
+  }
+  return some;
+}
+
+Figures only(const Figures& figures, const std::vector<std::string_view>& keys) {
+  Figures some;
+  for (const std::string_view key : keys) {
+    some.all.push_back(with_key(figures.all, key));
   }
   return some;
 }

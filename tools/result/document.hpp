@@ -19,8 +19,8 @@ namespace fantail::result {
 
 /// The result of a verb, once for all outputs: text(), json(), html() and csv() below print the same document.
 ///
-/// A block with a key is in JSON under it ("stability.worst": an object in an object, "": among the document's own
-/// members); one without is for people alone.
+/// A block with a key is in JSON under it ("stability.worst": an object in an object, "runs.0": the first of a list,
+/// "": among the document's own members); one without is for people alone.
 struct Figures {
   std::optional<std::string> key{};
   std::vector<Figure> all{};
@@ -87,7 +87,7 @@ struct Document {
   std::vector<Section> sections{};
   std::vector<Table> spreadsheets{};  ///< a CSV file each, named by the key
   Made made{};
-  int json_decimals = 6;
+  int json_decimals = 6;  ///< of numbers; -8: eight digits, wherever the point is
 };
 
 /// Colours words, or does not.
@@ -125,8 +125,9 @@ template <typename Row>
 /// With the number of each row, from 0 on, in front of it.
 [[nodiscard]] Table numbered(Table table, std::string key);
 
-/// The columns of these keys, in their order.
+/// The columns of these keys, in their order; the figures, for people alone.
 [[nodiscard]] Table only(const Table& table, const std::vector<std::string_view>& keys);
+[[nodiscard]] Figures only(const Figures& figures, const std::vector<std::string_view>& keys);
 
 /// The figures of several things in a column each, a row for each that is known of any of them.
 [[nodiscard]] Table beside(const std::vector<std::pair<std::string, Figures>>& things);

@@ -58,6 +58,19 @@ struct Estimate {
   double reach = 0.0;
   auto operator<=>(const Estimate&) const = default;
 };
+/// A number and its standard deviation, which JSON has under a key of its own. With as many decimals as two digits of
+/// the deviation need, whatever the column says.
+struct Uncertain {
+  double value = 0.0;
+  double deviation = 0.0;  ///< 0: not known
+  auto operator<=>(const Uncertain&) const = default;
+};
+/// From where to where: "22.1 to 23.7", "above 22.1"; in JSON two numbers, null for an end that is open.
+struct Range {
+  std::optional<double> low{};
+  std::optional<double> high{};
+  auto operator<=>(const Range&) const = default;
+};
 /// A number as it is read, where the row says its decimals and not the column.
 struct Digits {
   std::string text{};
@@ -70,10 +83,10 @@ struct Judged {
   auto operator<=>(const Judged&) const = default;
 };
 
-/// The content of one place: nothing, when it is unknown; a number in SI, alone, with its interval or of many runs; a
-/// count; words; yes or no.
-using Cell =
-    std::variant<std::monostate, double, Estimate, Spread, Share, std::uint64_t, Digits, std::string, Judged, bool>;
+/// The content of one place: nothing, when it is unknown; a number in SI, alone, with its interval or deviation or of
+/// many runs; an interval; a count; words; yes or no.
+using Cell = std::variant<std::monostate, double, Estimate, Uncertain, Range, Spread, Share, std::uint64_t, Digits,
+                          std::string, Judged, bool>;
 
 enum class Worse : std::uint8_t { neither, larger, smaller };
 [[nodiscard]] bool is_worse(const Cell& one, const Cell& than, Worse worse);
@@ -213,6 +226,8 @@ template <typename Row, std::size_t count>
 
 /// "6.28", "-", "+25", "6.3 (5.1 to 7.0)", "6.3 ± 0.9": without the unit, for people.
 [[nodiscard]] std::string shown(const Column& column, const Cell& cell);
+/// Decimals that show so many digits of a number, from the first that is not zero.
+[[nodiscard]] int decimals_for(double value, int digits);
 /// "5.1 to 7.0"
 [[nodiscard]] std::string ends(const Column& column, const Spread& spread);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "json/value.hpp"
 #include "result/document.hpp"
+#include "text/number.hpp"
 
 namespace fantail::result {
 namespace {
@@ -16,12 +18,26 @@ using json::Value;
 
 std::string key(const Column& column) { return column.key + std::string{column.unit.suffix}; }
 
+double with_digits(double value, int digits) {
+  double result = value;
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result == 0.0 ? 0.0 : result;
+}
+
 struct As {
   const Unit& unit;
   int decimals;
   Value operator()(std::monostate) const { return {}; }
   Value operator()(double si) const {
-    return std::isfinite(si) ? Value{json::rounded(unit.per_si * si, decimals)} : Value{};
+    const double value = unit.per_si * si;
+    return std::isfinite(value) ? Value{decimals < 0 ? with_digits(value, -decimals) : json::rounded(value, decimals)}
+                                : Value{};
+  }
+  Value operator()(const Uncertain& of) const { return (*this)(of.value); }
+  Value operator()(const Range& of) const {
+    const auto end = [this](const std::optional<double>& at) { return at ? (*this)(*at) : Value{}; };
+    return Value::array({end(of.low), end(of.high)});
   }
   Value operator()(const Estimate& of) const {
     const As& as = *this;
@@ -46,13 +62,26 @@ struct As {
   }
   Value operator()(const auto& as_it_is) const { return as_it_is; }
 };
+
+/// "3": the fourth element of a list, which is made where the list ends before it.
+Value& member(Value& of, std::string_view name) {
+  const std::optional<std::uint64_t> index = text::whole_number(name);
+  if (!index) {
+    return of[name];
+  }
+  if (*index == of.size()) {
+    of.push_back({});
+  }
+  return of[*index];
+}
+
 /// "stability.worst": the member of a member; "": the document itself.
 Value& place(Value& all, std::string_view path) {
   if (path.empty()) {
     return all;
   }
   const std::size_t dot = path.find('.');
-  return place(all[path.substr(0, dot)], dot == path.npos ? "" : path.substr(dot + 1));
+  return place(member(all, path.substr(0, dot)), dot == path.npos ? "" : path.substr(dot + 1));
 }
 
 void put(Value& all, std::string_view key, Value value) {
