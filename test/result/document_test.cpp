@@ -88,6 +88,23 @@ TEST(Document, AValueThatIsUnknownIsNullForProgramsAndLeftOutForPeople) {
                              "90 (9 of 10),\"stuck, \"\"bent\"\"\"\n"));
 }
 
+TEST(Document, ANameIsAKeyForProgramsAndWordsOnAPageAndASecondLineStandsThereAlone) {
+  const Table found{.key = "found",
+                    .columns = {{.key = "figure", .label = "figure"}, {.key = "result", .label = "result"}},
+                    .rows = {{Named{"apogee_m", "apogee / m"}, Judged{Answer::no, "not met", "run 7"}},
+                             {Named{"top_mach", "top Mach"}, Digits{"0.79", Answer::yes, "run 8"}}}};
+  const Document document = document_of({found, Links{{{"run_7/report.html", "run 7", ": not held"}, {"", "run 8"}}}});
+  EXPECT_EQ(json::parse(json(document))["found"][0]["figure"], "apogee_m");
+  EXPECT_TRUE(
+      holds(text(document), "  apogee_m  not met\n  top_mach  0.79\n  run 7: not held, run_7/report.html\n  run 8\n"))
+      << text(document);
+  const std::string page = html(document);
+  for (const char* const part : {"apogee / m<small>apogee_m</small>", "not met<small>run 7</small>", "0.79<small>run 8",
+                                 "<a href=\"run_7/report.html\">run 7</a>: not held", "<li>run 8</li>"}) {
+    EXPECT_TRUE(holds(page, part)) << part << " in\n" << page;
+  }
+}
+
 TEST(Document, EveryJsonHasAnswerSentenceAndHowItWasMade) {
   const json::Value data = json::parse(json(document_of({})));
   EXPECT_EQ(data["answer"], "no");

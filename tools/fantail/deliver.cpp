@@ -52,22 +52,21 @@ result::Made made_with(const std::vector<fs::path>& inputs, std::optional<std::u
 }
 
 void deliver(const result::Document& document, const Delivery& delivery) {
-  const std::string data = result::json(document);
-  const std::string page = (delivery.page.empty() ? delivery.name : delivery.page) + ".html";
-  std::vector<text::NamedFile> files{{page, result::html(document)}, {delivery.name + ".json", data}};
-  for (const result::Table& sheet : document.spreadsheets) {
-    files.push_back({sheet.key.value() + ".csv", result::csv(sheet)});
+  const bool is_written = !delivery.name.empty();
+  if (is_written) {
+    text::OutputFolder{delivery.folder, delivery.inputs}.write(result::files(document, delivery.name, delivery.page), delivery.removed);
   }
-  text::OutputFolder{delivery.folder, delivery.inputs}.write(files, delivery.removed);
   if (delivery.when_written) {
     delivery.when_written();
   }
   if (delivery.json) {
-    fmt::print("{}", data);
+    fmt::print("{}", result::json(document));
   } else {
     std::string text = result::text(document, paint, output_columns());
-    for (const std::string& file : delivery.shown_files) {
-      text += fmt::format("  {:<8} {}\n", file, (delivery.folder / (file == "page" ? page : file + ".csv")).string());
+    for (const std::string& file : is_written ? delivery.shown_files : std::vector<std::string>{}) {
+      const std::string& page = delivery.page.empty() ? delivery.name : delivery.page;
+      text += fmt::format("  {:<8} {}\n", file,
+                          (delivery.folder / (file == "page" ? page + ".html" : file + ".csv")).string());
     }
     show_text(text + delivery.last_line + (delivery.last_line.empty() ? "" : "\n"));
   }

@@ -19,7 +19,7 @@ namespace fantail::tool {
 
 struct Delivery {
   std::filesystem::path folder;
-  std::string name;                              ///< of its files, without an ending
+  std::string name;                              ///< of its files, without an ending; empty: nothing is written
   std::string page{};                            ///< of its page, where it has another
   std::vector<std::filesystem::path> inputs{};   ///< files that no result may replace
   std::vector<std::string> removed{};            ///< files of an earlier result, which are none of these
@@ -30,8 +30,8 @@ struct Delivery {
   std::function<void()> when_written{};          ///< called when the files are there, before anything is printed
 };
 
-/// The end of a verb: writes the page, the JSON and the spreadsheets into the folder, all or none, and prints text or
-/// JSON. Throws text::OutputError, and RequirementNotMet where a yes is required and the answer is another.
+/// The end of a verb: writes result::files() into the folder, all or none, and prints text or JSON. Throws
+/// text::OutputError, and RequirementNotMet where a yes is required and the answer is another.
 void deliver(const result::Document& document, const Delivery& delivery);
 
 }  // namespace fantail::tool

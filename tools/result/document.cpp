@@ -123,6 +123,9 @@ std::string shown(const Column& column, const Cell& cell) {
   if (const auto* judged = std::get_if<Judged>(&cell)) {
     return judged->words;
   }
+  if (const auto* named = std::get_if<Named>(&cell)) {
+    return named->name;
+  }
   if (const auto* is = std::get_if<bool>(&cell)) {
     return *is ? "yes" : "no";
   }
@@ -187,6 +190,15 @@ Table beside(const std::vector<std::pair<std::string, Figures>>& things) {
     }
   }
   return table;
+}
+
+std::vector<text::NamedFile> files(const Document& document, const std::string& name, const std::string& page) {
+  std::vector<text::NamedFile> all{{(page.empty() ? name : page) + ".html", html(document)},
+                                   {name + ".json", json(document)}};
+  for (const Table& sheet : document.spreadsheets) {
+    all.push_back({sheet.key.value() + ".csv", csv(sheet)});
+  }
+  return all;
 }
 
 Picture plot(const Table& table, std::string_view y, const Over& over) {

@@ -12,8 +12,10 @@
 
 #include "json/value.hpp"
 #include "page/chart.hpp"
+#include "page/page.hpp"
 #include "result/field.hpp"
 #include "text/layout.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::result {
 
@@ -53,12 +55,16 @@ struct Drawing {
   std::string narrow{};
   std::string caption{};
 };
+/// For people, "run 39: held": what is behind it is a file beside the page, or nothing.
+struct Links {
+  std::vector<page::Link> all{};
+};
 /// For programs alone, where a value has a form of its own.
 struct Data {
   std::string key{};
   json::Value value{};
 };
-using Block = std::variant<std::string, Sentences, Figures, Table, Picture, Drawing, Data>;
+using Block = std::variant<std::string, Sentences, Figures, Table, Picture, Drawing, Links, Data>;
 
 /// For whom a section is: everybody; pages and JSON, as a long table; JSON alone.
 enum class Readers : std::uint8_t { all, files, programs };
@@ -99,8 +105,22 @@ using Paint = std::string (*)(page::Tone tone, std::string_view words);
 [[nodiscard]] std::string html(const Document& document);
 /// With a row for its keys; numbers with their unit in the key, as in JSON.
 [[nodiscard]] std::string csv(const Table& table);
+/// The page, the JSON and the spreadsheets. `name`: of the first two, without an ending; `page`: of the page, where it
+/// has another.
+[[nodiscard]] std::vector<text::NamedFile> files(const Document& document, const std::string& name,
+                                                 const std::string& page = {});
 /// A cell as JSON has it, for Data.
 [[nodiscard]] json::Value json_of(const Unit& unit, const Cell& cell, int decimals = 6);
+
+/// A row as an object, for Data.
+template <typename Row>
+[[nodiscard]] json::Value json_of(const Row& row, const Fields<Row> auto& fields) {
+  json::Value all;
+  for (const Field<Row>& field : fields) {
+    all[std::string{field.key} + std::string{field.unit.suffix}] = json_of(field.unit, field.get(row));
+  }
+  return all;
+}
 
 /// "Way turned: the largest angle between ... ."
 [[nodiscard]] std::string sentence_of(const Column& column);

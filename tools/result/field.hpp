@@ -71,22 +71,31 @@ struct Range {
   std::optional<double> high{};
   auto operator<=>(const Range&) const = default;
 };
-/// A number as it is read, where the row says its decimals and not the column.
+/// A number as it is read, where the row says its decimals and not the column. Good or bad, as the next.
 struct Digits {
   std::string text{};
+  Answer answer = Answer::none;
+  std::string below{};  ///< a second, smaller line, on pages alone
   auto operator<=>(const Digits&) const = default;
 };
 /// Words that are good or bad; in JSON with underscores.
 struct Judged {
   Answer answer = Answer::none;
   std::string words{};
+  std::string below{};  ///< likewise
   auto operator<=>(const Judged&) const = default;
+};
+/// What is called by a name, as options and files have it. A page has it in words, and the name below.
+struct Named {
+  std::string name{};
+  std::string words{};
+  auto operator<=>(const Named&) const = default;
 };
 
 /// The content of one place: nothing, when it is unknown; a number in SI, alone, with its interval or deviation or of
 /// many runs; an interval; a count; words; yes or no.
 using Cell = std::variant<std::monostate, double, Estimate, Uncertain, Range, Spread, Share, std::uint64_t, Digits,
-                          std::string, Judged, bool>;
+                          std::string, Judged, Named, bool>;
 
 enum class Worse : std::uint8_t { neither, larger, smaller };
 [[nodiscard]] bool is_worse(const Cell& one, const Cell& than, Worse worse);

@@ -15,6 +15,7 @@ std::string html(const std::string& paragraph) { return page::paragraph(paragrap
 std::string html(const Sentences& sentences) { return sentences.all.empty() ? "" : page::list(sentences.all); }
 std::string html(const Picture& picture) { return page::figure(picture.chart, picture.caption); }
 std::string html(const Drawing& drawing) { return page::figure(drawing.wide, drawing.narrow, drawing.caption); }
+std::string html(const Links& links) { return links.all.empty() ? "" : page::list(links.all); }
 std::string html(const Data&) { return {}; }
 
 page::Figure figure(const Figure& one) {
@@ -32,6 +33,22 @@ std::string html(const Figures& figures) {
   return list.empty() ? "" : page::figure_row(list);
 }
 
+page::Cell in_page(const Column& column, const Cell& cell) {
+  if (const auto* estimate = std::get_if<Estimate>(&cell)) {  // in one line the table is wider than the page
+    return {.text = shown(column, estimate->value), .below = "± " + shown(column, estimate->reach)};
+  }
+  if (const auto* digits = std::get_if<Digits>(&cell)) {
+    return {.text = digits->text, .tone = tone(digits->answer), .below = digits->below};
+  }
+  if (const auto* judged = std::get_if<Judged>(&cell)) {
+    return {.text = judged->words, .tone = tone(judged->answer), .below = judged->below};
+  }
+  if (const auto* named = std::get_if<Named>(&cell)) {
+    return {.text = named->words, .below = named->name};
+  }
+  return {.text = shown(column, cell)};
+}
+
 std::string html(const Table& table) {
   const std::vector<std::size_t> shown_columns = known_columns(table);
   std::vector<page::Column> columns;
@@ -42,14 +59,7 @@ std::string html(const Table& table) {
   for (std::size_t at = 0; at < table.rows.size(); at += table.read_every) {
     std::vector<page::Cell>& row = rows.emplace_back();
     for (const std::size_t i : shown_columns) {
-      const Cell& cell = table.rows[at][i];
-      if (const auto* estimate = std::get_if<Estimate>(&cell)) {  // in one line the table is wider than the page
-        row.push_back({.text = shown(table.columns[i], estimate->value),
-                       .below = "± " + shown(table.columns[i], estimate->reach)});
-        continue;
-      }
-      const auto* judged = std::get_if<Judged>(&cell);
-      row.push_back({shown(table.columns[i], cell), judged != nullptr ? tone(judged->answer) : page::Tone::plain});
+      row.push_back(in_page(table.columns[i], table.rows[at][i]));
     }
   }
   return rows.empty() ? "" : page::table(columns, rows);
@@ -64,10 +74,12 @@ std::string body(const std::vector<Block>& blocks) {
   std::string all;
   const auto one = [](const Block& block) { return std::visit([](const auto& it) { return html(it); }, block); };
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (i + 1 < blocks.size() && is_half_page(blocks[i]) && is_half_page(blocks[i + 1])) {
-      const std::string pair[]{one(blocks[i]), one(blocks[i + 1])};
+    if (is_half_page(blocks[i])) {
+      std::vector<std::string> pair{one(blocks[i])};
+      if (i + 1 < blocks.size() && is_half_page(blocks[i + 1])) {
+        pair.push_back(one(blocks[++i]));
+      }
       all += page::side_by_side(pair);
-      ++i;
     } else {
       all += one(blocks[i]);
     }

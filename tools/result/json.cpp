@@ -44,6 +44,7 @@ struct As {
     return {{"value", as(of.value)}, {"low_95", as(of.value - of.reach)}, {"high_95", as(of.value + of.reach)}};
   }
   Value operator()(const Digits& of) const { return of.text; }
+  Value operator()(const Named& of) const { return of.name; }
   Value operator()(const Spread& of) const {
     const As& as = *this;
     return {{"mean", as(of.mean)}, {"p5", as(of.p5)}, {"p50", as(of.p50)}, {"p95", as(of.p95)}};
@@ -95,6 +96,7 @@ void put(Value& all, std::string_view key, Value value) {
 void add(Value&, const std::string&, int) {}
 void add(Value&, const Picture&, int) {}
 void add(Value&, const Drawing&, int) {}
+void add(Value&, const Links&, int) {}
 void add(Value& all, const Data& data, int) { put(all, data.key, data.value); }
 void add(Value& all, const Sentences& sentences, int) {
   if (sentences.key) {

@@ -17,6 +17,13 @@ std::string text(const std::string& paragraph) { return line(paragraph); }
 std::string text(const Picture&) { return {}; }
 std::string text(const Drawing&) { return {}; }
 std::string text(const Data&) { return {}; }
+std::string text(const Links& links) {
+  std::string all;
+  for (const page::Link& link : links.all) {
+    all += line(fmt::format("{}{}{}{}", link.text, link.about, link.href.empty() ? "" : ", ", link.href));
+  }
+  return all;
+}
 std::string text(const Table&) { return {}; }  // by its own width
 
 std::string text(const Sentences& sentences) {
