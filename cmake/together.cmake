@@ -40,7 +40,7 @@ set(FANTAIL_COMPILED_APART
   "tools/input|file_kind.cpp geometry_checks.cpp number_field.cpp vehicle_fields.cpp"
   "tools/link|plan_transfer.cpp"
   "tools/predict|answer.cpp run.cpp"
-  "tools/report|path_section.cpp read_summary.cpp results.cpp running_figures.cpp summary_json.cpp"
+  "tools/report|path_section.cpp read_summary.cpp results.cpp running_figures.cpp"
   "tools/tunnel|swing.cpp swirl.cpp swirl_report.cpp"
 )
 

@@ -93,7 +93,7 @@ void bind_flights(nb::module_& m) {
           .def_prop_ro("column_names", &Flown::column_names)
           .def("column", &column, nb::arg("name"))
           .def_prop_ro("events", &events)
-          .def_prop_ro("summary_json", [](const Flown& f) { return f.results.summary; })
+          .def_prop_ro("summary_json", [](const Flown& f) { return result::json(f.results.document); })
           .def_prop_ro("verdict", [](const Flown& f) { return f.results.verdict.text; })
           .def_prop_ro("scenario", [](const Flown& f) { return f.flight.scenario; })
           .def_prop_ro("vehicle", [](const Flown& f) { return f.flight.vehicle; })

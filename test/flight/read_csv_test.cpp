@@ -13,8 +13,9 @@
 #include "flight/columns.hpp"
 #include "flight/write_csv.hpp"
 #include "logs/refused.hpp"
+#include "report/answer.hpp"
 #include "report/figures.hpp"
-#include "report/html.hpp"
+#include "report/sections.hpp"
 #include "report/verdict.hpp"
 #include "text/degrees.hpp"
 
@@ -134,8 +135,8 @@ TEST(FlightCsv, APageOfIsMadeWithoutInventingAnything) {
   const report::Figures figures = report::figures(flight);
   const report::Verdict verdict = report::verdict(flight, figures);
   EXPECT_EQ(verdict.outcome, report::Outcome::not_judged);
-  const std::string page = report::html(flight, figures, verdict);
-  for (const char* invented : {"Safe", "Final phase", "Saturated", "Top speed", "not a number", "seed"}) {
+  const std::string page = result::html(report::answer(flight, figures, verdict));
+  for (const char* invented : {"Safe", "canards at their limit", "top speed", "not a number", "seed"}) {
     EXPECT_EQ(page.substr(0, page.find("<script")).find(invented), std::string::npos) << invented;
   }
   EXPECT_NE(page.find("\"title\":\"Roll angle\""), std::string::npos);

@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
+#include "report/answer.hpp"
 #include "report/figures.hpp"
-#include "report/html.hpp"
 #include "report/results.hpp"
+#include "report/sections.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {
@@ -38,10 +39,10 @@ TEST(CameraRoll, IsToldOnThePageAndInTheSummary) {
   const flight::Flight flight = coning();
   const Figures f = figures(flight);
   const Verdict v = verdict(flight, f);
-  const auto camera = json::parse(summary_json(flight, f, v))["camera_roll"];
+  const auto camera = json::parse(result::json(summary(flight, f, v)))["camera_roll"];
   EXPECT_NEAR(camera["largest_apart_deg"].number(), 3.399 * apart_deg_s, 1e-4);
   EXPECT_NEAR(camera["at_end_apart_deg"].number(), 3.399 * apart_deg_s, 1e-4);
-  const std::string page = html(flight, f, v);
+  const std::string page = result::html(answer(flight, f, v));
   EXPECT_NE(page.find("The rocket coned: what a camera sees of its roll came up to 9.3 deg away from the roll angle"),
             std::string::npos);
 }
@@ -51,8 +52,8 @@ TEST(CameraRoll, IsNotMentionedWhereNothingIsKnownOfIt) {
   const Figures f = figures(flight);
   const Verdict v = verdict(flight, f);
   EXPECT_FALSE(f.camera_roll);
-  EXPECT_FALSE(json::parse(summary_json(flight, f, v)).contains("camera_roll"));
-  EXPECT_EQ(html(flight, f, v).find("camera"), std::string::npos);
+  EXPECT_FALSE(json::parse(result::json(summary(flight, f, v))).contains("camera_roll"));
+  EXPECT_EQ(result::html(answer(flight, f, v)).find("camera"), std::string::npos);
 }
 
 }  // namespace

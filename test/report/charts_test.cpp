@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "report/html.hpp"
+#include "report/answer.hpp"
+#include "report/sections.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {
@@ -15,13 +16,13 @@ TEST(Html, SaysWhyTheTimeUnderControlIsShorterThanItsEventsAreApart) {
   synthetic.end_control(4.4, core::PhaseReason::apogee);
   const auto page = [&synthetic] {
     const Figures f = figures(synthetic.flight);
-    return html(synthetic.flight, f, verdict(synthetic.flight, f));
+    return result::html(answer(synthetic.flight, f, verdict(synthetic.flight, f)));
   };
   EXPECT_EQ(page().find("from its first row to its last"), std::string::npos);
   std::erase_if(synthetic.flight.rows, [count = 0](const flight::Row&) mutable { return count++ % 50 != 0; });
-  EXPECT_NE(page().find("<dt>Time under control</dt><dd>3.75 <span>s</span><small>from its first row to its last"),
+  EXPECT_NE(page().find("<dt>time under control</dt><dd>3.75 <span>s</span><small>from its first row to its last"),
             std::string::npos)
-      << page().substr(page().find("<dt>Time under"), 200);
+      << page().substr(page().find("<dt>time under"), 200);
 }
 
 // A plot of no time at all has no ticks, and what draws it in a browser gives up.

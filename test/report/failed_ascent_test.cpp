@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
-#include "report/html.hpp"
+#include "report/answer.hpp"
 #include "report/results.hpp"
+#include "report/sections.hpp"
 #include "report/verdict_parts.hpp"
 #include "synthetic_flight.hpp"
 
@@ -39,10 +40,10 @@ TEST(FailedAscentText, IsTheVerdictWhateverTheRoll) {
   const flight::Flight flight = turned_over();
   const Verdict v = verdict_of(flight);
   EXPECT_EQ(v.outcome, Outcome::ascent_failed);
-  EXPECT_EQ(tone(v), page::Tone::bad);
+  EXPECT_EQ(result::tone(summary(flight, figures(flight), v).verdict), page::Tone::bad);
   EXPECT_TRUE(v.text.starts_with("The rocket turned over while the motor burned: ")) << v.text;
   EXPECT_NE(v.text.find("oll stayed within "), std::string::npos) << v.text;
-  EXPECT_NE(html(flight, figures(flight), v).find("Ascent failed"), std::string::npos);
+  EXPECT_NE(result::html(answer(flight, figures(flight), v)).find("Ascent failed"), std::string::npos);
 }
 
 TEST(FailedAscentText, AHopOnThePadIsToldAndDecidesNothing) {
@@ -60,18 +61,18 @@ TEST(FailedAscentText, IsReadBackFromTheSummary) {
   flight::Flight flight = turned_over();
   const Figures f = figures(flight);
   const Verdict v = verdict(flight, f);
-  const std::string summary = summary_json(flight, f, v);
-  EXPECT_EQ(json::parse(summary)["outcome"], "ascent_failed");
-  EXPECT_EQ(json::parse(summary)["before_burnout"]["turned_over_s"], 3.0);
+  const std::string json = result::json(summary(flight, f, v));
+  EXPECT_EQ(json::parse(json)["outcome"], "ascent_failed");
+  EXPECT_EQ(json::parse(json)["before_burnout"]["turned_over_s"], 3.0);
   const auto file = std::filesystem::temp_directory_path() / "fantail_failed_ascent_test.json";
-  std::ofstream{file} << summary;
+  std::ofstream{file} << json;
   flight::Flight again = SyntheticFlight{}.flight;
   again.path = flight.path;
   add_summary(again, file);
   std::filesystem::remove(file);
   EXPECT_EQ(before_burnout(again), before_burnout(flight));
   EXPECT_EQ(verdict_of(again).outcome, Outcome::ascent_failed);
-  EXPECT_FALSE(json::parse(summary_json(SyntheticFlight{}.flight, f, v)).contains("before_burnout"));
+  EXPECT_FALSE(json::parse(result::json(summary(SyntheticFlight{}.flight, f, v))).contains("before_burnout"));
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 
 #include "json/value.hpp"
 #include "page/page.hpp"
-#include "report/html.hpp"
+#include "report/answer.hpp"
 #include "report/results.hpp"
+#include "report/sections.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {
@@ -22,16 +23,20 @@ SyntheticFlight far_away() {
   return synthetic;
 }
 
+page::Tone tone_of(const Verdict& verdict) {
+  return result::tone(summary(SyntheticFlight{}.flight, {}, verdict).verdict);
+}
+
 json::Value summary_json_of(const flight::Flight& flight) {
   const Figures f = figures(flight);
-  return json::parse(summary_json(flight, f, verdict(flight, f)));
+  return json::parse(result::json(summary(flight, f, verdict(flight, f))));
 }
 
 TEST(Rest, ARollThatRestsFarFromItsCommandIsSteadyAndNotHeld) {
   const SyntheticFlight synthetic = far_away();
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::off_command);
-  EXPECT_EQ(tone(v), page::Tone::unsure);
+  EXPECT_EQ(tone_of(v), page::Tone::unsure);
   EXPECT_TRUE(
       v.text.starts_with("Steady, 70.7 deg from the command (10 deg is the limit): roll stayed within 0.0 deg of "
                          "where this law settles; "))
@@ -48,7 +53,7 @@ TEST(Rest, WhoeverAsksForLessGetsIt) {
   synthetic.flight.rest_limit_rad = text::radians(71.0);
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
-  EXPECT_EQ(tone(v), page::Tone::good);
+  EXPECT_EQ(tone_of(v), page::Tone::good);
   EXPECT_TRUE(v.text.starts_with("Steady, 70.7 deg from the command: roll")) << v.text;
 }
 
@@ -101,7 +106,7 @@ TEST(Rest, FasterThanTheModelHoldsForIsAmberAndInTheHeadline) {
   synthetic.flight.extremes.top_mach = 1.27;
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::outside_model);
-  EXPECT_EQ(tone(v), page::Tone::unsure);
+  EXPECT_EQ(tone_of(v), page::Tone::unsure);
   EXPECT_TRUE(
       v.text.starts_with("Outside the model: up to Mach 1.27, and the simulation of roll holds to Mach 0.8. "
                          "Steady, 10.0 deg from the command: roll stayed"))
@@ -121,7 +126,7 @@ TEST(Rest, ARocketThatIsNotStableIsAmberAndInTheHeadline) {
   synthetic.flight.extremes.static_margin_calibres = -5.0;
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::outside_model);
-  EXPECT_EQ(tone(v), page::Tone::unsure);
+  EXPECT_EQ(tone_of(v), page::Tone::unsure);
   EXPECT_TRUE(
       v.text.starts_with("Outside the model: not stable, with a static margin down to -5.00 calibres, and the "
                          "simulation of roll holds for a stable rocket. Steady, 10.0 deg"))

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "report/html.hpp"
+#include "report/answer.hpp"
+#include "report/sections.hpp"
 #include "synthetic_flight.hpp"
 
 namespace fantail::report {
@@ -69,7 +70,7 @@ TEST(RollScene, HasASecondRocketWhereItIsKnownHowItWouldHaveRolled) {
   // From 0.6 s to 4.5 s, at a turn a second.
   EXPECT_NEAR(figures(synthetic.flight).roll_turns_without_control.value(), 3.9, 1e-9);
   const Figures all = figures(synthetic.flight);
-  const std::string page = html(synthetic.flight, all, verdict(synthetic.flight, all));
+  const std::string page = result::html(answer(synthetic.flight, all, verdict(synthetic.flight, all)));
   EXPECT_NE(page.find("turned by 0.00 turns; with its canards at trim it would have turned by 3.90."),
             std::string::npos);
 }

@@ -14,7 +14,7 @@ namespace {
 
 json::Value summary_of(const flight::Flight& flight) {
   const Figures f = figures(flight);
-  return json::parse(summary_json(flight, f, verdict(flight, f)));
+  return json::parse(result::json(summary(flight, f, verdict(flight, f))));
 }
 
 TEST(SummaryJson, HasEveryKeyOfTheContract) {
@@ -58,7 +58,7 @@ TEST(SummaryJson, SaysHowTheRollInertiaFollowedThePropellantAndIsReadBack) {
   synthetic.flight.airframe->grows_with_mach = true;
   const Figures f = figures(synthetic.flight);
   const auto file = std::filesystem::temp_directory_path() / "fantail_roll_inertia_test.json";
-  std::ofstream{file} << summary_json(synthetic.flight, f, verdict(synthetic.flight, f));
+  std::ofstream{file} << result::json(summary(synthetic.flight, f, verdict(synthetic.flight, f)));
   const auto read = summary_airframe(file);
   std::filesystem::remove(file);
   ASSERT_TRUE(read);

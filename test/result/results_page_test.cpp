@@ -8,6 +8,7 @@
 
 #include "hardover/study.hpp"
 #include "predict/answer.hpp"
+#include "report/answer.hpp"
 #include "tune/results.hpp"
 
 namespace fantail::result {
@@ -39,8 +40,9 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
   std::string page{std::istreambuf_iterator<char>{file}, {}};
   const std::size_t begin = page.find(begin_mark);
   ASSERT_NE(begin, std::string::npos) << page_file;
-  const std::string fields = "\n## campaign hardover\n\n" + tables(hardover::listed_fields()) + "## predict\n\n" +
-                             tables(predict::listed_fields()) + "## tune\n\n" + tables(tune::listed_fields());
+  const std::string fields = "\n## campaign hardover\n\n" + tables(hardover::listed_fields()) + "## fly, report\n\n" +
+                             tables(report::listed_fields()) + "## predict\n\n" + tables(predict::listed_fields()) +
+                             "## tune\n\n" + tables(tune::listed_fields());
   const std::string written = page.substr(0, begin) + std::string{begin_mark} + fields.substr(0, fields.size() - 1);
   if (std::getenv("FANTAIL_WRITE_MANUAL") != nullptr) {  // NOLINT(concurrency-mt-unsafe): there is one thread
     std::ofstream{page_file} << written;

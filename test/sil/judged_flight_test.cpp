@@ -33,8 +33,8 @@ std::string expect_same(const sim::Scenario& scenario, const std::string& which)
   EXPECT_EQ(judged.verdict.ended_early, verdict.ended_early) << which;
   kept.rows.clear();
   kept.side_moment_m3.reset();  // only rows have a use for it
-  EXPECT_EQ(report::summary_json(judged.flight, judged.figures, judged.verdict),
-            report::summary_json(kept, figures, verdict))
+  EXPECT_EQ(result::json(report::summary(judged.flight, judged.figures, judged.verdict)),
+            result::json(report::summary(kept, figures, verdict)))
       << which;
   EXPECT_TRUE(judged.flight.rows.empty()) << which;
   return std::string{report::name(verdict.outcome)};

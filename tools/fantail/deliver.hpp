@@ -18,8 +18,8 @@ namespace fantail::tool {
                                      std::optional<std::uint64_t> seed = {}, std::vector<std::string> changes = {});
 
 struct Delivery {
-  std::filesystem::path folder;
-  std::string name;                              ///< of its files, without an ending; empty: nothing is written
+  std::filesystem::path folder{};
+  std::string name{};                            ///< of its files, without an ending; empty: nothing is written
   std::string page{};                            ///< of its page, where it has another
   std::vector<std::filesystem::path> inputs{};   ///< files that no result may replace
   std::vector<std::string> removed{};            ///< files of an earlier result, which are none of these

@@ -13,7 +13,6 @@
 #include "fantail/deliver.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
-#include "fantail/fly_summary.hpp"
 #include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/offers.hpp"
@@ -185,27 +184,22 @@ void fly_and_report(const FlyOptions& options) {
   give_up_if_interrupted();
   const std::vector<std::string> written = report::write_results(flight, results, folder, made_from);
   chapters.end();
-  if (options.json) {
-    fmt::print("{}", results.summary);
-    (void)lcm.finish();
-    (void)page.finish();
-    return;
-  }
-  print_summary(flight, results);
-  const std::string where = text::printable(folder.string());
-  show("\n  report  {}/report.html\n", where);
+  const std::string where = folder.string();
+  std::string lines = fmt::format("  report   {}/report.html\n", where);
   for (const std::string& name : written) {
-    show("{}", name.ends_with(".csv") ? fmt::format("  data    {}/{}\n", where, name) : "");
+    lines += name.ends_with(".csv") ? fmt::format("  data     {}/{}\n", where, name) : "";
   }
   if (!flight.log.empty()) {
-    show("  log     {}/flight.ftl\n", where);
+    lines += fmt::format("  log      {}/flight.ftl\n", where);
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
-    show("  lcm     {}\n", sent);
+    lines += fmt::format("  lcm      {}\n", sent);
   }
   if (const std::string shown = page.finish(); !shown.empty()) {
-    show("  page    {}\n", shown);
+    lines += fmt::format("  page     {}\n", shown);
   }
+  lines.pop_back();
+  deliver(results.document, {.json = options.json, .last_line = lines});
 }
 
 void fill(const Verb& verb) {

@@ -18,7 +18,6 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "input/shipped.hpp"
 #include "predict/answer.hpp"
 #include "report/results.hpp"
@@ -189,15 +188,8 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
       repeated.flight, made_with(inputs_of(scenario, options), repeated.flight.seed, request(options).changes));
   const std::filesystem::path folder = folder_of(scenario, options);
   report::write_results(repeated.flight, results, folder, inputs_of(scenario, options));
-  if (options.json) {
-    fmt::print("{}", results.summary);
-    return;
-  }
-  show("{} ({})\n{}\n", repeated.flight.scenario, repeated.flight.vehicle, painted_verdict(results.verdict));
-  for (const std::string& note : repeated.flight.notes) {
-    show("  {}\n", note);
-  }
-  show("\n  report  {}\n", (folder / "report.html").string());
+  deliver(results.document,
+          {.json = options.json, .last_line = fmt::format("  report   {}", (folder / "report.html").string())});
 }
 
 void predict_launch(const PredictOptions& options) {

@@ -16,7 +16,6 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
@@ -53,19 +52,9 @@ void report_one(const ReportOptions& options) {
       options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
   report::write_report(flight, results, folder, options.a);
   chapters.end();
-  if (options.json) {
-    fmt::print("{}", results.summary);
-    return;
-  }
-  show("{}\n{}\n", text::printable(flight.scenario), painted_verdict(results.verdict));
-  if (!flight.changes.empty()) {
-    show("Changed on the command line: {}.\n", fmt::join(flight.changes, ", "));
-  }
-  for (const std::string& note : flight.notes) {
-    show("  {}\n", note);
-  }
-  const std::string where = text::printable(folder.string());
-  show("\n  report  {0}/report.html\n  data    {0}/flight.csv\n", where);
+  deliver(results.document,
+          {.json = options.json,
+           .last_line = fmt::format("  report   {0}/report.html\n  data     {0}/flight.csv", folder.string())});
 }
 
 void report_two(const ReportOptions& options) {

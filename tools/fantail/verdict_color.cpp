@@ -8,18 +8,9 @@
 
 #include "core/tick_record.hpp"
 #include "fantail/terminal.hpp"
-#include "report/html.hpp"
 
 namespace fantail::tool {
 namespace {
-
-Color color_of(page::Tone tone) {
-  switch (tone) {
-    case page::Tone::good: return Color::green;
-    case page::Tone::bad: return Color::red;
-    default: return Color::yellow;
-  }
-}
 
 // Where the line behind the one of `from` begins; the end of the text when there is none.
 std::size_t next_line(std::string_view text, std::size_t from) {
@@ -28,12 +19,6 @@ std::size_t next_line(std::string_view text, std::size_t from) {
 }
 
 }  // namespace
-
-std::string painted_verdict(const report::Verdict& verdict) {
-  const std::string& text = verdict.text;
-  const std::size_t end = std::min({text.find(": "), text.find("; "), text.find(". "), text.find_last_not_of('.') + 1});
-  return painted(color_of(report::tone(verdict)), text.substr(0, end)) + text.substr(end);
-}
 
 std::string painted_decision(std::string text) {
   constexpr std::array decisions{std::pair{"Go:", Color::green},

@@ -3,13 +3,8 @@
 
 #include <string>
 
-#include "report/verdict.hpp"
-
 // Colours repeat what words say; nothing is said by a colour alone.
 namespace fantail::tool {
-
-/// The first clause, as report::tone() has it: green for good news, red for bad, else yellow.
-[[nodiscard]] std::string painted_verdict(const report::Verdict& verdict);
 
 /// "Go", "No go", "PASS" and "FAIL", where a line begins with them.
 [[nodiscard]] std::string painted_decision(std::string text);

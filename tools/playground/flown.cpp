@@ -14,8 +14,8 @@
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "playground/shipped_texts.hpp"
+#include "report/answer.hpp"
 #include "report/figures.hpp"
-#include "report/results.hpp"
 #include "report/verdict.hpp"
 #include "sim/scenario.hpp"
 #include "text/degrees.hpp"
@@ -159,7 +159,7 @@ Flown fly(std::string_view words) {
     flight.changes.push_back("seed=" + std::to_string(*wish.seed));
   }
   const report::Figures figures = report::figures(flight);
-  Flown flown{.summary = report::summary_json(flight, figures, report::verdict(flight, figures))};
+  Flown flown{.summary = result::json(report::summary(flight, figures, report::verdict(flight, figures)))};
   take_rows(flight, flown);
   return flown;
 }

@@ -11,8 +11,8 @@
 
 #include "flight/phase_names.hpp"
 #include "report/chart_drawer.hpp"
-#include "report/html.hpp"
 #include "report/rest.hpp"
+#include "report/sections.hpp"
 #include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

@@ -28,9 +28,9 @@ double true_zero_rad(const flight::Flight& flight) {
 
 std::string_view top_speed_name(const flight::Flight& flight) {
   if (flight.tunnel) {
-    return "Largest air speed";
+    return "largest air speed";
   }
-  return flight.path.empty() ? "Top speed" : "Top speed over ground";
+  return flight.path.empty() ? "top speed" : "top speed over ground";
 }
 
 Figures figures(const flight::Flight& flight) {

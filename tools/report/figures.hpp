@@ -98,7 +98,7 @@ struct Figures {
   friend bool operator==(const Figures&, const Figures&) = default;
 };
 
-/// Which speed Figures::max_speed_m_s of this flight is: "Top speed over ground".
+/// Which speed Figures::max_speed_m_s of this flight is: "top speed over ground".
 [[nodiscard]] std::string_view top_speed_name(const flight::Flight& flight);
 
 [[nodiscard]] Figures figures(const flight::Flight& flight);

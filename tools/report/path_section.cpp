@@ -12,7 +12,7 @@
 
 #include "flight/path.hpp"
 #include "page/page.hpp"
-#include "report/html.hpp"
+#include "report/sections.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -22,6 +22,7 @@ namespace {
 using flight::PathPoint;
 using page::Chart;
 using page::Role;
+using result::Picture;
 using Value = std::function<double(const PathPoint&)>;
 
 constexpr double square = 400.0;
@@ -78,7 +79,7 @@ page::Series tilt(const std::vector<PathPoint>& path) {
 }
 
 /// Of a path of which nobody knows where it points and how the air met the rocket.
-std::string plane_section(const std::vector<PathPoint>& path) {
+result::Section plane_section(const std::vector<PathPoint>& path) {
   const Chart tilted{.label = "Tilt",
                      .x_label = "time / s",
                      .y_label = "deg",
@@ -86,24 +87,17 @@ std::string plane_section(const std::vector<PathPoint>& path) {
                      .height = square,
                      .series = {tilt(path)},
                      .sampled = true};
-  const std::array<std::string, 2> views{
-      page::figure(from_the_side(path, "distance across / m", &PathPoint::north_m),
+  return {"The path",
+          {Picture{from_the_side(path, "distance across / m", &PathPoint::north_m),
                    "From the side, in the one vertical plane in which the trajectory is taken to lie; where that plane "
-                   "points is not known. The two axes have different scales."),
-      page::figure(tilted, "Tilt of the long axis from the vertical.")};
-  return page::section("The path", page::side_by_side(views));
+                   "points is not known. The two axes have different scales."},
+           Picture{tilted, "Tilt of the long axis from the vertical."}},
+          result::Readers::files};
 }
 
 }  // namespace
 
-std::string compass(const PathPoint& point) {
-  constexpr std::array names{"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"};
-  constexpr double eighth_rad = 0.25 * std::numbers::pi;
-  const auto eighths = std::lround(std::atan2(point.east_m, point.north_m) / eighth_rad);
-  return names[static_cast<std::size_t>((eighths + 8) % 8)];
-}
-
-std::string path_section(const flight::Flight& flight) {
+result::Section path_section(const flight::Flight& flight) {
   const std::vector<PathPoint> path = shown(flight);
   if (path.empty()) {
     return {};
@@ -137,13 +131,12 @@ std::string path_section(const flight::Flight& flight) {
       .series = {tilt(path), series(path, "angle of attack", Role::model, &PathPoint::time_s,
                                     [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
       .sampled = true};
-  const std::array<std::string, 2> views{
-      page::figure(side, "From the side. The two axes have different scales."),
-      page::figure(above, "From above; the guide stands at 0, 0. Both axes have the same scale.")};
-  return page::section("The path",
-                       page::side_by_side(views) + page::figure(angles,
-                                                                "Tilt of the long axis from the vertical, and angle "
-                                                                "between the axis and the way through the air."));
+  return {"The path",
+          {Picture{side, "From the side. The two axes have different scales."},
+           Picture{above, "From above; the guide stands at 0, 0. Both axes have the same scale."},
+           Picture{angles,
+                   "Tilt of the long axis from the vertical, and angle between the axis and the way through the air."}},
+          result::Readers::files};
 }
 
 }  // namespace fantail::report

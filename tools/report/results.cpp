@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "flight/write_csv.hpp"
-#include "report/html.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::report {
@@ -29,18 +28,16 @@ constexpr const char* own_free_roll = "without_control.csv";
 
 std::vector<text::NamedFile> result_files(const flight::Flight& flight, const Results& results) {
   return {{"flight.csv", csv(flight)},
-          {"summary.json", results.summary},
-          {"report.html", html(flight, results.figures, results.verdict)}};
+          {"summary.json", result::json(results.document)},
+          {"report.html", result::html(answer(flight, results.figures, results.verdict, results.document.made))}};
 }
 
 }  // namespace
 
 Results results(const flight::Flight& flight, const result::Made& made) {
-  Results r;
-  r.figures = figures(flight);
-  r.verdict = verdict(flight, r.figures);
-  r.summary = summary_json(flight, r.figures, r.verdict, made);
-  return r;
+  const Figures figures = report::figures(flight);
+  const Verdict verdict = report::verdict(flight, figures);
+  return {figures, verdict, summary(flight, figures, verdict, made)};
 }
 
 std::vector<std::string> write_results(const flight::Flight& flight, const Results& results,

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "flight/flight.hpp"
+#include "report/answer.hpp"
 #include "report/figures.hpp"
 #include "report/verdict.hpp"
 
 namespace fantail::report {
 
-/// What a flight came to, with the text of summary.json: for the terminal and --json.
+/// What a flight came to.
 struct Results {
   Figures figures;
   Verdict verdict;
-  std::string summary;
+  result::Document document;  ///< without pictures: for the terminal and summary.json
 };
 
-/// `made` goes into the summary.
 [[nodiscard]] Results results(const flight::Flight& flight, const result::Made& made = {});
 
 /// Writes flight.csv, summary.json, report.html, flight.ftl when something was recorded, of a run in a tunnel
@@ -36,10 +36,6 @@ std::vector<std::string> write_results(const flight::Flight& flight, const Resul
 /// replaces nothing that cannot be made again. Throws OutputError.
 void write_report(const flight::Flight& flight, const Results& results, const std::filesystem::path& folder,
                   const std::filesystem::path& input);
-
-/// summary.json: every key is always there; what does not exist is null. Angles in degrees, ends with a newline.
-[[nodiscard]] std::string summary_json(const flight::Flight& flight, const Figures& figures, const Verdict& verdict,
-                                       const result::Made& made = {});
 
 /// Adds what a folder's summary.json says of its flight beyond flight.csv: names, seed, events, why phases changed,
 /// verdicts on canards, imposed roll, notes. Nothing happens without the file. Throws text::Error (bad_data) when

@@ -8,8 +8,8 @@
 #include <fmt/core.h>
 
 #include "report/figures.hpp"
-#include "report/html.hpp"
 #include "report/roll_truth.hpp"
+#include "report/sections.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

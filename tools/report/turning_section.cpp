@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "page/page.hpp"
-#include "report/html.hpp"
+#include "report/sections.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -28,18 +28,19 @@ page::Series series(const flight::Flight& flight, std::string name, Role role, M
   return result;
 }
 
-std::string figure(const flight::Flight& flight, std::string label, std::string unit, Member truth,
-                   std::pair<const char*, Member> measured) {
+result::Picture figure(const flight::Flight& flight, std::string label, std::string unit, Member truth,
+                       std::pair<const char*, Member> measured) {
   constexpr double height = 220.0;
-  const page::Chart chart{.label = std::move(label),
-                          .x_label = "time / s",
-                          .y_label = std::move(unit),
-                          .width = page::half_page,
-                          .height = height,
-                          .series = {series(flight, "true", Role::target, truth),
-                                     series(flight, measured.first, Role::measured, measured.second)},
-                          .sampled = true};
-  return page::figure(chart, chart.label + ".");
+  page::Chart chart{.label = std::move(label),
+                    .x_label = "time / s",
+                    .y_label = std::move(unit),
+                    .width = page::half_page,
+                    .height = height,
+                    .series = {series(flight, "true", Role::target, truth),
+                               series(flight, measured.first, Role::measured, measured.second)},
+                    .sampled = true};
+  const std::string caption = chart.label + ".";
+  return {std::move(chart), caption};
 }
 
 /// The pad is not counted: until it has been at rest for a while the avionics does not know how the rocket stands.
@@ -61,20 +62,21 @@ std::string how_far_apart(const flight::Flight& flight) {
 
 }  // namespace
 
-std::string turning_section(const flight::Flight& flight) {
+result::Section turning_section(const flight::Flight& flight) {
   if (flight.turning.empty()) {
     return {};
   }
-  const std::array<std::string, 4> figures{
-      figure(flight, "Roll rate, about the long axis", "deg/s", &TurnPoint::true_roll_rate_rad_s,
-             {"gyro", &TurnPoint::gyro_roll_rate_rad_s}),
-      figure(flight, "Pitch rate, about y", "deg/s", &TurnPoint::true_pitch_rate_rad_s,
-             {"gyro", &TurnPoint::gyro_pitch_rate_rad_s}),
-      figure(flight, "Yaw rate, about z", "deg/s", &TurnPoint::true_yaw_rate_rad_s,
-             {"gyro", &TurnPoint::gyro_yaw_rate_rad_s}),
-      figure(flight, "Tilt of the long axis from the vertical", "deg", &TurnPoint::true_tilt_rad,
-             {"estimate", &TurnPoint::tilt_rad})};
-  return page::section("All three axes", page::side_by_side(figures) + page::note(how_far_apart(flight)));
+  return {"All three axes",
+          {figure(flight, "Roll rate, about the long axis", "deg/s", &TurnPoint::true_roll_rate_rad_s,
+                  {"gyro", &TurnPoint::gyro_roll_rate_rad_s}),
+           figure(flight, "Pitch rate, about y", "deg/s", &TurnPoint::true_pitch_rate_rad_s,
+                  {"gyro", &TurnPoint::gyro_pitch_rate_rad_s}),
+           figure(flight, "Yaw rate, about z", "deg/s", &TurnPoint::true_yaw_rate_rad_s,
+                  {"gyro", &TurnPoint::gyro_yaw_rate_rad_s}),
+           figure(flight, "Tilt of the long axis from the vertical", "deg", &TurnPoint::true_tilt_rad,
+                  {"estimate", &TurnPoint::tilt_rad}),
+           how_far_apart(flight)},
+          result::Readers::files};
 }
 
 }  // namespace fantail::report

@@ -23,6 +23,7 @@ struct Verdict {
   Answer answer;                         ///< has no default: a verdict without an answer does not compile
   std::string heading;                   ///< "Go"
   std::string sentence;                  ///< may begin with the heading and a colon
+  std::vector<std::string> beside{};     ///< what a reader should know beside it, a sentence each
   std::vector<std::string> not_in_it{};  ///< what the answer does not count, a sentence or two each
   bool with_caution = false;             ///< a yes that the sentence limits: not in the colour of a yes
   std::string not_in_it_heading = "Not in the verdict:";

@@ -49,6 +49,11 @@ struct Picture {
 
   [[nodiscard]] Picture wide() &&;
 };
+/// Over one clock, with a cursor and a zoom where scripts run; without them the first chart. One in a document.
+struct Live {
+  page::LiveCharts charts{};
+  std::string caption{};
+};
 /// What no chart can draw, as an SVG for a whole page and one for half of it.
 struct Drawing {
   std::string wide{};
@@ -64,7 +69,7 @@ struct Data {
   std::string key{};
   json::Value value{};
 };
-using Block = std::variant<std::string, Sentences, Figures, Table, Picture, Drawing, Links, Data>;
+using Block = std::variant<std::string, Sentences, Figures, Table, Picture, Live, Drawing, Links, Data>;
 
 /// For whom a section is: everybody; pages and JSON, as a long table; JSON alone.
 enum class Readers : std::uint8_t { all, files, programs };
@@ -94,6 +99,7 @@ struct Document {
   std::vector<Table> spreadsheets{};  ///< a CSV file each, named by the key
   Made made{};
   int json_decimals = 6;  ///< of numbers; -8: eight digits, wherever the point is
+  std::string footer{};  ///< of its page
 };
 
 /// Colours words, or does not.

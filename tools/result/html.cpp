@@ -14,6 +14,7 @@ namespace {
 std::string html(const std::string& paragraph) { return page::paragraph(paragraph); }
 std::string html(const Sentences& sentences) { return sentences.all.empty() ? "" : page::list(sentences.all); }
 std::string html(const Picture& picture) { return page::figure(picture.chart, picture.caption); }
+std::string html(const Live& live) { return page::live_figure(live.charts, live.caption); }
 std::string html(const Drawing& drawing) { return page::figure(drawing.wide, drawing.narrow, drawing.caption); }
 std::string html(const Links& links) { return links.all.empty() ? "" : page::list(links.all); }
 std::string html(const Data&) { return {}; }
@@ -105,15 +106,27 @@ std::string html(const Document& document) {
                   .subtitle = document.subtitle,
                   .tone = tone(verdict),
                   .verdict_heading = document.verdict.heading,
-                  .verdict = without(verdict.heading, verdict.sentence)};
+                  .verdict = without(verdict.heading, verdict.sentence),
+                  .footer = document.footer};
   for (auto& [label, value] : read_facts(document)) {
     page.facts.push_back({std::move(label), std::move(value)});
+  }
+  if (document.made.command != page::made_by_command()) {
+    page.command = document.made.command;
+  }
+  for (const std::string& sentence : verdict.beside) {
+    page.findings.push_back({.about = sentence});
   }
   for (const std::string& sentence : document.verdict.not_in_it) {
     page.findings.push_back({.what = verdict.not_in_it_heading, .about = sentence});
   }
   for (const Section& section : document.sections) {
     const std::string inside = body(section.blocks);
+    for (const Block& block : section.blocks) {
+      if (const auto* live = std::get_if<Live>(&block)) {
+        page.live = live->charts;
+      }
+    }
     if (section.readers != Readers::programs && !inside.empty()) {
       page.body_html +=
           page::section(section.heading, section.folded.empty() ? inside : page::on_demand(section.folded, inside));

@@ -95,6 +95,7 @@ void put(Value& all, std::string_view key, Value value) {
 
 void add(Value&, const std::string&, int) {}
 void add(Value&, const Picture&, int) {}
+void add(Value&, const Live&, int) {}
 void add(Value&, const Drawing&, int) {}
 void add(Value&, const Links&, int) {}
 void add(Value& all, const Data& data, int) { put(all, data.key, data.value); }

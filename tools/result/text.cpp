@@ -15,6 +15,7 @@ std::string line(std::string_view sentence) { return fmt::format("  {}\n", sente
 
 std::string text(const std::string& paragraph) { return line(paragraph); }
 std::string text(const Picture&) { return {}; }
+std::string text(const Live&) { return {}; }
 std::string text(const Drawing&) { return {}; }
 std::string text(const Data&) { return {}; }
 std::string text(const Links& links) {
@@ -98,9 +99,12 @@ std::string text(const Table& table, std::size_t columns) {
 std::string text(const Document& document, Paint paint, std::size_t columns) {
   const Verdict& verdict = document.verdict;
   const bool leads = verdict.sentence.starts_with(verdict.heading + ":");
-  std::string all = fmt::format("{}: {}\n", document.title, document.subtitle);
+  std::string all = fmt::format("{}{}{}\n", document.title, document.subtitle.empty() ? "" : ": ", document.subtitle);
   all += paint != nullptr ? paint(tone(verdict), verdict.heading) : verdict.heading;
   all += leads ? verdict.sentence.substr(verdict.heading.size()) : ": " + verdict.sentence;
+  for (const std::string& sentence : verdict.beside) {
+    all += "\n" + sentence;
+  }
   all += verdict.not_in_it.empty() ? "\n" : "\n\n" + verdict.not_in_it_heading + "\n";
   for (const std::string& sentence : verdict.not_in_it) {
     all += line(sentence);

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "flight/phase_names.hpp"
+#include "report/fields.hpp"
+#include "report/rest.hpp"
+#include "report/sections.hpp"
+#include "report/verdict_parts.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+// What a person reads of a flight.
+namespace fantail::report {
+namespace {
+
+using result::Figure;
+using text::degrees;
+using text::fixed;
+
+/// So that the events of control are farther apart than its rows.
+bool rows_are_sparse(const flight::Flight& flight, const Figures& f) {
+  const flight::Events& e = flight.events;
+  return f.control_time_s && e.control_start_s && e.control_end_s &&
+         *e.control_end_s - *e.control_start_s - *f.control_time_s > 0.005;
+}
+
+/// Those that a person reads, with what belongs to each.
+std::vector<Figure> read_figures(const flight::Flight& flight, const Figures& f, bool roll_is_judged) {
+  result::Figures all = result::figures("", f, fields::figures);
+  all["max_speed"].label = top_speed_name(flight);
+  if (rows_are_sparse(flight, f)) {
+    all["control_time"].remark = "from its first row to its last";
+  }
+  all["rest_error"].remark = fmt::format("limit {} deg", text::brief(degrees(flight.rest_limit_rad), 1));
+  all["roll_after_end"].remark = f.ended_before_apogee_s ? "until apogee" : "until the trajectory ends";
+  if (f.authority_rad) {
+    all["authority_margin"].remark = fmt::format("of {} deg", text::brief(degrees(*f.authority_rad), 1));
+  }
+  std::erase_if(all.all, [&](const Figure& one) {
+    const bool is_of_hold = one.key == "largest_hold_error" || one.key == "mean_hold_error" || one.key == "rest_error";
+    return (is_of_hold && !roll_is_judged) || (one.key == "roll_after_end" && !ended_early(flight, f)) ||
+           (one.key == "saturated_fraction" && !(f.control_time_s.value_or(0.0) > 0.0)) || one.key == "judged_time" ||
+           one.key == "authority" || one.key == "ended_before_apogee" || one.key == "at_limit_since";
+  });
+  return all.all;
+}
+
+void add(std::vector<Figure>& to, const result::Figures& more) {
+  to.insert(to.end(), more.all.begin(), more.all.end());
+}
+
+result::Figures shown_figures(const flight::Flight& flight, const Figures& f, bool roll_is_judged) {
+  std::vector<Figure> all = read_figures(flight, f, roll_is_judged);
+  if (f.side_deflection) {
+    add(all, result::figures("", *f.side_deflection, fields::side_deflection));
+  }
+  if (f.camera_roll) {
+    add(all, result::figures("", *f.camera_roll, fields::camera_roll));
+  }
+  if (const auto top = apogee_of(flight)) {
+    const bool is_plane = flight.path_frame == flight::PathFrame::plane;
+    all.push_back({{.label = "drift at apogee", .unit = result::units::m, .decimals = 1},
+                   flight::distance_m(*top),
+                   is_plane ? "over ground" : "over ground, towards " + compass(*top)});
+    all.push_back(result::figures("", *top, fields::apogee)["tilt"]);
+  }
+  if (flight.gyro_bias_rad_s) {
+    all.push_back({{.label = "gyro zero", .unit = result::units::deg_s, .decimals = 2},
+                   static_cast<double>(flight.gyro_bias_rad_s->x),
+                   "about the long axis; taken off"});
+  }
+  return {.all = std::move(all)};
+}
+
+struct Moment {
+  double time_s = 0.0;
+  std::string what{};
+  std::string meaning{};
+};
+constexpr auto moment_fields = result::fields<Moment>({
+    {"time", "time", result::units::s, 3, &Moment::time_s, "on the clock of the rows"},
+    {"what", "event", result::units::none, 0, &Moment::what, "what happened"},
+    {"meaning", "meaning", result::units::none, 0, &Moment::meaning, "why, or what it is"},
+});
+
+/// Where it was not the apogee also what for.
+std::string what_control_end_means(const flight::Flight& flight, const Verdict& verdict) {
+  const auto outage = std::ranges::find(flight.outages, flight.events.control_end_s, &flight::Outage::from_s);
+  if (outage != flight.outages.end()) {
+    return outage->to_s ? fmt::format("with the last tick before {} s", fixed(*outage->to_s, 3)) : "with the last tick";
+  }
+  if (!verdict.ended_early || flight.phase_changes.empty()) {
+    return "canards return to trim";
+  }
+  const auto reason = flight.phase_changes.back().reason;
+  return fmt::format("canards return to trim: {}",
+                     !reason ? "the log does not say why" : flight::display_name(*reason));
+}
+
+/// By time; of two at the same instant the one that stands first.
+result::Table events(const flight::Flight& flight, const Verdict& verdict) {
+  std::vector<Moment> all;
+  for (const Figure& event : result::figures("", flight.events, fields::events).all) {
+    if (const double* time_s = std::get_if<double>(&event.value)) {
+      all.push_back({*time_s, event.label, event.meaning});
+    }
+  }
+  for (Moment& one : all) {
+    if (one.what == "lift-off" && !flight.seed) {
+      one.meaning = "where the specific force left the pad's 1 g";
+    } else if (one.what == "control starts" && flight.tunnel) {
+      one.meaning = "roll angle is zero here, canards leave trim";
+    } else if (one.what == "control ends") {
+      one.meaning = what_control_end_means(flight, verdict);
+    }
+  }
+  if (const auto jolt = jolt_after_apogee(flight)) {
+    all.push_back(
+        {jolt->time_s, "jolt",
+         fmt::format("{} g along the axis, as when a parachute opens", fixed(jolt->specific_force_m_s2 / 9.80665, 1))});
+  }
+  std::ranges::stable_sort(all, {}, &Moment::time_s);
+  return result::table({}, all, moment_fields);
+}
+
+result::Table phases(const flight::Flight& flight) {
+  std::vector<Moment> all;
+  for (const flight::PhaseChange& change : flight.phase_changes) {
+    const bool is_first = !flight.rows.empty() && change.time_s <= flight.rows.front().time_s;
+    all.push_back({change.time_s, flight::display_name(change.phase), flight::why_it_began(change.reason, is_first)});
+  }
+  result::Table table = result::table({}, all, moment_fields);
+  table.columns[1].label = "phase";
+  table.columns[2].label = "reason";
+  return table;
+}
+
+}  // namespace
+
+std::string compass(const flight::PathPoint& point) {
+  constexpr std::array names{"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"};
+  constexpr double eighth_rad = 0.25 * std::numbers::pi;
+  const auto eighths = std::lround(std::atan2(point.east_m, point.north_m) / eighth_rad);
+  return names[static_cast<std::size_t>((eighths + 8) % 8)];
+}
+
+std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const Figures& f, const Verdict& verdict) {
+  std::vector<std::string> all;
+  if (verdict.roll_is_judged && f.largest_hold_error_rad && flight.why_uncontrollable.empty()) {
+    all.push_back(fmt::format("It settles at {}.", settle_point_name(flight)));
+  }
+  if (f.roll_turns && f.roll_turns_without_control) {
+    all.push_back(
+        fmt::format("Under control it turned by {} turns; with its canards at trim it would have turned by {}.",
+                    fixed(*f.roll_turns, 2), fixed(*f.roll_turns_without_control, 2)));
+  }
+  if (f.camera_roll && std::abs(f.camera_roll->largest_rad) >= text::radians(1.0)) {
+    all.push_back(
+        fmt::format("The rocket coned: what a camera sees of its roll came up to {} deg away from the roll angle, "
+                    "which is the integral of the gyro's rate.",
+                    fixed(std::abs(degrees(f.camera_roll->largest_rad)), 1)));
+  }
+  if (!flight.changes.empty()) {
+    all.push_back(fmt::format("Changed on the command line: {}.", fmt::join(flight.changes, ", ")));
+  }
+  if (std::string imposed = flight::imposed_roll_sentence(flight); !imposed.empty()) {
+    all.push_back(std::move(imposed));
+  }
+  return all;
+}
+
+result::Section figures_section(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
+  std::vector<flight::LoopMargin> margins = different_margins(flight);
+  result::Section section{
+      "Figures", {shown_figures(flight, figures, verdict.roll_is_judged), result::table({}, margins, fields::margins)}};
+  if (verdict.roll_is_judged && figures.largest_hold_error_rad) {
+    section.blocks.emplace_back(settle_point_text(flight));
+  }
+  return section;
+}
+
+result::Section events_section(const flight::Flight& flight, const Verdict& verdict) {
+  result::Table table = events(flight, verdict);
+  if (table.rows.empty()) {
+    return {"Events", {std::string{flight.known.phase ? "No events." : "Not in the log."}}};
+  }
+  return {"Events", {std::move(table)}};
+}
+
+result::Section phases_section(const flight::Flight& flight) {
+  using enum result::Readers;
+  if (!flight.known.phase || flight.phase_changes.empty()) {
+    return {"Phases", {std::string{flight.known.phase ? "Safe throughout." : "Not in the log."}}, files};
+  }
+  result::Table canards = result::table({}, flight.canard_verdict_changes, fields::canard_verdicts);
+  return {"Phases", {phases(flight), std::move(canards)}, files};
+}
+
+result::Section notes_section(const flight::Flight& flight) {
+  if (!flight.seed) {
+    return {"About the log", {result::Sentences{.all = flight.notes}}};
+  }
+  if (flight.notes.empty()) {
+    return {"Assumptions and notes",
+            {std::string{flight.imposed_roll ? "The scenario has no faults and no further assumptions."
+                                             : "The scenario has no imposed roll, no faults and no further "
+                                               "assumptions."}}};
+  }
+  return {"Assumptions and notes", {result::Sentences{.all = flight.notes}}};
+}
+
+}  // namespace fantail::report
