@@ -84,11 +84,12 @@ set(FANTAIL_COMPILED_ALONE
   tools/detection/report_json.cpp
   tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
   tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
-  tools/flight/free_roll.cpp tools/flight/read_csv.cpp tools/flight/turning.cpp
+  tools/flight/free_roll.cpp tools/flight/turning.cpp
   tools/identify/conditions.cpp tools/identify/lag_doubt.cpp
   tools/input/scenario_fields.cpp
   tools/link/await_avionics.cpp tools/link/log_reader.cpp tools/link/session.cpp
   tools/log_export/ulog.cpp
+  tools/logs/rows_of_log.cpp
   tools/page/live.cpp
   tools/report/verdict.cpp
   tools/tunnel/steps_report.cpp tools/tunnel/swing_log.cpp tools/tunnel/tunnel_log.cpp

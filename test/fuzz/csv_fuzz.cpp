@@ -71,15 +71,15 @@ void check_record(const identify::model::Record& record) {
 
 // The first byte chooses how the rest is read.
 void read(std::uint8_t choice, std::string text) {
-  const flight::Reading reading{
-      .columns = (choice & 1U) != 0 ? flight::ColumnNames{{"roll_angle_deg", "phi"}} : flight::ColumnNames{},
-      .angles = (choice & 2U) != 0 ? flight::AngleUnit::radians : flight::AngleUnit::degrees,
-      .truth = (choice & 4U) != 0};
-  const flight::Needs needs{.canard = (choice & 8U) != 0, .speed = (choice & 16U) != 0};
+  const files::Source phi = files::parse_column("roll_angle_deg=phi", "--column", files::of_flight_csv);
+  const logs::Reading reading{.columns = (choice & 1U) != 0 ? files::Sources{phi} : files::Sources{},
+                              .angles = (choice & 2U) != 0 ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
+                              .truth = (choice & 4U) != 0};
+  const logs::Needs needs{.canard = (choice & 8U) != 0, .speed = (choice & 16U) != 0};
   const identify::RecordOptions options{.lag_s = (choice & 32U) != 0 ? 0.02 : 0.0};
   const flight::Table table = flight::Table::parse(std::move(text), "log.csv");
   check_table(table);
-  const logs::RollLog log = logs::roll_log(flight::read_flight_csv(table, reading, needs), table.name(), reading);
+  const logs::RollLog log = logs::roll_log(logs::read_flight_csv(table, reading, needs), table.name(), reading);
   check_log(log);
   const bool control = (choice & 64U) != 0;
   check_record(

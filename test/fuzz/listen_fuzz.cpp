@@ -11,8 +11,6 @@
 #include "chosen_input.hpp"
 #include "core/flight_plan_members.hpp"
 #include "listen/fly_log.hpp"
-#include "listen/load.hpp"
-#include "listen/maps.hpp"
 
 namespace fantail::fuzz {
 namespace {
@@ -46,13 +44,16 @@ void check(const listen::Heard& heard) {
   require(!heard.control || heard.detected_s || !heard.false_detections_s.empty());
 }
 
+files::Sources parse(const std::string& text) {
+  return files::parse_columns(text, "--columns", listen::heard_quantities);
+}
+
 void read_csv(std::string bytes_of_file) {
-  std::vector<std::string> notes;
-  const flight::Table table = flight::Table::parse(listen::tidy(std::move(bytes_of_file), notes), "x.csv");
-  const listen::Map* const map = listen::map_of(table.columns());
-  const listen::Sources sources =
-      map != nullptr ? listen::sources_of(*map) : listen::parse_columns("time=t:s,axial=a:m/s2", "--columns");
-  listen::ImuLog log = listen::imu_log(table, sources);
+  const files::Loaded file = files::parse(std::move(bytes_of_file), "x.csv", files::Writer::logger);
+  const files::Logger* const logger = files::logger_of(file.table.columns());
+  const files::Sources sources =
+      logger != nullptr ? files::sources_of(*logger, listen::heard_quantities) : parse("time=t:s,axial=a:m/s2");
+  listen::ImuLog log = listen::imu_log(file, sources);
   for (const auto* signal : {&log.axial, &log.lateral_y, &log.roll_rate, &log.pitch_rate, &log.height, &log.speed}) {
     check(*signal);
   }
@@ -67,7 +68,7 @@ void read(std::uint8_t choice, std::string input) {
     read_csv(std::move(input));
     return;
   }
-  for (const listen::Source& source : listen::parse_columns(input, "--columns")) {
+  for (const files::Source& source : parse(input)) {
     require(std::isfinite(source.factor) && source.factor != 0.0);
   }
 }
@@ -76,7 +77,7 @@ void read(std::uint8_t choice, std::string input) {
 
 std::vector<std::string> seeds() {
   return {std::string{'\0'} + "time=ts:s,axial=-Ay:m/s2,roll_rate=Gy:deg/s,height=0.3048*alt:m",
-          std::string{'\0'}.append(listen::maps().front().columns), std::string{'\1'} + csv("t,a,alt\n", "", ",12\n"),
+          std::string{'\0'}.append(files::loggers().front().columns), std::string{'\1'} + csv("t,a,alt\n", "", ",12\n"),
           std::string{'\1'} + csv("#version,serial,flight,time,acceleration\n", "8,1234,1,", "\n")};
 }
 

@@ -11,8 +11,8 @@
 #include "core/flight_plan_members.hpp"
 #include "listen/made_log.hpp"
 #include "listen/outputs.hpp"
-#include "listen/refused.hpp"
 #include "listen/sentences.hpp"
+#include "logs/refused.hpp"
 #include "random/seed.hpp"
 
 namespace fantail::listen {
@@ -217,8 +217,8 @@ TEST(FlyLog, ComparesWithTheLogsOwnHeight) {
 TEST(FlyLog, IsRefusedWithAPlanOfTheTunnel) {
   Question tunnel = question();
   tunnel.plan.run.start = core::Start::tunnel;
-  expect_refusal(text::ErrorKind::bad_configuration, {"the plan default begins on command"},
-                 [&] { (void)fly_log(log_of(signal(1.0, 0.01, constant_push)), tunnel); });
+  test::expect_refused(text::ErrorKind::bad_configuration, {"the plan default begins on command"},
+                       [&] { (void)fly_log(log_of(signal(1.0, 0.01, constant_push)), tunnel); });
 }
 
 }  // namespace

@@ -6,14 +6,17 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "listen/refused.hpp"
+#include "logs/refused.hpp"
 
 namespace fantail::listen {
 namespace {
 
+using test::expect_refused;
 using text::ErrorKind;
 
-const Sources sources = parse_columns("time=t:ms,axial=a:g,height=h:ft", "--columns");
+files::Sources parse(const std::string& text) { return files::parse_columns(text, "--columns", heard_quantities); }
+
+const files::Sources sources = parse("time=t:ms,axial=a:g,height=h:ft");
 
 flight::Table table(const std::string& rows) { return flight::Table::parse("t,a,h\n" + rows, "log.csv"); }
 
@@ -43,7 +46,7 @@ TEST(ImuLog, HasSiUnitsAndSaysWhatItTakesForGranted) {
 }
 
 TEST(ImuLog, AddsOneGToAForceWhoseZeroIsThePad) {
-  const ImuLog log = imu_log(table(rows()), parse_columns("time=t:ms,axial_from_rest=a:g", "--columns"));
+  const ImuLog log = imu_log(table(rows()), parse("time=t:ms,axial_from_rest=a:g"));
   EXPECT_NEAR(log.axial.value[0], 2.0 * 9.80665, 1e-6);
 }
 
@@ -63,11 +66,11 @@ TEST(ImuLog, CountsWhatIsNoNumberAsNotSampled) {
 }
 
 TEST(ImuLog, IsRefusedByFileAndLine) {
-  const auto refused = [](const flight::Table& what, const std::vector<std::string>& parts) {
-    expect_refusal(ErrorKind::bad_data, parts, [&] { (void)imu_log(what, sources); });
+  const auto refused = [](const flight::Table& what, std::initializer_list<const char*> parts) {
+    expect_refused(ErrorKind::bad_data, parts, [&] { (void)imu_log(what, sources); });
   };
-  refused(table(rows("550,1,0\n")), {"log.csv:9", "550", "before that of line 8, 600"});
-  refused(table(rows("x,1,0\n")), {"1 of 20 rows", "column t", "line 9"});
+  refused(table(rows("550,1,0\n")), {"log.csv:9", "t is 550 after 600 in line 8"});
+  refused(table(rows("x,1,0\n")), {"1 of 20 rows", "line 9, t \"x\""});
   refused(table("0,1,0\n10,1,0\n"), {"2 samples of the axial specific force; at least 10"});
   refused(table(""), {"0 samples"});
   refused(flight::Table::parse("t,acc,h\n0,1,2\n", "log.csv"), {"no column a ", "t, acc, h", "--columns axial="});
@@ -84,10 +87,10 @@ TEST(ImuLog, WhoseTimeIsHardlyInItsUnitIsRefused) {
     }
     return flight::Table::parse(text, "log.csv");
   };
-  const Sources in_ms = parse_columns("time=t:ms,axial=a:g", "--columns");
-  expect_refusal(ErrorKind::bad_data, {"log.csv", "20 ms", "shorter than 1 s", "is the time t really in ms?"},
+  const files::Sources in_ms = parse("time=t:ms,axial=a:g");
+  expect_refused(ErrorKind::bad_data, {"log.csv", "20 ms", "shorter than 1 s", "is the time t really in ms?"},
                  [&] { (void)imu_log(log(0.01, 2001), in_ms); });
-  expect_refusal(ErrorKind::bad_data, {"log.csv", "100000 samples a second", "is the time t really in ms?"},
+  expect_refused(ErrorKind::bad_data, {"log.csv", "100000 samples a second", "is the time t really in ms?"},
                  [&] { (void)imu_log(log(0.01, 150'001), in_ms); });
   EXPECT_EQ(imu_log(log(0.0625, 17'000), in_ms).axial.time_s.size(), 17'000U) << "16 kHz";
 }
@@ -103,22 +106,22 @@ TEST(ImuLog, NamesTheRatesThatItLacks) {
             return text;
           }(),
       "log.csv");
-  EXPECT_TRUE(says(imu_log(with, parse_columns("time=t:ms,axial=a:g,roll_rate=r:rpm", "x")),
+  EXPECT_TRUE(says(imu_log(with, parse("time=t:ms,axial=a:g,roll_rate=r:rpm")),
                    "The rates of pitch and yaw are not in the log; they are taken as 0, so"));
-  EXPECT_TRUE(says(imu_log(with, parse_columns("time=t:ms,axial=a:g,roll_rate=r:rpm,yaw_rate=r:rpm", "x")),
+  EXPECT_TRUE(says(imu_log(with, parse("time=t:ms,axial=a:g,roll_rate=r:rpm,yaw_rate=r:rpm")),
                    "The rate of pitch is not in the log; it is taken as 0."));
 }
 
 TEST(ImuLog, OfNothingButForceIsNoLog) {
-  expect_refusal(ErrorKind::bad_data, {"which column is the time", "time=COLUMN:UNIT"},
-                 [] { (void)imu_log(table(rows()), parse_columns("axial=a:g", "x")); });
-  expect_refusal(ErrorKind::bad_data, {"axial specific force"},
-                 [] { (void)imu_log(table(rows()), parse_columns("time=t:s", "x")); });
+  expect_refused(ErrorKind::bad_data, {"which column is the time", "time=COLUMN:UNIT"},
+                 [] { (void)imu_log(table(rows()), parse("axial=a:g")); });
+  expect_refused(ErrorKind::bad_data, {"axial specific force"},
+                 [] { (void)imu_log(table(rows()), parse("time=t:s")); });
 }
 
 TEST(ImuLog, TakesTheHeightOfABarometersOwnLog) {
-  ImuLog log = imu_log(table(rows()), parse_columns("time=t:ms,axial=a:g", "x"));
-  add_barometer(log, flight::Table::parse("s,z\n0,5\n1,6\n", "b.csv"), parse_columns("time=s:s,height=z:m", "x"));
+  ImuLog log = imu_log(table(rows()), parse("time=t:ms,axial=a:g"));
+  add_barometer(log, flight::Table::parse("s,z\n0,5\n1,6\n", "b.csv"), parse("time=s:s,height=z:m"));
   EXPECT_EQ(log.height.time_s, (std::vector<double>{0.0, 1.0}));
   EXPECT_EQ(log.height.value, (std::vector<double>{5.0, 6.0}));
 }

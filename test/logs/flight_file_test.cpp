@@ -89,9 +89,10 @@ TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "no true values"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
   expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "angle unit is fixed"},
-                 [&] { (void)read_roll_log(path, {.angles = flight::AngleUnit::radians}, {}); });
-  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "its column names are fixed"},
-                 [&] { (void)read_roll_log(path, {.columns = {{"roll_angle_deg", "phi"}}}, {}); });
+                 [&] { (void)read_roll_log(path, {.angles = AngleUnit::radians}, {}); });
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "its column names are fixed"}, [&] {
+    (void)read_roll_log(path, {.columns = files::parse_columns("roll_angle_deg=phi", "x", files::of_flight_csv)}, {});
+  });
 }
 
 TEST_F(FlightFile, OfSeveralFlightsNoneIsTakenAtRandom) {
@@ -221,7 +222,7 @@ TEST_F(FlightFile, NorDoesThatOfAnotherTableThanTheOneThatIsNamed) {
     folder_.write("day/summary.json", R"({"roll_inertia_kg_m2":0.004,"reference_area_m2":5e-5,)"
                                       R"("events":{"control_start_s":)" +
                                           std::string{control_start_s} + "}}");
-    return flown_airframe(table, {.columns = {{"time_s", "t"}}});
+    return flown_airframe(table, {.columns = files::parse_columns("time_s=t", "x", files::of_flight_csv)});
   };
   EXPECT_EQ(airframe("0.5").value().reference_area_m2, 5e-5);
   expect_refused(ErrorKind::bad_data, {"day: its files are of two flights", "under control at 1.000 s"},

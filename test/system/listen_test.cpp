@@ -193,7 +193,7 @@ TEST(Listen, RefusesWhatItCannotHear) {
   Refusal({{"log.csv", made}}, with("time=ms:ms,axial=Ay:m/s"), 78, {"\"m/s\" is no unit of axial", "m/s2, g"});
   Refusal({{"log.csv", made}}, with("time=ms:ms,axal=Ay:g"), 78, {"did you mean axial?"});
   Refusal({{"log.csv", made + "20000,1,0\n19000,1,0\n"}}, of_made, 65,
-          {"log.csv:2004", "19000", "before that of line 2003"});
+          {"log.csv:2004", "ms is 19000 after", "in line 2003: time must increase"});
   Refusal({{"log.csv", made}}, with("time=alt:s,axial=Ay:g"), 65, {"1 samples of the axial"});
   Refusal({{"log.csv", made}}, with("time=ms:us,axial=-Ay:g"), 65,
           {"it is 20 ms, shorter than 1 s", "is the time ms really in us?"});
@@ -205,7 +205,7 @@ TEST(Listen, RefusesWhatItCannotHear) {
            "time=ms:ms,speed=alt:m/s"},
           64, {"the height is missing"});
   Refusal({{"log.ftl", "x"}}, {"listen", "log.ftl", "--map", "px4"}, 65,
-          {"log.ftl", "listen reads no files that end in .ftl"});
+          {"log.ftl", "files that end in .ftl are not read as tables"});
 }
 
 TEST(Listen, RefusesAnEmptyWordForColumnsOrBarometer) {

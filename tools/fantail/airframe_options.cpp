@@ -74,7 +74,7 @@ void add_airframe_options(const Verb& verb, AirframeOptions& options) {
 }
 
 NamedAirframe named_airframe(const AirframeOptions& options, const std::filesystem::path& log,
-                             const flight::Reading& reading) {
+                             const logs::Reading& reading) {
   const std::optional<flight::FlownAirframe> flown = logs::flown_airframe(log, reading);
   NamedAirframe result;
   if (options.vehicle) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fantail/command_line.hpp"
-#include "flight/read_csv.hpp"
 #include "identify/model/roll_model.hpp"
+#include "logs/read_csv.hpp"
 #include "sim/roll_inertia_course.hpp"
 
 namespace fantail::tool {
@@ -37,6 +37,6 @@ void add_airframe_options(const Verb& verb, AirframeOptions& options);
 /// `log`, which `reading` says how to read. Nobody's airframe is assumed. Throws UsageError when a number is not known,
 /// text::Error for a bad vehicle, and as logs::flown_airframe() does.
 [[nodiscard]] NamedAirframe named_airframe(const AirframeOptions& options, const std::filesystem::path& log,
-                                           const flight::Reading& reading);
+                                           const logs::Reading& reading);
 
 }  // namespace fantail::tool

@@ -149,7 +149,7 @@ manual::Command described(const CLI::App& verb, const std::string& before) {
                           .meaning = verb.get_description(),
                           .needs_command = verb.get_require_subcommand_min() > 0,
                           .notes = verb.get_footer()};
-  for (const CLI::Option* option : verb.get_options()) {
+  for (const CLI::Option* option : verb.get_options([](const auto* o) { return !o->get_group().empty(); })) {
     (option->get_positional() ? command.arguments : command.options).push_back(described(*option));
   }
   for (const CLI::App* inner : verb.get_subcommands(nullptr)) {
@@ -233,6 +233,11 @@ Option& Option::one_word_each_time() {
 
 Option& Option::separated_by(char separator) {
   option_->delimiter(separator);
+  return *this;
+}
+
+Option& Option::hidden() {
+  option_->group("");
   return *this;
 }
 

@@ -43,6 +43,8 @@ class Option {
   /// Takes one word each time it is given, and may be given again: for lists.
   Option& one_word_each_time();
   Option& separated_by(char separator);
+  /// An older spelling: it is read, and no help, manual or shell tells of it.
+  Option& hidden();
   Option& needs(const Option& other);
   Option& excludes(const Option& other);
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/log_options.hpp"
 
-#include <span>
+#include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
-#include "logs/column_map.hpp"
 #include "logs/flight_file.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
+namespace {
 
 std::string objection_to_column(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -17,80 +18,109 @@ std::string objection_to_column(const std::string& text) {
   return both ? "" : '"' + text + "\" is not OURS=THEIRS, as in roll_angle_deg=phi";
 }
 
-void add_column_option(const Verb& verb, std::vector<std::string>& columns) {
-  verb.option("--column", columns, "A column that has another name in the file, as roll_rate_deg_s=gyro_x; repeatable")
+/// What --columns says without a quantity is the unit of every angle and rate for which no other is stated. Gives back
+/// the rest.
+std::string without_angle_unit(std::string_view said, std::string& unit) {
+  std::string rest;
+  while (!said.empty()) {
+    const std::size_t comma = std::min(said.find(','), said.size());
+    const std::string_view part = said.substr(0, comma);
+    if (part == "deg" || part == "rad") {
+      unit = part;
+    } else {
+      rest += (rest.empty() ? "" : ",") + std::string{part};
+    }
+    const bool ends_with_comma = comma + 1 == said.size();
+    said.remove_prefix(std::min(comma + 1, said.size()));
+    rest += ends_with_comma ? "," : "";
+  }
+  return rest;
+}
+
+}  // namespace
+
+void add_columns_option(const Verb& verb, const std::string& dashes, ColumnOptions& columns) {
+  verb.option(
+          dashes + "columns", columns.said,
+          "Another logger's columns and units, as time=t:ms,roll_rate=p:rad/s,canard=-u:deg; rad alone: every angle "
+          "and rate without a unit")
+      .value_name("QUANTITY=COLUMN:UNIT,...");
+  verb.option(dashes + "column", columns.names, "")
       .check(objection_to_column)
       .value_name("OURS=THEIRS")
-      .one_word_each_time();
+      .one_word_each_time()
+      .hidden();
+  verb.option(dashes + "units", columns.units, "").one_of({"deg", "rad"}).value_name("deg|rad").hidden();
 }
 
-void add_column_map_option(const Verb& verb, const std::string& name, std::string& map) {
-  verb.option(name, map, "Another logger's columns and units, as time=t:ms,roll_rate=p:rad/s,canard=u:deg")
-      .value_name("QUANTITY=COLUMN:UNIT,...");
+void add_save_columns_option(const Verb& verb, bool& save) {
+  verb.flag("--save-columns", save, "Keep that in LOG.columns.toml, which is read from then on");
 }
 
-void add_save_columns_option(const Verb& verb, bool& save_map) {
-  verb.flag("--save-columns", save_map, "Keep that in LOG.columns.toml, which is read from then on");
-}
-
-void add_log_options(const Verb& verb, LogOptions& options) {
-  add_column_option(verb, options.columns);
-  add_column_map_option(verb, "--columns", options.map);
-  add_save_columns_option(verb, options.save_map);
-  verb.option("--units", options.units, "Unit of every angle and rate in the file")
-      .one_of({"deg", "rad"})
-      .value_name("deg|rad")
-      .show_default();
-  verb.flag("--truth", options.truth, "Read the true_ columns of a simulated run instead of the measured ones");
-}
-
-flight::ColumnNames column_names(const std::vector<std::string>& columns) {
-  flight::ColumnNames names;
-  for (const std::string& text : columns) {
-    const std::size_t equals = text.find('=');
-    names[text.substr(0, equals)] = text.substr(equals + 1);
+files::Sources sources(const ColumnOptions& columns, const std::string& dashes,
+                       std::span<const files::Quantity> asked) {
+  files::Sources all;
+  for (const std::string& text : columns.names) {
+    const files::Source source = files::parse_column(text, dashes + "column", asked);
+    std::erase_if(all, [&](const files::Source& before) { return before.quantity == source.quantity; });
+    all.push_back(source);
   }
-  return names;
-}
-
-flight::Reading reading(const LogOptions& options) {
-  if (options.save_map && options.map.empty()) {
-    throw UsageError{"--save-columns: there is nothing to keep without --columns"};
+  std::string unit;
+  const std::string said = without_angle_unit(columns.said, unit);
+  if (said.empty()) {
+    return all;
   }
-  flight::Reading reading{.columns = column_names(options.columns),
-                          .angles = options.units == "rad" ? flight::AngleUnit::radians : flight::AngleUnit::degrees,
-                          .truth = options.truth};
-  apply_typed_map(options.map, "--columns", reading);
-  return reading;
-}
-
-void apply_typed_map(const std::string& map, const std::string& option, flight::Reading& reading) {
-  if (map.empty()) {
-    return;
-  }
-  const logs::ColumnMap columns = logs::parse_column_map(map, option);
-  for (const logs::MappedColumn& column : columns) {
-    if (reading.columns.contains(column.ours)) {
+  const files::Sources stated = files::parse_columns(said, dashes + "columns", asked);
+  for (const files::Source& source : stated) {
+    if (files::find(all, source.quantity) != nullptr) {
       throw UsageError{
-          fmt::format("{}: {} is named by {}, too", option, column.ours, option.substr(0, option.size() - 1))};
+          fmt::format("{0}columns: {1} is named by {0}column, too", dashes, files::known(source.quantity).column)};
     }
   }
-  logs::apply_map(columns, reading);
+  return files::merged(all, stated);
 }
 
-void save_column_map(const std::string& map, const std::filesystem::path& log, const std::string& option) {
+logs::Reading reading(const ColumnOptions& columns, const std::string& dashes, bool truth) {
+  std::string unit = columns.units;
+  (void)without_angle_unit(columns.said, unit);
+  return {.columns = sources(columns, dashes, files::of_flight_csv),
+          .angles = unit == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
+          .truth = truth,
+          .options = dashes};
+}
+
+void save_columns(const ColumnOptions& columns, const std::filesystem::path& log, const std::string& dashes) {
   std::error_code ignored;
   if (std::filesystem::is_directory(log, ignored) || logs::is_flight_log(log)) {
     throw UsageError{"--save-columns: " + log.string() + " has Fantail's own columns"};
   }
-  const std::filesystem::path file = logs::column_map_file(log);
-  logs::ColumnMap columns = logs::parse_column_map(map, option);
+  const std::filesystem::path file = files::kept_sources_file(log);
+  files::Sources kept = sources({.said = columns.said, .names = {}}, dashes, files::of_flight_csv);
   if (std::filesystem::is_regular_file(file, ignored)) {
-    columns = logs::merged(columns, logs::read_column_map(file));
+    kept = files::merged(kept, files::read_sources(file, files::of_flight_csv));
   }
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const text::NamedFile kept{file.filename().string(), logs::column_map_toml(columns, log.filename().string())};
-  text::OutputFolder{folder}.write(std::span{&kept, 1});
+  const text::NamedFile named{file.filename().string(), files::sources_toml(kept, log.filename().string())};
+  text::OutputFolder{folder}.write(std::span{&named, 1});
+}
+
+void add_log_options(const Verb& verb, LogOptions& options) {
+  add_columns_option(verb, "--", options.columns);
+  add_save_columns_option(verb, options.save_columns);
+  verb.flag("--truth", options.truth, "Read the true_ columns of a simulated run instead of the measured ones");
+}
+
+logs::Reading reading(const LogOptions& options) {
+  if (options.save_columns && options.columns.said.empty()) {
+    throw UsageError{"--save-columns: there is nothing to keep without --columns"};
+  }
+  return reading(options.columns, "--", options.truth);
+}
+
+void save_columns(const LogOptions& options, const std::filesystem::path& log) {
+  if (options.save_columns) {
+    save_columns(options.columns, log, "--");
+  }
 }
 
 }  // namespace fantail::tool

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,33 +11,38 @@
 
 namespace fantail::tool {
 
+/// Which column of a file is what, as typed.
+struct ColumnOptions {
+  std::string said;                ///< --columns: rad or deg, and QUANTITY=COLUMN:UNIT,...
+  std::vector<std::string> names;  ///< the older --column OURS=THEIRS
+  std::string units = "deg";       ///< the older --units
+};
+
+/// `dashes` and "columns": "--a-". And the older spellings, which mean the same: -column, and -units.
+void add_columns_option(const Verb& verb, const std::string& dashes, ColumnOptions& columns);
+void add_save_columns_option(const Verb& verb, bool& save);
+
+/// Throws UsageError for a column that both spellings name, text::Error as files::parse_columns() does.
+[[nodiscard]] files::Sources sources(const ColumnOptions& columns, const std::string& dashes,
+                                     std::span<const files::Quantity> asked);
+[[nodiscard]] logs::Reading reading(const ColumnOptions& columns, const std::string& dashes, bool truth);
+
+/// Keeps what was said beside the log it was given for; what is kept there already stays for other quantities. Throws
+/// UsageError for a log whose columns are Fantail's own.
+void save_columns(const ColumnOptions& columns, const std::filesystem::path& log, const std::string& dashes);
+
 /// How a person's log is to be read: shared by every verb that reads one.
 struct LogOptions {
-  std::vector<std::string> columns;
-  std::string map;  ///< QUANTITY=COLUMN:UNIT,...
-  bool save_map = false;
-  std::string units = "deg";
+  ColumnOptions columns;
+  bool save_columns = false;
   bool truth = false;
 };
 
-/// --column.
-void add_column_option(const Verb& verb, std::vector<std::string>& columns);
-/// --columns: `name` with the dashes. And --save-columns, in the one of a verb's options that has it.
-void add_column_map_option(const Verb& verb, const std::string& name, std::string& map);
-void add_save_columns_option(const Verb& verb, bool& save_map);
-/// --column, --columns, --save-columns, --units and --truth.
+/// --columns, --save-columns and --truth.
 void add_log_options(const Verb& verb, LogOptions& options);
-
-/// Empty for OURS=THEIRS.
-[[nodiscard]] std::string objection_to_column(const std::string& text);
-[[nodiscard]] flight::ColumnNames column_names(const std::vector<std::string>& columns);
-/// Throws UsageError for --save-columns without --columns, text::Error as parse_column_map() does.
-[[nodiscard]] flight::Reading reading(const LogOptions& options);
-/// Throws UsageError for a column that --column has a name for, too.
-void apply_typed_map(const std::string& map, const std::string& option, flight::Reading& reading);
-
-/// Writes a map beside the log it was given for; what is kept there already stays for other quantities. Throws
-/// UsageError for a log whose columns are Fantail's own.
-void save_column_map(const std::string& map, const std::filesystem::path& log, const std::string& option);
+/// Throws UsageError for --save-columns without --columns, and as sources() does.
+[[nodiscard]] logs::Reading reading(const LogOptions& options);
+/// Does what --save-columns asks for, if it does.
+void save_columns(const LogOptions& options, const std::filesystem::path& log);
 
 }  // namespace fantail::tool

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
@@ -18,14 +17,15 @@ constexpr const char* default_folder = "out/tunnel/flow";
 
 struct FlowOptions {
   std::string log;
-  std::vector<std::string> columns;
+  ColumnOptions columns;
   std::string steady;
   tunnel::SteadyOptions finding;
   TunnelOutput output;
 };
 
 void flow(const FlowOptions& options) {
-  const tunnel::TunnelLog log = tunnel::read_tunnel_log(options.log, column_names(options.columns));
+  const tunnel::TunnelLog log =
+      tunnel::read_tunnel_log(options.log, sources(options.columns, "--", tunnel::tunnel_quantities));
   const tunnel::Flow flow = tunnel::examine_flow(log, steady_segments(log, options.steady, options.finding));
   const std::string json = tunnel::flow_json(log, flow, made_with({options.log}));
   write_tunnel_output(options.output, default_folder,
@@ -55,12 +55,12 @@ void add_tunnel_flow(const Verb& tunnel) {
       .check(within(0.0, 1e4))
       .value_name("RPM")
       .show_default();
-  add_column_option(verb, options->columns);
+  add_columns_option(verb, "--", options->columns);
   add_tunnel_output(verb, options->output, default_folder);
   verb.examples(
       "Examples:\n"
       "  fantail tunnel flow out/tunnel_flow                        the session of fantail fly tunnel_flow\n"
-      "  fantail tunnel flow kestrel.csv --column wind_speed_m_s=WS --steady 100,230,390,550,718,858\n"
+      "  fantail tunnel flow kestrel.csv --columns wind_speed=WS:m/s --steady 100,230,390,550,718,858\n"
       "                                                             another logger's file, times by hand\n"
       "  fantail tunnel flow out/tunnel_flow --json                 for a script");
   verb.action([options] { flow(*options); });

@@ -69,9 +69,7 @@ tunnel::StepsHeading heading(const StepsVerbOptions& options, const logs::RollLo
 
 void steps(const StepsVerbOptions& options) {
   logs::RollLog log = logs::read_roll_log(options.run, reading(options.logs), {.canard = true});
-  if (options.logs.save_map) {
-    save_column_map(options.logs.map, options.run, "--columns");
-  }
+  save_columns(options.logs, options.run);
   const NamedAirframe frame = named_airframe(options.airframe, options.run, reading(options.logs));
   log.warnings.insert(log.warnings.end(), frame.warnings.begin(), frame.warnings.end());
   tunnel::StepsHeading head = heading(options, log, frame);

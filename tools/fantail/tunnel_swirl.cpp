@@ -42,9 +42,7 @@ struct SwirlVerbOptions {
 tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& all) {
   tunnel::RollSession session;
   session.roll = logs::read_roll_log(options.roll, reading(all.logs), {.roll_angle = false, .roll_rate = true});
-  if (all.logs.save_map) {
-    save_column_map(all.logs.map, options.roll, "--columns");
-  }
+  save_columns(all.logs, options.roll);
   session.wind = tunnel::wind_of(session.roll, options.roll, options.wind, all.logs.truth);
   if (session.wind.fan_rpm.empty() && options.steady.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
@@ -58,7 +56,7 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
 
 /// Which rocket rolled, or an empty text; with what was changed of its roll on the command line, and with its file
 /// where that is not the shipped one. A flight log has the name alone, which a copy may have kept.
-std::string rocket_of(const SessionOptions& options, const logs::RollLog& log, const flight::Reading& reading) {
+std::string rocket_of(const SessionOptions& options, const logs::RollLog& log, const logs::Reading& reading) {
   const auto flown = logs::flown_airframe(options.roll, reading);
   if (!flown) {
     return log.vehicle.empty() ? "" : log.vehicle + ", of which nothing says the file";

@@ -27,9 +27,7 @@ namespace {
 struct LogChoice {
   std::string path;
   std::string motion = "measured";
-  std::string units = "deg";
-  std::vector<std::string> columns;
-  std::string map;
+  ColumnOptions columns;
 };
 
 struct CompareVerbOptions {
@@ -45,28 +43,15 @@ struct CompareVerbOptions {
   std::optional<double> most_rate_deg_s;
   std::string out = "out/compare";
   bool json = false;
-  bool save_maps = false;
+  bool save_columns = false;
 };
 
 std::string objection_to_requirement(const std::string& text) {
   return text::number(text).value_or(-1.0) >= 0.0 ? "" : '"' + text + "\" is not a number of 0 or more";
 }
 
-logs::RollLog read(const LogChoice& choice, const char* options) {
-  flight::Reading reading{.columns = column_names(choice.columns),
-                          .angles = choice.units == "rad" ? flight::AngleUnit::radians : flight::AngleUnit::degrees,
-                          .truth = choice.motion == "true",
-                          .options = options};
-  apply_typed_map(choice.map, fmt::format("{}columns", options), reading);
-  return logs::read_roll_log(choice.path, reading, {});
-}
-
-void save_maps(const CompareVerbOptions& options) {
-  for (const auto& [choice, option] : {std::pair{&options.a, "--a-columns"}, std::pair{&options.b, "--b-columns"}}) {
-    if (!choice->map.empty()) {
-      save_column_map(choice->map, choice->path, option);
-    }
-  }
+logs::RollLog read(const LogChoice& choice, const char* dashes) {
+  return logs::read_roll_log(choice.path, reading(choice.columns, dashes, choice.motion == "true"), {});
 }
 
 logs::CompareOptions question(const CompareVerbOptions& options, const logs::RollLog& a) {
@@ -87,7 +72,7 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
 }
 
 void compare_logs(const CompareVerbOptions& options) {
-  if (options.save_maps && options.a.map.empty() && options.b.map.empty()) {
+  if (options.save_columns && options.a.columns.said.empty() && options.b.columns.said.empty()) {
     throw UsageError{"--save-columns: there is nothing to keep without --a-columns or --b-columns"};
   }
   Chapters chapters{"compare", 3, "reading " + options.a.path};
@@ -95,8 +80,10 @@ void compare_logs(const CompareVerbOptions& options) {
   chapters.next("reading " + options.b.path);
   const logs::RollLog b = read(options.b, "--b-");
   chapters.next("comparing, and its page");
-  if (options.save_maps) {
-    save_maps(options);
+  for (const auto& [choice, dashes] : {std::pair{&options.a, "--a-"}, std::pair{&options.b, "--b-"}}) {
+    if (options.save_columns && !choice->columns.said.empty()) {
+      save_columns(choice->columns, choice->path, dashes);
+    }
   }
   give_up_if_interrupted();
   CompareResults results{.a = fmt::format("{} ({})", options.a.path, options.a.motion),
@@ -131,16 +118,7 @@ void add_log(const Verb& verb, const std::string& name, const std::string& capit
       .one_of({"measured", "true"})
       .value_name("measured|true")
       .show_default();
-  verb.option("--" + name + "-column", choice.columns,
-              "A column that " + capital + " calls otherwise, as roll_rate_deg_s=gyro_x; repeatable")
-      .check(objection_to_column)
-      .value_name("OURS=THEIRS")
-      .one_word_each_time();
-  add_column_map_option(verb, "--" + name + "-columns", choice.map);
-  verb.option("--" + name + "-units", choice.units, "Unit of every angle and rate in " + capital)
-      .one_of({"deg", "rad"})
-      .value_name("deg|rad")
-      .show_default();
+  add_columns_option(verb, "--" + name + "-", choice.columns);
 }
 
 void add_alignment(const Verb& verb, CompareVerbOptions& options) {
@@ -164,7 +142,7 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<CompareVerbOptions>();
   add_log(verb, "a", "A", options->a);
   add_log(verb, "b", "B", options->b);
-  add_save_columns_option(verb, options->save_maps);
+  add_save_columns_option(verb, options->save_columns);
   add_alignment(verb, *options);
   verb.option("--require-angle", options->most_angle_deg, "Largest mean difference of the angle, deg; else exit code 1")
       .check(objection_to_requirement);
@@ -181,7 +159,7 @@ void fill(const Verb& verb) {
       "                                                      how well the avionics knew its own roll\n"
       "  fantail compare flown.csv out/tasha3_launch2 --align angle --remove-offset --from 0.5 --to 8\n"
       "                                                      a logger whose clock and zero were not set\n"
-      "  fantail compare new.csv old.csv --b-column roll_angle_deg=phi --b-units rad --require-angle 0.5 --json\n"
+      "  fantail compare new.csv old.csv --b-columns rad,roll_angle_deg=phi --require-angle 0.5 --json\n"
       "                                                      a check for a script: exit code 1 when farther apart");
   verb.action([options] { compare_logs(*options); });
 }

@@ -66,9 +66,7 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
   q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(published.alpha_m2);
   q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(published.beta_m);
   const logs::RollLog log = read(o, data);
-  if (o.log.save_map) {
-    save_column_map(o.log.map, data, "--columns");
-  }
+  save_columns(o.log, data);
   const identify::Air air = identify::choose_air(log, o.density, o.elevation_m);
   q.record.atmosphere = air.atmosphere;
   q.record.site_elevation_m = o.elevation_m.value_or(0.0);

@@ -15,13 +15,12 @@
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
+#include "files/load.hpp"
 #include "flight/table.hpp"
 #include "input/document.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "listen/fly_log.hpp"
-#include "listen/load.hpp"
-#include "listen/maps.hpp"
 #include "listen/outputs.hpp"
 #include "listen/page_folder.hpp"
 #include "text/output_folder.hpp"
@@ -44,54 +43,55 @@ struct ListenOptions {
 
 std::string names_of_maps() {
   std::string names;
-  for (const listen::Map& map : listen::maps()) {
-    names += fmt::format("{}{} ({})", names.empty() ? "" : "; ", map.name, map.about);
+  for (const files::Logger& logger : files::loggers()) {
+    names += fmt::format("{}{} ({})", names.empty() ? "" : "; ", logger.name, logger.about);
   }
   return names;
 }
 
 // What the person says goes before what the map says.
-listen::Sources sources(const ListenOptions& o, const flight::Table& table, std::string& from) {
-  listen::Sources typed;
+files::Sources sources(const ListenOptions& o, const flight::Table& table, std::string& from) {
+  files::Sources typed;
   if (!o.columns.empty()) {
-    typed = listen::parse_columns(o.columns, "--columns");
+    typed = files::parse_columns(o.columns, "--columns", listen::heard_quantities);
   }
   const bool is_whole =
-      listen::find(typed, listen::Quantity::time) != nullptr && listen::find(typed, listen::Quantity::axial) != nullptr;
+      files::find(typed, files::Quantity::time) != nullptr && files::find(typed, files::Quantity::axial) != nullptr;
   if (is_whole && o.map.empty()) {
     return typed;
   }
-  const listen::Map* const map = o.map.empty() ? listen::map_of(table.columns()) : listen::find_map(o.map);
-  if (map == nullptr) {
+  const files::Logger* const logger = o.map.empty() ? files::logger_of(table.columns()) : files::find_logger(o.map);
+  if (logger == nullptr) {
     throw text::Error{
         text::ErrorKind::bad_data,
         fmt::format("{}: its columns are those of no logger that is known; say at least what time and axial force are: "
                     "--columns time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
                     table.name(), flight::missing_column("known", table.columns()))};
   }
-  const listen::Sources of_map = listen::sources_of(*map);
-  const bool uses_map = std::ranges::any_of(of_map, [&](const listen::Source& source) {
-    return listen::find(typed, source.quantity) == nullptr && table.find(source.column);
+  const files::Sources of_map = files::sources_of(*logger, listen::heard_quantities);
+  const bool uses_map = std::ranges::any_of(of_map, [&](const files::Source& source) {
+    return files::find(typed, source.quantity) == nullptr && table.find(source.column);
   });
   from = uses_map ? fmt::format("{}columns of the map {}{}", typed.empty() ? "" : "columns as typed, and for the rest ",
-                                map->name, o.map.empty() ? ", which fits them" : "")
+                                logger->name, o.map.empty() ? ", which fits them" : "")
                   : "";
-  return listen::merged(typed, of_map);
+  return files::merged(typed, of_map);
 }
 
 listen::ImuLog read(const ListenOptions& o) {
-  listen::Loaded loaded = listen::load(o.log);
+  const files::Loaded file = files::load(o.log, files::Writer::logger);
   std::string from;
-  const listen::Sources what = sources(o, loaded.table, from);
-  listen::ImuLog log = listen::imu_log(loaded.table, what, loaded.clocks);
+  const files::Sources what = sources(o, file.table, from);
+  listen::ImuLog log = listen::imu_log(file, what);
   log.columns_from = from;
-  log.notes.insert(log.notes.begin(), loaded.notes.begin(), loaded.notes.end());
+  log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (!o.barometer.empty()) {
-    const listen::Sources what_else = listen::parse_columns(o.barometer_columns, "--barometer-columns");
-    if (listen::find(what_else, listen::Quantity::height) == nullptr) {
+    const files::Sources what_else =
+        files::parse_columns(o.barometer_columns, "--barometer-columns", listen::heard_quantities);
+    if (files::find(what_else, files::Quantity::height) == nullptr) {
       throw UsageError{"--barometer-columns: the height is missing, as in time=ts:s,height=h:m"};
     }
-    listen::add_barometer(log, listen::load(o.barometer).table, what_else);
+    listen::add_barometer(log, files::load(o.barometer, files::Writer::logger).table, what_else);
   }
   return log;
 }
@@ -136,7 +136,7 @@ void listen_to(const ListenOptions& o) {
 }
 
 std::string objection_to_map(const std::string& text) {
-  return listen::find_map(text) != nullptr
+  return files::find_logger(text) != nullptr
              ? ""
              : fmt::format("\"{}\" is no map of a logger's columns; allowed: {}", text, names_of_maps());
 }

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "files/rows.hpp"
 #include "input/messages.hpp"
 #include "logs/interpolator.hpp"
 #include "text/error.hpp"
@@ -14,8 +17,10 @@
 namespace fantail::listen {
 namespace {
 
+using files::Quantity;
+using files::Sources;
+
 constexpr std::size_t fewest_samples = 10;
-constexpr double most_lost_share = 0.01;
 
 [[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
 
@@ -31,94 +36,45 @@ constexpr std::array places{
     Place{Quantity::speed, &ImuLog::speed},
 };
 
-// Rows that count, with their times.
-struct Clock {
-  std::vector<std::size_t> rows;
-  std::vector<double> time_s;
-};
-
-std::size_t column_of(const flight::Table& table, const Source& source) {
-  const auto found = table.find(source.column);
-  if (!found || source.column.empty()) {
-    refuse(fmt::format("{}: {}; say it with --columns {}=COLUMN:UNIT", table.name(),
-                       flight::missing_column(source.column, table.columns()), name(source.quantity)));
+void require(const flight::Table& table, const Sources& sources, Quantity quantity, const char* what) {
+  if (files::find(sources, quantity) == nullptr) {
+    refuse(fmt::format("{}: nobody said which column is the {}: --columns {}=COLUMN:UNIT", table.name(), what,
+                       files::known(quantity).name));
   }
-  return *found;
 }
 
-Clock clock_of(const flight::Table& table, const Sources& sources, std::vector<std::string>& notes) {
-  const Source* const source = find(sources, Quantity::time);
-  if (source == nullptr) {
-    refuse(fmt::format("{}: nobody said which column is the time: --columns time=COLUMN:UNIT", table.name()));
-  }
-  const std::size_t column = column_of(table, *source);
-  Clock clock;
-  std::vector<std::size_t> lost;
-  std::size_t repeated = 0;
-  std::size_t first_repeated = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto number = table.number(row, column);
-    if (!number) {
-      lost.push_back(row);
-      continue;
+// The signals that are asked for and named, each with the samples that it has.
+void read_signals(ImuLog& log, const flight::Table& table, const Sources& sources, std::span<const Place> asked,
+                  std::vector<std::string>& notes) {
+  require(table, sources, Quantity::time, "time");
+  std::vector<files::Found> columns{files::find_column(table, sources, Quantity::time, "--columns")};
+  columns.front().needed = true;
+  std::vector<std::pair<const Place*, const files::Source*>> read;
+  for (const Place& place : asked) {
+    const files::Source* const source = files::find(sources, place.quantity);
+    if (source != nullptr && (source->must_be_there || table.find(source->column))) {
+      columns.push_back(files::find_column(table, sources, place.quantity, "--columns"));
+      read.emplace_back(&place, source);
     }
-    const double time_s = *number * source->factor;
-    if (!clock.rows.empty() && time_s < clock.time_s.back()) {
-      refuse(
-          fmt::format("{}: the time {} in column {} is before that of {}, {}; a log of one flight has times that "
-                      "increase",
-                      table.where(row), table.cell(row, column), source->column, table.place(clock.rows.back()),
-                      table.cell(clock.rows.back(), column)));
+  }
+  const files::Rows rows = files::read_rows(table, columns, {.same_time = files::SameTime::last_of_a_cell});
+  notes.insert(notes.end(), rows.notes.begin(), rows.notes.end());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    Signal& signal = log.*read[i].first->signal;
+    signal = {.words = read[i].second->words};
+    for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+      if (const double value = rows.values[i + 1][row]; !std::isnan(value)) {
+        signal.time_s.push_back(rows.values[0][row]);
+        signal.value.push_back(value);
+      }
     }
-    if (!clock.rows.empty() && time_s == clock.time_s.back()) {
-      first_repeated = repeated++ == 0 ? row : first_repeated;
+    const files::Rows::Lost& lost = rows.lost[i + 1];
+    if (lost.empty + lost.words > 0 && signal.is_there()) {
+      notes.push_back(fmt::format("{} of {} cells of {} are no numbers, the first in {}; they count as not sampled.",
+                                  lost.empty + lost.words, rows.read, read[i].second->column,
+                                  table.place(lost.first_row)));
     }
-    clock.rows.push_back(row);
-    clock.time_s.push_back(time_s);
   }
-  if (static_cast<double>(lost.size()) > most_lost_share * static_cast<double>(table.rows())) {
-    refuse(fmt::format("{}: {} of {} rows have no number in the column {} of the time, the first in {}", table.name(),
-                       lost.size(), table.rows(), source->column, table.place(lost.front())));
-  }
-  if (!lost.empty()) {
-    notes.push_back(fmt::format("{} without a number for the time {} left out, the first in {}.",
-                                lost.size() == 1 ? "One row" : fmt::format("{} rows", lost.size()),
-                                lost.size() == 1 ? "is" : "are", table.place(lost.front())));
-  }
-  if (repeated > 0) {
-    notes.push_back(
-        fmt::format("{} of {} rows have the time of the row before them, the first in {}; of rows with one "
-                    "time the last number of each column counts.",
-                    repeated, clock.rows.size(), table.place(first_repeated)));
-  }
-  return clock;
-}
-
-Signal signal_of(const flight::Table& table, const Clock& clock, const Source& source,
-                 std::vector<std::string>& notes) {
-  const std::size_t column = column_of(table, source);
-  Signal signal{.words = source.words};
-  std::size_t lost = 0;
-  std::size_t first_lost = 0;
-  for (std::size_t i = 0; i < clock.rows.size(); ++i) {
-    const auto number = table.number(clock.rows[i], column);
-    if (!number) {
-      first_lost = lost++ == 0 ? clock.rows[i] : first_lost;
-      continue;
-    }
-    const double value = *number * source.factor + (source.from_rest ? one_g_m_s2 : 0.0);
-    if (signal.is_there() && clock.time_s[i] == signal.time_s.back()) {
-      signal.value.back() = value;
-      continue;
-    }
-    signal.time_s.push_back(clock.time_s[i]);
-    signal.value.push_back(value);
-  }
-  if (lost > 0 && signal.is_there()) {
-    notes.push_back(fmt::format("{} of {} cells of {} are no numbers, the first in {}; they count as not sampled.",
-                                lost, clock.rows.size(), source.column, table.place(first_lost)));
-  }
-  return signal;
 }
 
 // "roll, pitch and yaw"
@@ -183,9 +139,10 @@ void refuse_few_samples(const ImuLog& log) {
 }
 
 void refuse_unlikely_time(const ImuLog& log, const Sources& sources) {
-  const Source& time = *find(sources, Quantity::time);
+  const files::Source& time = *files::find(sources, Quantity::time);
   const auto doubt_unit = [&](const std::string& what) {
-    refuse(fmt::format("{}: {}; is the time {} really in {}?", log.name, what, time.column, time.unit));
+    refuse(fmt::format("{}: {}; is the time {} really in {}?", log.name, what, time.column,
+                       time.unit == nullptr ? "s" : time.unit->name));
   };
   const double long_s = log.end_s() - log.begin_s();
   const auto from_first_to_last = [&](const std::string& length, const std::string& than) {
@@ -204,25 +161,15 @@ void refuse_unlikely_time(const ImuLog& log, const Sources& sources) {
 
 }  // namespace
 
-ImuLog imu_log(const flight::Table& table, const Sources& sources, Clocks clocks) {
-  ImuLog log{.name = table.name(), .rows = table.rows()};
+ImuLog imu_log(const files::Loaded& file, const Sources& sources) {
+  ImuLog log{.name = file.table.name(), .rows = file.table.rows()};
   std::vector<std::string> of_rows;
-  const Clock clock = clock_of(table, sources, of_rows);
-  const Source* const axial = find(sources, Quantity::axial);
-  if (axial == nullptr) {
-    refuse(fmt::format("{}: nobody said which column is the axial specific force: --columns axial=COLUMN:UNIT",
-                       table.name()));
-  }
-  for (const Place& place : places) {
-    const Source* const source = find(sources, place.quantity);
-    if (source != nullptr && (source->must_be_there || table.find(source->column))) {
-      log.*place.signal = signal_of(table, clock, *source, of_rows);
-    }
-  }
+  require(file.table, sources, Quantity::axial, "axial specific force");
+  read_signals(log, file.table, sources, places, of_rows);
   refuse_few_samples(log);
   log.interval_s = logs::usual_interval_s(log.axial.time_s);
   refuse_unlikely_time(log, sources);
-  if (clocks == Clocks::one) {
+  if (!file.several_clocks) {
     log.notes = of_rows;
   } else if (log.height.is_there()) {
     log.notes.push_back(merging(log));
@@ -233,13 +180,7 @@ ImuLog imu_log(const flight::Table& table, const Sources& sources, Clocks clocks
 
 void add_barometer(ImuLog& log, const flight::Table& table, const Sources& sources) {
   std::vector<std::string> notes;
-  const Clock clock = clock_of(table, sources, notes);
-  for (const auto& [quantity, signal] :
-       {std::pair{Quantity::height, &ImuLog::height}, std::pair{Quantity::speed, &ImuLog::speed}}) {
-    if (const Source* const source = find(sources, quantity)) {
-      log.*signal = signal_of(table, clock, *source, notes);
-    }
-  }
+  read_signals(log, table, sources, std::span{places}.last(2), notes);
   for (const std::string& note : notes) {
     log.notes.push_back(fmt::format("{}: {}", table.name(), note));
   }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "files/load.hpp"
+#include "files/sources.hpp"
 #include "flight/table.hpp"
-#include "listen/columns.hpp"
 
 namespace fantail::listen {
 
@@ -58,19 +59,21 @@ inline constexpr double longest_log_s = 6.0 * 3600.0;
 inline constexpr double shortest_log_s = 1.0;
 inline constexpr double fastest_log_hz = 20'000.0;
 
-/// Have all columns of a table their numbers in the same rows, or is it several tables, sorted into one by time, as the
-/// topics of a ULog are?
-enum class Clocks : std::uint8_t { one, several };
+/// What can be heard in a log; height and speed for comparison, the law never sees them.
+inline constexpr std::array heard_quantities{
+    files::Quantity::time,      files::Quantity::axial,     files::Quantity::second_axial, files::Quantity::lateral_y,
+    files::Quantity::lateral_z, files::Quantity::roll_rate, files::Quantity::pitch_rate,   files::Quantity::yaw_rate,
+    files::Quantity::height,    files::Quantity::speed,
+};
 
-/// The columns of a table that `sources` name. Of rows with one time the last counts: loggers write a row again when
-/// another sensor of it has news. Throws text::Error (bad_data), naming file and line: a column that is not there, no
-/// time or axial force among the sources, time that goes back, more than 1 % of rows without a time, fewer than ten
-/// samples of the axial force, a log longer than longest_log_s, shorter than shortest_log_s or faster than
-/// fastest_log_hz.
-[[nodiscard]] ImuLog imu_log(const flight::Table& table, const Sources& sources, Clocks clocks = Clocks::one);
+/// The columns of a table that `sources` name. Of rows with one time the last number of each column counts. Throws
+/// text::Error (bad_data), naming file and line: as files::read_rows() does, a column that is not there, no time or
+/// axial force among the sources, fewer than ten samples of the axial force, a log longer than longest_log_s, shorter
+/// than shortest_log_s or faster than fastest_log_hz.
+[[nodiscard]] ImuLog imu_log(const files::Loaded& file, const files::Sources& sources);
 
 /// Height and speed of another file: a barometer's own log.
-void add_barometer(ImuLog& log, const flight::Table& table, const Sources& sources);
+void add_barometer(ImuLog& log, const flight::Table& table, const files::Sources& sources);
 
 /// Stretches of a signal longer than `longest_gap_s` without a sample.
 [[nodiscard]] std::vector<Gap> gaps(const Signal& signal, double longest_gap_s);

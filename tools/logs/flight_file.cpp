@@ -3,11 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "flight/read_csv.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
-#include "logs/column_map.hpp"
-#include "logs/load_table.hpp"
 #include "logs/one_flight.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"
@@ -47,20 +44,20 @@ std::optional<flight_log::LogFile> log_of(const std::filesystem::path& path) {
   return is_there(log) ? std::optional{flight_log::read_log_file(log)} : std::nullopt;
 }
 
-/// The rows of a table, with what the column map beside it says.
-flight::Flight read_rows(const std::filesystem::path& file, flight::Reading reading) {
-  const std::string mapped = apply_map_beside(file, reading);
+/// The rows of a table, with what is kept beside it of its columns.
+flight::Flight read_rows(const std::filesystem::path& file, Reading reading) {
+  const std::string kept = follow_kept_sources(file, reading);
   flight::Flight flight =
-      flight::read_flight_csv(load_table(file, reading), reading, {.roll_angle = false, .roll_rate = false});
-  if (!mapped.empty()) {
-    flight.notes.insert(flight.notes.begin(), mapped);
+      read_flight_csv(files::load(file, files::Writer::ours), reading, {.roll_angle = false, .roll_rate = false});
+  if (!kept.empty()) {
+    flight.notes.insert(flight.notes.begin(), kept);
   }
   return flight;
 }
 
 /// Before something is taken from beside `path`.
 void expect_one_flight_beside(const std::filesystem::path& path, const std::filesystem::path& folder,
-                              const flight::Reading& reading) {
+                              const Reading& reading) {
   if (path.filename() == "flight.csv") {
     const flight::Flight rows = read_rows(path, reading);
     expect_one_flight(folder, &rows);
@@ -94,7 +91,7 @@ std::filesystem::path flight_file(const std::filesystem::path& path) {
   throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
 }
 
-std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path, const flight::Reading& reading) {
+std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path, const Reading& reading) {
   const std::filesystem::path folder = folder_of_flight(path);
   auto airframe = folder.empty() ? std::nullopt : report::summary_airframe(folder / "summary.json");
   if (airframe) {
@@ -103,7 +100,7 @@ std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path&
   return airframe;
 }
 
-std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path, const flight::Reading& reading) {
+std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path, const Reading& reading) {
   const std::optional<flight_log::LogFile> log = log_of(path);
   if (!log || !flight_log::is_one_flight(*log)) {
     return {};

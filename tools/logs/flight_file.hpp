@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "flight/flight.hpp"
-#include "flight/read_csv.hpp"
+#include "logs/read_csv.hpp"
 
 namespace fantail::logs {
 
@@ -18,13 +18,12 @@ namespace fantail::logs {
 /// as expect_one_flight() does: of a folder's flight.csv the rows are for read_roll_log() to look at; named by itself
 /// it is read as `reading` says.
 [[nodiscard]] std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path,
-                                                                  const flight::Reading& reading);
+                                                                  const Reading& reading);
 
 /// The plan of a flight: of the flight log at `path`, or of the one beside the flight.csv of fantail fly; `path` may be
 /// their folder. Empty where there is no such log, or none of one flight with a plan. Throws text::Error when it is
 /// none, and as flown_airframe() does.
-[[nodiscard]] std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path,
-                                                         const flight::Reading& reading);
+[[nodiscard]] std::optional<core::FlightPlan> flown_plan(const std::filesystem::path& path, const Reading& reading);
 
 /// A table at `path`, which is as flown_plan() has it, does not lie beside the log of another flight, as far as these
 /// rows of it tell. Throws text::Error (bad_data).
@@ -37,7 +36,7 @@ void expect_rows_of_log_beside(const flight::Flight& rows, const std::filesystem
 /// or none that can be replayed, saying what can be done about it.
 [[nodiscard]] flight::Flight read_flight_log(const std::filesystem::path& file);
 
-/// A log (.ftl), a table with the columns of flight.csv (load_table.hpp), or a folder of fantail fly: its flight.csv
+/// A log (.ftl), a table with the columns of flight.csv (files/load.hpp), or a folder of fantail fly: its flight.csv
 /// (which has the truth too) with what summary.json says and with the plan of flight.ftl, or that log alone. Throws
 /// text::Error.
 [[nodiscard]] flight::Flight read_flight(const std::filesystem::path& path);

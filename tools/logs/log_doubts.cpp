@@ -28,9 +28,14 @@ bool looks_like_radians(const RollLog& log) {
          largest_deg(log.reference_rad) < 3.2;
 }
 
-// "; if they are: --units rad", for a verb that has the option.
-std::string advice(const flight::Reading& reading, std::string_view unit) {
-  return reading.options.empty() ? "" : fmt::format("; if they are: {}units {}", reading.options, unit);
+bool is_stated(const Reading& reading, files::Quantity quantity) {
+  const files::Source* const source = files::find(reading.columns, quantity);
+  return source != nullptr && source->unit != nullptr;
+}
+
+// "; if they are: --columns rad", for a verb that has the option.
+std::string advice(const Reading& reading, std::string_view unit) {
+  return reading.options.empty() ? "" : fmt::format("; if they are: {}columns {}", reading.options, unit);
 }
 
 // Slope of the roll angle over the integral of the rate, in pieces long enough for noise to be small. Empty when the
@@ -73,26 +78,26 @@ double largest(const std::vector<double>& list) {
   return most;
 }
 
-void note_doubtful_units(RollLog& log, const flight::Reading& reading) {
+void note_doubtful_units(RollLog& log, const Reading& reading) {
   const double canard_rad = largest(log.canard_rad);
-  const bool angles_are_stated = reading.units.contains("canard_deg");
+  const bool angles_are_stated = is_stated(reading, files::Quantity::canard);
   if (angles_are_stated && canard_rad > 1.6) {
     log.warnings.push_back(
         fmt::format("canard angles reach {} degrees with the unit that is stated for them: no canard "
                     "turns so far",
                     input::about(canard_rad / sim::radians_per_degree)));
   }
-  if (!angles_are_stated && reading.angles == flight::AngleUnit::degrees && looks_like_radians(log)) {
+  if (!angles_are_stated && reading.angles == AngleUnit::degrees && looks_like_radians(log)) {
     log.warnings.push_back(fmt::format("angles look like radians: the largest canard angle is {}{}",
                                        input::about(canard_rad / sim::radians_per_degree), advice(reading, "rad")));
   }
-  if (!angles_are_stated && reading.angles == flight::AngleUnit::radians && canard_rad > 1.6) {
+  if (!angles_are_stated && reading.angles == AngleUnit::radians && canard_rad > 1.6) {
     log.warnings.push_back(fmt::format("angles look like degrees: the largest canard angle is {} rad{}",
                                        input::about(canard_rad), advice(reading, "deg")));
   }
   const double interval_s = usual_interval_s(log.time_s);
   constexpr double fastest_logger_s = 2e-5;
-  if (reading.units.contains("time_s") && (interval_s >= 1.0 || interval_s < fastest_logger_s)) {
+  if (is_stated(reading, files::Quantity::time) && (interval_s >= 1.0 || interval_s < fastest_logger_s)) {
     log.warnings.push_back(
         fmt::format("samples are {} s apart with the unit that is stated for time", input::about(interval_s)));
   } else if (interval_s >= 1.0) {

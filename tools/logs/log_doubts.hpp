@@ -14,7 +14,7 @@ namespace fantail::logs {
 
 /// Angles whose size speaks for another unit in the file than the one that `reading` states, and samples so far apart
 /// that time is likely in milliseconds.
-void note_doubtful_units(RollLog& log, const flight::Reading& reading);
+void note_doubtful_units(RollLog& log, const Reading& reading);
 
 /// A roll rate that is not the slope of the roll angle: of opposite sign, or off by 180 / pi.
 void note_doubtful_motion(RollLog& log);

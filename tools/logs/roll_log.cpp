@@ -11,11 +11,9 @@
 #include <fmt/core.h>
 
 #include "flight/columns.hpp"
-#include "flight/table.hpp"
-#include "logs/column_map.hpp"
+#include "input/messages.hpp"
 #include "logs/flight_file.hpp"
-#include "logs/integrated_angle.hpp"
-#include "logs/load_table.hpp"
+#include "logs/interpolator.hpp"
 #include "logs/log_doubts.hpp"
 #include "logs/one_flight.hpp"
 #include "report/results.hpp"
@@ -90,19 +88,58 @@ std::size_t continue_over_turns(RollLog& log) {
   return jumps;
 }
 
-void refuse_what_only_a_table_has(const std::string& file, const flight::Reading& reading) {
-  const char* const why = reading.truth              ? "it contains measurements only, no true values"
-                          : !reading.columns.empty() ? "its column names are fixed"
-                          : reading.angles != flight::AngleUnit::degrees ? "its angle unit is fixed"
-                                                                         : nullptr;
+void refuse_what_only_a_table_has(const std::string& file, const Reading& reading) {
+  const char* const why = reading.truth                          ? "it contains measurements only, no true values"
+                          : !reading.columns.empty()             ? "its column names are fixed"
+                          : reading.angles != AngleUnit::degrees ? "its angle unit is fixed"
+                                                                 : nullptr;
   if (why != nullptr) {
     throw Error{ErrorKind::bad_configuration, fmt::format("{}: is a flight log: {}", file, why)};
   }
 }
 
+/// Is there a column for the roll angle, or one that is likely meant to be it? An angle under a misspelt name must not
+/// be replaced without a question.
+bool may_have_roll_angle(const flight::Table& table, const Reading& reading) {
+  if (files::find(reading.columns, files::Quantity::roll_angle) != nullptr) {
+    return true;
+  }
+  std::vector<std::string> unclaimed;
+  for (const std::string& name : table.columns()) {
+    if (std::ranges::none_of(reading.columns, [&](const auto& mapped) { return mapped.column == name; })) {
+      unclaimed.push_back(name);
+    }
+  }
+  return input::suggestion("roll_angle_deg", unclaimed).has_value();
+}
+
+/// Makes the roll angle the integral of the roll rate, zero at the first sample, and adds a warning that says so.
+void integrate_roll_rate(RollLog& log, const Reading& reading) {
+  const double longest_gap_s = std::max(0.1, 5.0 * usual_interval_s(log.time_s));
+  std::size_t gaps = 0;
+  log.roll_angle_rad.assign(log.time_s.size(), 0.0);
+  for (std::size_t i = 1; i < log.time_s.size(); ++i) {
+    const double step_s = log.time_s[i] - log.time_s[i - 1];
+    gaps += step_s > longest_gap_s ? 1 : 0;
+    log.roll_angle_rad[i] =
+        log.roll_angle_rad[i - 1] + 0.5 * (log.roll_rate_rad_s[i - 1] + log.roll_rate_rad_s[i]) * step_s;
+  }
+  std::string sentence =
+      "The log has no roll angle: it is the integral of the roll rate, zero at the first sample, and drifts with the "
+      "gyro's offset";
+  if (gaps > 0) {
+    sentence += fmt::format("; over {} of more than {} s the rate is taken to go straight",
+                            gaps == 1 ? "a gap" : fmt::format("{} gaps", gaps), input::about(longest_gap_s));
+  }
+  if (!reading.options.empty()) {
+    sentence += fmt::format(". If a column has it: {}columns roll_angle=COLUMN:UNIT", reading.options);
+  }
+  log.warnings.push_back(sentence + ".");
+}
+
 }  // namespace
 
-RollLog roll_log(const flight::Flight& flight, std::string name, const flight::Reading& reading) {
+RollLog roll_log(const flight::Flight& flight, std::string name, const Reading& reading) {
   RollLog log;
   log.name = std::move(name);
   log.vehicle = flight.vehicle;
@@ -130,7 +167,7 @@ RollLog roll_log(const flight::Flight& flight, std::string name, const flight::R
   return log;
 }
 
-RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& reading, const flight::Needs& needs) {
+RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs) {
   const std::filesystem::path file = flight_file(path);
   if (is_flight_log(file)) {
     refuse_what_only_a_table_has(file.string(), reading);
@@ -139,12 +176,12 @@ RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& 
     }
     return roll_log(read_flight_log(file), file.string(), reading);
   }
-  flight::Reading mapped = reading;
-  const std::string said = apply_map_beside(file, mapped);
-  const flight::Table table = load_table(file, mapped);
-  flight::Needs present = needs;
-  present.roll_angle = needs.roll_angle && (!needs.roll_rate || may_have_roll_angle(table, mapped));
-  flight::Flight flight = flight::read_flight_csv(table, mapped, present);
+  Reading mapped = reading;
+  const std::string said = follow_kept_sources(file, mapped);
+  const files::Loaded table = files::load(file, files::Writer::ours);
+  Needs present = needs;
+  present.roll_angle = needs.roll_angle && (!needs.roll_rate || may_have_roll_angle(table.table, mapped));
+  flight::Flight flight = read_flight_csv(table, mapped, present);
   if (!said.empty()) {
     flight.notes.insert(flight.notes.begin(), said);
   }

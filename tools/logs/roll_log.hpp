@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flight/flight.hpp"
-#include "flight/read_csv.hpp"
+#include "logs/read_csv.hpp"
 
 namespace fantail::logs {
 
@@ -37,14 +37,13 @@ struct RollLog {
 
 /// The roll motion of a flight, measured or true as `reading` says. Throws text::Error (bad_data) for fewer than
 /// two rows.
-[[nodiscard]] RollLog roll_log(const flight::Flight& flight, std::string name, const flight::Reading& reading);
+[[nodiscard]] RollLog roll_log(const flight::Flight& flight, std::string name, const Reading& reading);
 
-/// `path` is a table (load_table.hpp), a flight log (.ftl), or a folder that holds a flight.csv or else a flight.ftl. A
-/// map of columns beside a CSV file (column_map.hpp) is followed where `reading` says nothing else. A roll angle that
-/// is needed and not in the file is the integral of the roll rate. Both become warnings. Throws text::Error as
-/// read_flight_csv and read_flight_log do, and bad_configuration when columns, a unit or a truth are asked of a flight
-/// log.
-[[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const flight::Reading& reading,
-                                    const flight::Needs& needs);
+/// `path` is a table (files/load.hpp), a flight log (.ftl), or a folder that holds a flight.csv or else a flight.ftl.
+/// The columns that are kept beside a table (files/sources.hpp) are followed where `reading` says nothing else. A roll
+/// angle that is needed and not in the file is the integral of the roll rate. Both become warnings. Throws text::Error
+/// as read_flight_csv and read_flight_log do, and bad_configuration when columns, a unit or a truth are asked of a
+/// flight log.
+[[nodiscard]] RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading, const Needs& needs);
 
 }  // namespace fantail::logs

@@ -49,8 +49,7 @@ identify::model::Record true_record(const Run& run, double from_s, double to_s, 
 }
 
 tunnel::TunnelLog wind_log(const Run& run) {
-  tunnel::TunnelLog log{
-      .name = run.scenario.name, .time_s = {}, .fan_rpm = {}, .wind_speed_m_s = {}, .rows_left_out = 0};
+  tunnel::TunnelLog log{.name = run.scenario.name};
   for (const flight::TunnelReading& reading : run.flight.tunnel_readings) {
     log.time_s.push_back(reading.time_s);
     log.fan_rpm.push_back(reading.fan_rpm);

@@ -55,7 +55,7 @@ class Plane {
       : series_{series}, count_{series.times_s.size()}, guide_tilt_rad_{guide_tilt_rad} {}
 
   Motion motion() {
-    const Values* elevation_rad = take(Quantity::elevation);
+    const Values* elevation_rad = take(Quantity::tilt);
     if (elevation_rad != nullptr) {
       motion_.tilt_rad = made(count_, [&](std::size_t i) { return 0.5 * std::numbers::pi - (*elevation_rad)[i]; });
     }
@@ -79,26 +79,26 @@ class Plane {
   }
 
   std::optional<Values> horizontal() {
-    if (const Values* across = take(Quantity::across)) {
+    if (const Values* across = take(Quantity::horizontal_speed)) {
       return *across;
     }
-    if (series_.find(Quantity::east) == nullptr || series_.find(Quantity::north) == nullptr) {
+    if (series_.find(Quantity::speed_to_the_east) == nullptr || series_.find(Quantity::speed_to_the_north) == nullptr) {
       return std::nullopt;
     }
-    const Values& east = *take(Quantity::east);
-    const Values& north = *take(Quantity::north);
+    const Values& east = *take(Quantity::speed_to_the_east);
+    const Values& north = *take(Quantity::speed_to_the_north);
     return made(count_, [&](std::size_t i) { return std::hypot(east[i], north[i]); });
   }
 
   void find_speeds() {
-    const Values* up = take(Quantity::up);
+    const Values* up = take(Quantity::vertical_speed);
     const std::optional<Values> across = horizontal();
     if (up != nullptr) {
       motion_.up_m_s = *up;
       motion_.across_m_s = across ? *across : across_from(*up);
       return;
     }
-    const Values& total = *take(Quantity::speed);
+    const Values& total = *take(Quantity::total_speed);
     if (!across) {
       along(total);
       return;
@@ -131,7 +131,7 @@ class Plane {
   }
 
   Values across_from(const Values& up) {
-    if (const Values* total = take(Quantity::speed)) {
+    if (const Values* total = take(Quantity::total_speed)) {
       motion_.derived.emplace_back("the horizontal speed follows from total and vertical speed");
       return smoothed(series_.times_s, made(count_, [&](std::size_t i) {
                         return std::sqrt(std::max((*total)[i] * (*total)[i] - up[i] * up[i], 0.0));
@@ -190,7 +190,7 @@ class Plane {
   }
 
   void find_felt_force() {
-    const Values* axial_m_s2 = take(Quantity::axial_acceleration);
+    const Values* axial_m_s2 = take(Quantity::acceleration_along_the_axis);
     if (axial_m_s2 == nullptr) {
       motion_.derived.emplace_back("what the accelerometers feel follows from the change of the speeds, less gravity");
       return;

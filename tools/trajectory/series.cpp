@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "files/rows.hpp"
 #include "input/messages.hpp"
 #include "text/error.hpp"
 
@@ -23,8 +24,6 @@ constexpr double first_speed_m_s = 1.0;
 constexpr double highest_pad_m = 50.0;
 constexpr double worth_saying_m = 0.5;
 
-using Cells = std::vector<std::optional<double>>;
-
 [[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
 
 class Reader {
@@ -37,9 +36,10 @@ class Reader {
     find_flight();
     look_at_pad();
     refuse_gaps();
-    for (const FoundColumn& column : columns_.all()) {
+    for (std::size_t i = 0; i < columns_.all().size(); ++i) {
+      const FoundColumn& column = columns_.all()[i];
       if (column.quantity != Quantity::time) {
-        series_.values[column.quantity] = filled(column);
+        series_.values[column.quantity] = filled(column, rows_.values[needed_.size() + i]);
       }
     }
     return series_;
@@ -60,96 +60,62 @@ class Reader {
       series_.needed.push_back(column->quantity);
     };
     const auto either = [this](Quantity first, Quantity second) {
-      return columns_.has(first) ? columns_.find(first) : columns_.find(second);
+      return columns_.find(first) != nullptr ? columns_.find(first) : columns_.find(second);
     };
     const auto names = [](Quantity a, Quantity b) { return names_of(a) + " or " + names_of(b); };
     need(columns_.find(Quantity::time), "time", names_of(Quantity::time));
-    need(either(Quantity::height, Quantity::height_above_sea), "height",
-         names(Quantity::height, Quantity::height_above_sea));
-    need(either(Quantity::speed, Quantity::up), "speed", names(Quantity::speed, Quantity::up));
-  }
-
-  [[nodiscard]] std::optional<double> number(std::size_t row, const FoundColumn& column) const {
-    const auto written = table_.number(row, column.index);
-    if (!written) {
-      return std::nullopt;
-    }
-    const double value = *written * column.scale + column.offset;
-    if (!(value >= column.least && value <= column.most)) {
-      refuse(fmt::format("{}: {} = {} is {} in SI; allowed: {} to {}", table_.where(row), column.name,
-                         flight::in_quotes(table_.cell(row, column.index)), input::about(value),
-                         input::about(column.least), input::about(column.most)));
-    }
-    return value;
+    need(either(Quantity::height, Quantity::height_above_the_sea), "height",
+         names(Quantity::height, Quantity::height_above_the_sea));
+    need(either(Quantity::total_speed, Quantity::vertical_speed), "speed",
+         names(Quantity::total_speed, Quantity::vertical_speed));
   }
 
   void read_rows() {
-    std::size_t left_out = 0;
-    std::size_t repeated = 0;
-    std::string first;
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      const auto lacks = std::ranges::find_if(needed_, [&](const FoundColumn* c) { return !number(row, *c); });
-      if (lacks != needed_.end()) {
-        first = first.empty() ? fmt::format("line {}, {} {}", table_.line(row), (*lacks)->name,
-                                            flight::in_quotes(table_.cell(row, (*lacks)->index)))
-                              : first;
-        ++left_out;
-        continue;
-      }
-      const double time_s = *number(row, *needed_[0]);
-      if (!series_.times_s.empty() && time_s < series_.times_s.back()) {
-        refuse(fmt::format("{}: the time is {} s after {} s in line {}: it must increase", table_.where(row),
-                           input::plain_number(time_s), input::plain_number(series_.times_s.back()),
-                           series_.lines.back()));
-      }
-      if (!series_.times_s.empty() && time_s < series_.times_s.back() + rounding_s) {
-        ++repeated;
-        continue;
-      }
-      series_.times_s.push_back(time_s);
+    std::vector<files::Found> columns;
+    for (const FoundColumn* const column : needed_) {
+      columns.push_back(column->found);
+      columns.back().needed = true;
+    }
+    for (const FoundColumn& column : columns_.all()) {
+      columns.push_back(column.found);
+    }
+    rows_ =
+        files::read_rows(table_, columns, {.same_time = files::SameTime::first_counts, .same_within_s = rounding_s});
+    series_.notes = rows_.notes;
+    series_.times_s = rows_.values[0];
+    for (const std::size_t row : rows_.rows) {
       series_.lines.push_back(table_.line(row));
-      rows_.push_back(row);
     }
-    if (left_out > 0) {
-      const std::string said =
-          fmt::format("{} of {} rows have no number where one is needed (first: {})", left_out, table_.rows(), first);
-      if (100 * left_out > table_.rows()) {
-        refuse(fmt::format("{}: {}; more than 1 % is too many", table_.name(), said));
-      }
-      series_.notes.push_back(said + "; they are left out.");
-    }
-    if (repeated > 0) {
-      series_.notes.push_back(
-          fmt::format("{} of {} rows have the time of the row before; they are left out.", repeated, table_.rows()));
-    }
-    if (rows_.size() < 2) {
+    if (count() < 2) {
       refuse(fmt::format("{}: {} after the header; a flight is needed", table_.name(),
-                         rows_.empty() ? "no rows" : "one row"));
+                         count() == 0 ? "no rows" : "one row"));
     }
   }
 
+  [[nodiscard]] std::size_t count() const { return rows_.rows.size(); }
+
   void find_flight() {
-    const auto speed = [this](std::size_t i) { return std::abs(*number(rows_[i], *needed_[2])); };
-    const auto height = [this](std::size_t i) { return *number(rows_[i], *needed_[1]); };
+    const auto speed = [this](std::size_t i) { return std::abs(rows_.values[2][i]); };
+    const auto height = [this](std::size_t i) { return rows_.values[1][i]; };
     std::size_t first = 0;
     std::size_t highest = 0;
-    while (first < rows_.size() && speed(first) <= rest_m_s) {
+    while (first < count() && speed(first) <= rest_m_s) {
       ++first;
     }
-    if (first == rows_.size()) {
+    if (first == count()) {
       refuse(
           fmt::format("{}: the rocket never moves: {} stays below {} m/s", table_.name(), needed_[2]->name, rest_m_s));
     }
     if (first == 0 && speed(0) > first_speed_m_s) {
       refuse(fmt::format("{}: {} is {} m/s in the first row; the flight must begin at rest on the pad",
-                         table_.where(rows_[0]), needed_[2]->name, input::about(speed(0))));
+                         table_.where(rows_.rows[0]), needed_[2]->name, input::about(speed(0))));
     }
-    for (std::size_t i = 1; i < rows_.size(); ++i) {
+    for (std::size_t i = 1; i < count(); ++i) {
       highest = height(i) > height(highest) ? i : highest;
     }
     series_.liftoff = first == 0 ? 0 : first - 1;
     series_.apogee = highest;
-    series_.climbs_to_the_end = highest + 1 == rows_.size();
+    series_.climbs_to_the_end = highest + 1 == count();
     if (highest <= series_.liftoff) {
       refuse(fmt::format("{}: the rocket moves and does not rise: {} is highest in line {}", table_.name(),
                          needed_[1]->name, series_.lines[highest]));
@@ -157,9 +123,9 @@ class Reader {
   }
 
   void look_at_pad() {
-    const std::size_t row = rows_[series_.liftoff];
+    const std::size_t row = rows_.rows[series_.liftoff];
     const FoundColumn& column = *needed_[1];
-    const double height_m = *number(row, column);
+    const double height_m = rows_.values[1][series_.liftoff];
     if (column.quantity != Quantity::height || std::abs(height_m) < worth_saying_m) {
       return;
     }
@@ -167,8 +133,8 @@ class Reader {
       refuse(
           fmt::format("{}: {} = {} is {} m above the launch site at lift-off; allowed: {} to {} m. A height above the "
                       "sea is to be exported as {}; otherwise the file lacks the beginning of the flight",
-                      table_.where(row), column.name, flight::in_quotes(table_.cell(row, column.index)),
-                      input::about(height_m), -highest_pad_m, highest_pad_m, names_of(Quantity::height_above_sea)));
+                      table_.where(row), column.name, flight::in_quotes(table_.cell(row, column.found.column)),
+                      input::about(height_m), -highest_pad_m, highest_pad_m, names_of(Quantity::height_above_the_sea)));
     }
     series_.notes.push_back(
         fmt::format("{} is {} m at lift-off; heights count from there.", column.name, input::about(height_m)));
@@ -188,8 +154,7 @@ class Reader {
   }
 
   /// A straight line over cells without a number, and the next number at both ends.
-  [[nodiscard]] std::vector<double> filled(const FoundColumn& column) {
-    std::vector<double> values(rows_.size());
+  [[nodiscard]] std::vector<double> filled(const FoundColumn& column, std::vector<double> values) {
     std::size_t known = 0;  // rows before this one have their value
     std::size_t missing = 0;
     const auto fill = [&](std::size_t end, double from, double to) {
@@ -201,24 +166,22 @@ class Reader {
       const std::vector<double>& times_s = series_.times_s;
       const std::size_t before = known > 0 ? known - 1 : 0;
       for (std::size_t j = known; j < end; ++j) {
-        const double share =
-            (times_s[j] - times_s[before]) / (times_s[std::min(end, rows_.size() - 1)] - times_s[before]);
+        const double share = (times_s[j] - times_s[before]) / (times_s[std::min(end, count() - 1)] - times_s[before]);
         values[j] = from + share * (to - from);
       }
     };
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (const auto value = number(rows_[i], column)) {
-        fill(i, known > 0 ? values[known - 1] : *value, *value);
-        values[i] = *value;
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (!std::isnan(values[i])) {
+        fill(i, known > 0 ? values[known - 1] : values[i], values[i]);
         known = i + 1;
       }
     }
     const double last = known > 0 ? values[known - 1] : 0.0;
-    fill(rows_.size(), last, last);
+    fill(count(), last, last);
     if (missing > 0) {
       series_.notes.push_back(
-          fmt::format("{} of {} cells of {} hold no number; they are filled from those around them.", missing,
-                      rows_.size(), column.name));
+          fmt::format("{} of {} cells of {} hold no number; they are filled from those around them.", missing, count(),
+                      column.name));
     }
     return values;
   }
@@ -227,20 +190,19 @@ class Reader {
   void refuse_hole(const FoundColumn& column, std::size_t begin, std::size_t end) const {
     const std::size_t from = std::max(begin == 0 ? 0 : begin - 1, series_.liftoff);
     const std::size_t to = std::min(end, series_.apogee);
-    if (end - begin == rows_.size() ||
+    if (end - begin == count() ||
         (to > from && series_.times_s[to] - series_.times_s[from] > longest_gap_s + rounding_s)) {
-      refuse(
-          fmt::format("{}:{}: {} holds no number until line {}; at most {} s without are allowed from lift-off to "
-                      "apogee",
-                      table_.name(), series_.lines[begin], column.name, series_.lines[std::min(end, rows_.size() - 1)],
-                      longest_gap_s));
+      refuse(fmt::format(
+          "{}:{}: {} holds no number until line {}; at most {} s without are allowed from lift-off to "
+          "apogee",
+          table_.name(), series_.lines[begin], column.name, series_.lines[std::min(end, count() - 1)], longest_gap_s));
     }
   }
 
   const flight::Table& table_;
   const Columns& columns_;
   std::vector<const FoundColumn*> needed_;
-  std::vector<std::size_t> rows_;  ///< of the table, those that are kept
+  files::Rows rows_;  ///< of the needed columns and then of all
   Series series_;
 };
 

@@ -3,17 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "files/load.hpp"
+#include "sim/atmosphere.hpp"
 #include "sim/units.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 #include "text/number.hpp"
-#include "trajectory/air.hpp"
 #include "trajectory/columns.hpp"
-#include "trajectory/exported_table.hpp"
 #include "trajectory/motion.hpp"
 #include "trajectory/series.hpp"
 
@@ -30,7 +33,7 @@ constexpr double least_climb_m_s = 1.0;
 /// Above where it stood.
 std::vector<double> heights(const Series& series) {
   const auto* above_site_m = series.find(Quantity::height);
-  std::vector<double> height_m = above_site_m != nullptr ? *above_site_m : *series.find(Quantity::height_above_sea);
+  std::vector<double> height_m = above_site_m != nullptr ? *above_site_m : *series.find(Quantity::height_above_the_sea);
   const double pad_m = height_m[series.liftoff];
   for (double& height : height_m) {
     height -= pad_m;
@@ -60,6 +63,65 @@ std::optional<double> burnout_s(const Series& series, const std::vector<sim::Pat
   return is_told ? std::optional{samples[*out].time_s} : std::nullopt;
 }
 
+constexpr double gas_constant_j_kg_k = 287.05287;  // of dry air, as the ISA has it
+constexpr double coarse_share = 0.02;
+
+/// What the last digit of a column is worth, by its longest number: some writers leave trailing zeros out. Empty for
+/// numbers with an exponent.
+std::optional<double> last_digit(const flight::Table& table, const FoundColumn& column) {
+  std::size_t decimals = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string_view cell = table.cell(row, column.found.column);
+    if (cell.find_first_of("eE") != std::string_view::npos) {
+      return std::nullopt;
+    }
+    const std::size_t point = cell.find('.');
+    decimals = std::max(decimals, point == std::string_view::npos ? 0 : cell.size() - point - 1);
+  }
+  return column.found.factor * std::pow(10.0, -static_cast<double>(decimals));
+}
+
+bool is_coarse(const flight::Table& table, const Columns& columns, const std::vector<double>& density_kg_m3) {
+  const auto digit_kg_m3 = last_digit(table, *columns.find(Quantity::air_density));
+  return digit_kg_m3 && *digit_kg_m3 > coarse_share * density_kg_m3.front();
+}
+
+/// Density at each row of a series, and where it is from.
+struct Air {
+  std::vector<double> density_kg_m3;
+  std::vector<Quantity> read;        ///< from the file
+  std::vector<std::string> derived;  ///< words for a person: "the density is that of the scenario"
+};
+
+Air air_of(const flight::Table& table, const Columns& columns, const Series& series,
+           const std::vector<double>& height_m, const sim::Atmosphere& atmosphere) {
+  Air air;
+  std::string why;
+  if (const auto* density_kg_m3 = series.find(Quantity::air_density)) {
+    if (!is_coarse(table, columns, *density_kg_m3)) {
+      air.density_kg_m3 = *density_kg_m3;
+      air.read.push_back(Quantity::air_density);
+      return air;
+    }
+    why = ", because that of the file is rounded to more than 2 % of itself";
+  }
+  const auto* temperature_k = series.find(Quantity::temperature);
+  const auto* pressure_pa = series.find(Quantity::pressure);
+  if (temperature_k != nullptr && pressure_pa != nullptr) {
+    for (std::size_t i = 0; i < height_m.size(); ++i) {
+      air.density_kg_m3.push_back((*pressure_pa)[i] / (gas_constant_j_kg_k * (*temperature_k)[i]));
+    }
+    air.read = {Quantity::temperature, Quantity::pressure};
+    air.derived.push_back("the air density follows from temperature and pressure" + why);
+    return air;
+  }
+  for (const double height : height_m) {
+    air.density_kg_m3.push_back(atmosphere.density_kg_m3(height));
+  }
+  air.derived.push_back("the air density is that of the scenario at these heights" + why);
+  return air;
+}
+
 /// Both are of the file, and a column in another unit than its header says shows here.
 std::optional<std::string> disagreement(const Series& series, const std::vector<sim::PathSample>& samples) {
   double climbed_m = 0.0;
@@ -80,7 +142,7 @@ std::string listed(const std::vector<Quantity>& quantities) {
   std::string all;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     all += i == 0 ? "" : i + 1 == quantities.size() ? " and " : ", ";
-    all += word(quantities[i]);
+    all += files::word(quantities[i]);
   }
   return all;
 }
@@ -93,7 +155,7 @@ std::optional<std::string> left_unused(const flight::Table& table, const Columns
   std::size_t count = 0;
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     const bool is_used = std::ranges::any_of(columns.all(), [&](const FoundColumn& column) {
-      return column.index == i && std::ranges::find(used, column.quantity) != used.end();
+      return column.found.column == i && std::ranges::find(used, column.quantity) != used.end();
     });
     if (!is_used && ++count <= most_named) {
       names += (names.empty() ? "" : ", ") + flight::in_quotes(table.columns()[i]);
@@ -123,7 +185,8 @@ Trajectory parse_trajectory(std::string text, const std::string& name, const sim
         fmt::format("{}: a trajectory is flown in a flight, and environment.surroundings is \"{}\"", scenario.name,
                     scenario.surroundings == sim::Surroundings::tunnel ? "tunnel" : "gimbal")};
   }
-  const flight::Table table = exported_table(std::move(text), name);
+  const files::Loaded file = files::parse(std::move(text), name, files::Writer::simulator);
+  const flight::Table& table = file.table;
   const Columns columns{table};
   const Series series = read_series(table, columns);
   const std::vector<double> height_m = heights(series);
@@ -149,12 +212,14 @@ Trajectory parse_trajectory(std::string text, const std::string& name, const sim
   if (!series.climbs_to_the_end || samples.back().up_m_s < least_climb_m_s) {
     trajectory.path.apogee_s = series.times_s[series.apogee];
   }
-  std::vector<Quantity> read{series.find(Quantity::height) != nullptr ? Quantity::height : Quantity::height_above_sea};
+  std::vector<Quantity> read{series.find(Quantity::height) != nullptr ? Quantity::height
+                                                                      : Quantity::height_above_the_sea};
   read.insert(read.end(), motion.read.begin(), motion.read.end());
   read.insert(read.end(), air.read.begin(), air.read.end());
   std::vector<std::string> derived = motion.derived;
   derived.insert(derived.end(), air.derived.begin(), air.derived.end());
   trajectory.notes.push_back(origin(name, series, read, derived));
+  trajectory.notes.insert(trajectory.notes.end(), file.notes.begin(), file.notes.end());
   trajectory.notes.insert(trajectory.notes.end(), series.notes.begin(), series.notes.end());
   read.insert(read.end(), series.needed.begin(), series.needed.end());
   if (auto sentence = left_unused(table, columns, read)) {

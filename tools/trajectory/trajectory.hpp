@@ -24,7 +24,7 @@ struct Trajectory {
 /// temperature and pressure, and where density is rounded to more than 2 % of itself (OpenRocket writes 0.001 g/cm3),
 /// the scenario's air is at every height. The scenario's atmosphere and guide tilt are all that is taken from it.
 ///
-/// `text` is the content, `name` what messages call it. Throws text::Error (bad_data) as exported_table(), Columns and
+/// `text` is the content, `name` what messages call it. Throws text::Error (bad_data) as files::parse(), Columns and
 /// read_series() do; bad_configuration for a scenario that is no flight.
 [[nodiscard]] Trajectory parse_trajectory(std::string text, const std::string& name, const sim::Scenario& scenario);
 

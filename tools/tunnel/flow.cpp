@@ -53,9 +53,7 @@ Flow examine_flow(const TunnelLog& log, const SteadySegments& segments) {
     flow.points.push_back(examine(log, segment, flow.rounding_m_s));
   }
   flow.line = line_through(flow.points);
-  if (log.rows_left_out > 0) {
-    flow.remarks.push_back(fmt::format("Rows left out because of a cell without a number: {}.", log.rows_left_out));
-  }
+  flow.remarks.insert(flow.remarks.end(), log.remarks.begin(), log.remarks.end());
   if (flow.line && flow.points.size() == 2) {
     flow.remarks.emplace_back("Two points always lie on a line, so R2 has no meaning here.");
   }

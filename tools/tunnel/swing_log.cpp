@@ -8,9 +8,10 @@
 
 #include <fmt/core.h>
 
+#include "files/load.hpp"
+#include "files/rows.hpp"
 #include "flight/table.hpp"
 #include "flight_log/flight_log.hpp"
-#include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "tunnel/statistics.hpp"
 
@@ -81,35 +82,25 @@ SwingLog of_flight_log(const std::filesystem::path& path) {
 }
 
 SwingLog of_table(const std::filesystem::path& path) {
-  const flight::Table table = flight::Table::load(path.string());
-  const auto rate = table.find("pitch_rate_deg_s");
-  const auto angle = table.find("pitch_deg");
-  if (!rate && !angle) {
+  const flight::Table table = files::load(path, files::Writer::ours).table;
+  const bool is_rate = table.find(files::known(files::Quantity::pitch_rate).column).has_value();
+  if (!is_rate && !table.find(files::known(files::Quantity::pitch).column)) {
     refuse(fmt::format("{}: neither a column pitch_rate_deg_s nor pitch_deg", path.string()));
   }
-  const std::size_t time = table.column("time_s");
-  const std::size_t value = rate.value_or(angle.value_or(0));
-  SwingLog log{.name = path.string(), .is_rate = rate.has_value()};
-  std::size_t left_out = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto t = table.number(row, time);
-    const auto v = table.number(row, value);
-    if (!t || !v) {
-      ++left_out;
-      continue;
-    }
-    if (!log.time_s.empty() && *t <= log.time_s.back()) {
-      refuse(fmt::format("{}: time_s must increase", table.where(row)));
-    }
-    log.time_s.push_back(*t);
-    log.value.push_back(text::radians(*v));
+  std::vector<files::Found> found;
+  for (const auto quantity : {files::Quantity::time, is_rate ? files::Quantity::pitch_rate : files::Quantity::pitch}) {
+    found.push_back(files::find_column(table, {}, quantity, ""));
+    found.back().needed = true;
   }
+  files::Rows rows = files::read_rows(table, found, {.most_left_out = 1.0});
+  SwingLog log{.name = path.string(),
+               .is_rate = is_rate,
+               .time_s = std::move(rows.values[0]),
+               .value = std::move(rows.values[1]),
+               .remarks = std::move(rows.notes)};
   if (log.time_s.size() < fewest_rows) {
     refuse(fmt::format("{}: only {} rows with time and pitch; allowed: {} or more", log.name, log.time_s.size(),
                        fewest_rows));
-  }
-  if (left_out > 0) {
-    log.remarks.push_back(fmt::format("Rows left out because of a cell without a number: {}.", left_out));
   }
   return log;
 }

@@ -2,13 +2,13 @@
 #include "tunnel/tunnel_log.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "files/load.hpp"
+#include "files/rows.hpp"
 #include "flight/table.hpp"
 #include "text/error.hpp"
 
@@ -18,29 +18,11 @@ namespace {
 using text::Error;
 using text::ErrorKind;
 
-constexpr std::array<std::string_view, 3> column_names{"time_s", "fan_rpm", "wind_speed_m_s"};
-
-std::array<std::size_t, 3> find_columns(const flight::Table& table, const flight::ColumnNames& columns) {
-  for (const auto& [ours, theirs] : columns) {
-    if (std::ranges::find(column_names, ours) == column_names.end()) {
-      throw Error{ErrorKind::bad_configuration,
-                  fmt::format("{}={}: a tunnel's log has no column {}; it has time_s, fan_rpm, wind_speed_m_s", ours,
-                              theirs, ours)};
-    }
-  }
-  std::array<std::size_t, 3> found{};
-  std::ranges::transform(column_names, found.begin(), [&](std::string_view name) {
-    const auto mapped = columns.find(std::string{name});
-    return table.column(mapped == columns.end() ? name : mapped->second);
-  });
-  return found;
-}
-
 void refuse(const std::string& message) { throw Error{ErrorKind::bad_data, message}; }
 
 }  // namespace
 
-TunnelLog read_tunnel_log(const std::filesystem::path& path, const flight::ColumnNames& columns) {
+TunnelLog read_tunnel_log(const std::filesystem::path& path, const files::Sources& columns) {
   std::error_code ignored;
   std::filesystem::path file = path;
   if (std::filesystem::is_directory(path, ignored)) {
@@ -49,33 +31,19 @@ TunnelLog read_tunnel_log(const std::filesystem::path& path, const flight::Colum
       throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no tunnel.csv"};
     }
   }
-  const flight::Table table = flight::Table::load(file.string());
-  const auto [time, fan, wind] = find_columns(table, columns);
-  TunnelLog log{.name = path.string()};
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto time_s = table.number(row, time);
-    const auto fan_rpm = table.number(row, fan);
-    const auto wind_speed_m_s = table.number(row, wind);
-    if (!time_s || !fan_rpm || !wind_speed_m_s) {
-      ++log.rows_left_out;
-      continue;
-    }
-    if (!log.time_s.empty() && *time_s <= log.time_s.back()) {
-      refuse(fmt::format("{}: time_s = {:g} after {:g}; time must increase", table.where(row), *time_s,
-                         log.time_s.back()));
-    }
-    if (*fan_rpm < 0.0) {
-      refuse(fmt::format("{}: fan_rpm = {:g}; allowed: 0 and more", table.where(row), *fan_rpm));
-    }
-    log.time_s.push_back(*time_s);
-    log.fan_rpm.push_back(*fan_rpm);
-    log.wind_speed_m_s.push_back(*wind_speed_m_s);
+  const flight::Table table = files::load(file, files::Writer::ours).table;
+  std::vector<files::Found> found;
+  for (const files::Quantity quantity : tunnel_quantities) {
+    found.push_back(files::find_column(table, columns, quantity, ""));
+    found.back().needed = true;
   }
-  if (log.rows_left_out * 100 > table.rows()) {
-    refuse(
-        fmt::format("{}: {} of {} rows have no number in time_s, fan_rpm or wind_speed_m_s; more than 1 % is too many",
-                    file.string(), log.rows_left_out, table.rows()));
-  }
+  found[1].least = 0.0;
+  files::Rows rows = files::read_rows(table, found, {});
+  TunnelLog log{.name = path.string(),
+                .time_s = std::move(rows.values[0]),
+                .fan_rpm = std::move(rows.values[1]),
+                .wind_speed_m_s = std::move(rows.values[2]),
+                .remarks = std::move(rows.notes)};
   if (log.time_s.size() < 2) {
     refuse(file.string() + ": fewer than two rows with numbers");
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "files/sources.hpp"
 #include "logs/roll_log.hpp"
 
 namespace fantail::tunnel {
@@ -17,14 +18,15 @@ struct TunnelLog {
   std::vector<double> time_s{};   ///< strictly increasing
   std::vector<double> fan_rpm{};  ///< empty when nobody wrote it down
   std::vector<double> wind_speed_m_s{};
-  std::size_t rows_left_out = 0;  ///< with a cell that is no number
+  std::vector<std::string> remarks{};  ///< on rows that were left out, a sentence each
 };
 
-/// `path` is a CSV file with the columns time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv. `columns`
-/// says what the file calls them where it has other names. Throws text::Error: no_such_input; bad_data for a
-/// missing column, time that does not increase, a negative set point, more than 1 % of rows without a number, fewer
-/// than two rows.
-[[nodiscard]] TunnelLog read_tunnel_log(const std::filesystem::path& path, const flight::ColumnNames& columns);
+inline constexpr std::array tunnel_quantities{files::Quantity::time, files::Quantity::fan, files::Quantity::wind_speed};
+
+/// `path` is a file with the columns time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv. `columns` says
+/// what the file calls them where it has other names. Throws text::Error: no_such_input; bad_data as files::read_rows()
+/// does, and for a missing column, a negative set point, fewer than two rows.
+[[nodiscard]] TunnelLog read_tunnel_log(const std::filesystem::path& path, const files::Sources& columns);
 
 /// The tunnel.csv that lies in a flight folder, or beside a CSV file. Empty when there is none.
 [[nodiscard]] std::optional<std::filesystem::path> tunnel_log_beside(const std::filesystem::path& log);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "flight/read_csv.hpp"
+#include "logs/read_csv.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -19,9 +19,12 @@
 #include "report/verdict.hpp"
 #include "text/degrees.hpp"
 
-namespace fantail::flight {
+namespace fantail::logs {
 namespace {
 
+using flight::Flight;
+using flight::Row;
+using flight::Table;
 using test::expect_refused;
 using text::ErrorKind;
 
@@ -71,14 +74,14 @@ TEST(FlightCsv, RowsThatWereNotReplayedAreLeftOutAndSaidHoweverManyThereAre) {
 
 TEST(FlightCsv, ARowThatWasNotReplayedIsWrittenWithItsMarkAndTheOthersWithTheirs) {
   Flight flight;
-  flight.rows = {Row{}, unknown_row()};
+  flight.rows = {Row{}, flight::unknown_row()};
   flight.rows[1].time_s = 0.001;
   flight.rows[1].replayed = false;
-  const std::string text = csv(flight);
+  const std::string text = flight::csv(flight);
   EXPECT_NE(text.find(",speed_m_s,replayed\n"), std::string::npos) << text;
   EXPECT_EQ(read(text).rows.size(), 1U);
   flight.rows.pop_back();
-  EXPECT_EQ(csv(flight).find("replayed"), std::string::npos);
+  EXPECT_EQ(flight::csv(flight).find("replayed"), std::string::npos);
 }
 
 std::string joined(const std::vector<std::string>& sentences) {
@@ -90,10 +93,8 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 TEST(FlightCsv, ColumnsAreReadInTheUnitsThatAreStatedForThem) {
-  const Reading reading{
-      .columns = {{"time_s", "t"}, {"roll_rate_deg_s", "p"}, {"speed_m_s", "v"}},
-      .units = {
-          {"time_s", *find_unit("ms")}, {"roll_rate_deg_s", *find_unit("rpm")}, {"speed_m_s", *find_unit("km/h")}}};
+  const Reading reading{.columns =
+                            files::parse_columns("time=t:ms,roll_rate=p:rpm,speed=v:km/h", "x", files::of_flight_csv)};
   const Flight flight =
       read_flight_csv(Table::parse("t,p,v,canard_deg\n1500,60,36,9\n2500,0,72,9\n", "log.csv"), reading, nothing);
   EXPECT_DOUBLE_EQ(flight.rows[0].time_s, 1.5);
@@ -104,7 +105,7 @@ TEST(FlightCsv, ColumnsAreReadInTheUnitsThatAreStatedForThem) {
 }
 
 TEST(FlightCsv, WhatIsUnusualIsSaid) {
-  const Reading reading{.columns = {{"roll_rate_deg_s", "gyro_x"}}};
+  const Reading reading{.columns = {files::parse_column("roll_rate_deg_s=gyro_x", "x", files::of_flight_csv)}};
   const Flight flight = read_flight_csv(
       Table::parse("time_s,gyro_x,speed_m_s,battery,comment\n0,1,-,7,a\n1,2,22,7,b\n2,3,,7,c\n", "log.csv"), reading,
       nothing);
@@ -179,7 +180,7 @@ TEST(FlightCsv, ACellThatIsNeitherOnNorOffLeavesTheShareUnknown) {
       EXPECT_EQ(joined(flight.notes),
                 "1 of 4 cells of saturated hold neither 0 nor 1, nor a word for it; they are taken as not known.\n");
     }
-    EXPECT_FALSE(read(csv(flight)).rows[2].saturated);
+    EXPECT_FALSE(read(flight::csv(flight)).rows[2].saturated);
   }
 }
 
@@ -258,7 +259,7 @@ TEST(FlightCsv, AFlightThatWasWrittenComesBack) {
       "0.000000,launched,0.100000,2.000000,0.000000,0.000000,-1.500000,0.000000,1,1.000000,,3.000000,4.000000,5.000000,"
       "6.000000,,"
       "8.000000,7.000000,9.806650,1.000000,2.000000\n";
-  EXPECT_EQ(csv(read(text)), text);
+  EXPECT_EQ(flight::csv(read(text)), text);
 }
 
 // Files of six degrees of freedom have it; those that were written before it was known have not.
@@ -274,4 +275,4 @@ TEST(FlightCsv, TheRollThatACameraSeesIsReadWhereTheFileHasIt) {
 }
 
 }  // namespace
-}  // namespace fantail::flight
+}  // namespace fantail::logs

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "files/units.hpp"
+
+/// The dictionary of what columns hold: every quantity once, with its dimension, the column of Fantail's own files, and
+/// what other programs call it.
+namespace fantail::files {
+
+/// Body frame of the flight law: x to the nose, y and z to the sides, right-handed. The numbers of flight.csv come
+/// first, in its order.
+enum class Quantity : std::uint8_t {
+  time,
+  phase,  ///< words
+  roll_angle,
+  roll_rate,  ///< about x
+  reference,
+  excitation,
+  offset_estimate,
+  command,
+  saturated,
+  command_1,
+  command_2,
+  command_3,
+  command_4,
+  encoder_1,
+  encoder_2,
+  encoder_3,
+  encoder_4,
+  canard,
+  axial,   ///< specific force along x: +1 g on the pad
+  height,  ///< above the launch site
+  speed,
+  disturbance,  ///< of the true_ columns alone, as the next
+  geometric_roll,
+  second_axial,  ///< the same force by a second accelerometer
+  lateral_y,     ///< specific force along y
+  lateral_z,
+  pitch_rate,  ///< about y
+  yaw_rate,    ///< about z
+  pitch,
+  fan,  ///< set point of a tunnel's fan, revolutions a minute
+  wind_speed,
+  height_above_the_sea,
+  total_speed,  ///< over ground, as the next four
+  vertical_speed,
+  horizontal_speed,  ///< not negative
+  speed_to_the_east,
+  speed_to_the_north,
+  air_speed,
+  angle_of_attack,
+  air_density,
+  temperature,
+  pressure,
+  tilt,                        ///< elevation of the axis: 90 deg is upright
+  acceleration_along_the_axis  ///< change of the velocity; at rest zero
+};
+
+/// Those that flight.csv has.
+inline constexpr auto of_flight_csv = [] {
+  std::array<Quantity, static_cast<std::size_t>(Quantity::speed) + 1> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = static_cast<Quantity>(i);
+  }
+  return all;
+}();
+
+struct KnownQuantity {
+  std::string_view name;  ///< as a person says it
+  Quantity quantity;
+  std::optional<Dimension> dimension;  ///< none: words, flags and counts
+  std::string_view column{};           ///< of Fantail's own files, in own_unit(); empty: they do not have it
+  bool from_rest = false;              ///< reads zero on the pad, so that 1 g is added
+};
+
+/// A quantity may stand here under several names, first under its own.
+[[nodiscard]] std::span<const KnownQuantity> known_quantities();
+[[nodiscard]] const KnownQuantity& known(Quantity quantity);
+/// By its column in Fantail's own files; null for one that is none of these.
+[[nodiscard]] const KnownQuantity* of_own_column(std::string_view column);
+/// In a sentence: "height above the sea".
+[[nodiscard]] std::string word(Quantity quantity);
+
+/// A logger that many people have.
+struct Logger {
+  std::string_view name;
+  std::string_view about;
+  /// As parse_columns() takes them; all but time and axial may be missing in a log.
+  std::string_view columns;
+  /// A log whose columns include all of these, with commas between, is one of these where nobody says otherwise.
+  std::string_view known_by;
+  std::optional<double> no_value{};  ///< what it writes where it has no number
+};
+[[nodiscard]] std::span<const Logger> loggers();
+[[nodiscard]] const Logger* find_logger(std::string_view name);
+/// The logger of a table with these columns; null when it is none of them.
+[[nodiscard]] const Logger* logger_of(std::span<const std::string> columns);
+
+/// What a simulator calls a quantity; the unit stands in parentheses behind it.
+struct ExportedColumn {
+  std::string_view name;
+  Quantity quantity;
+  std::string_view writer;
+};
+/// Those that OpenRocket 15 to 24 and RocketPy 1.9 to 1.10 write. Of two that hold the same the first is taken.
+[[nodiscard]] std::span<const ExportedColumn> exported_columns();
+
+}  // namespace fantail::files
