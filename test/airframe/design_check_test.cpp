@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "airframe/report.hpp"
 #include "airframe/summary.hpp"
 #include "input/document.hpp"
 #include "input/shipped.hpp"
@@ -39,7 +38,6 @@ TEST(DesignCheck, SaysThatVehicleAndDesignAgree) {
   EXPECT_TRUE(summary.agrees_with_design.value());
   EXPECT_TRUE(says(summary, "Stable: the static margin is")) << summary.sentence;
   EXPECT_TRUE(says(summary, "the flight \"Calm\" stored in tasha.ork agree.")) << summary.sentence;
-  EXPECT_EQ(json::parse(json(vehicle, summary))["agrees_with_design"], json::Value{true});
 }
 
 TEST(DesignCheck, DoubtsAMassThatDiffersByMoreThanTwoPercent) {
@@ -105,8 +103,8 @@ TEST(DesignCheck, SaysBehindTheVerdictThatNothingWasCompared) {
   EXPECT_TRUE(summary.sentence.starts_with("Stable, not compared with its design: ")) << summary.sentence;
   EXPECT_TRUE(says(summary, "tasha.ork stores no up-to-date simulated flight with this motor")) << summary.sentence;
   EXPECT_FALSE(summary.agrees_with_design.value());
-  EXPECT_NE(html(vehicle, summary).find("Stable, not compared"), std::string::npos);
-  EXPECT_EQ(json::parse(json(vehicle, summary))["agrees_with_design"], json::Value{false});
+  EXPECT_EQ(answer(vehicle, summary, {}).verdict.heading, "Stable, not compared with its design");
+  EXPECT_EQ(json::parse(result::json(answer(vehicle, summary, {})))["agrees_with_design"], json::Value{false});
 }
 
 TEST(DesignCheck, DoubtsWhatWasLeftOutUnlessTheStoredNumbersAgree) {
@@ -117,7 +115,7 @@ TEST(DesignCheck, DoubtsWhatWasLeftOutUnlessTheStoredNumbersAgree) {
   const Summary summary = summarize(vehicle);
   EXPECT_EQ(summary.stability, Stability::doubtful);
   EXPECT_TRUE(says(summary, "podset \"Pods\": not read")) << summary.sentence;
-  EXPECT_NE(html(vehicle, summary).find("Doubtful"), std::string::npos);
+  EXPECT_EQ(answer(vehicle, summary, {}).verdict.answer, result::Answer::undecided);
 }
 
 TEST(DesignCheck, NeverHidesThatARocketIsUnstable) {

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "airframe/report.hpp"
 #include "input/document.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
@@ -89,13 +88,13 @@ TEST(Stability, OfTheFilesOwnCentreOfPressureIsInTheHeadlineWhereTheShapeContrad
       in_front.sentence.starts_with("Unstable, and doubtful: the file's centre of pressure, which flights use, "
                                     "gives a static margin of -5.00 calibres at lift-off"))
       << in_front.sentence;
-  EXPECT_NE(html(rocket, in_front).find("class=\"verdict bad"), std::string::npos);
-  EXPECT_EQ(json::parse(json(rocket, in_front))["stability"], "unstable");
+  EXPECT_EQ(answer(rocket, in_front, {}).verdict.answer, result::Answer::no);
+  EXPECT_EQ(json::parse(result::json(answer(rocket, in_front, {})))["stability"], "unstable");
   const Summary far_behind = with_pressure_at(1.12);
   EXPECT_EQ(far_behind.stability, Stability::doubtful);
   EXPECT_TRUE(far_behind.sentence.starts_with("Doubtful: ")) << far_behind.sentence;
   EXPECT_NE(far_behind.sentence.find("2.75 calibres at lift-off"), std::string::npos) << far_behind.sentence;
-  EXPECT_NE(html(rocket, far_behind).find("class=\"verdict unsure"), std::string::npos);
+  EXPECT_EQ(answer(rocket, far_behind, {}).verdict.answer, result::Answer::undecided);
   EXPECT_EQ(with_pressure_at(0.99).stability, Stability::stable);
   rocket.airframe->at_liftoff.centre_of_gravity_m = 1.1;  // behind all that the shape gives
   const Summary by_shape = with_pressure_at(1.3);
@@ -147,8 +146,9 @@ TEST(Remarks, GiveTheCanardsOfAFinCantNoUpperEndWhereTheirTorqueMayBeZero) {
     rocket.geometry->fins->cant_rad = cant_deg * sim::radians_per_degree;
     const Summary summary = summarize(rocket);
     EXPECT_TRUE(says(summary, said)) << cant_deg;
-    EXPECT_NE(text(rocket, summary).find(range_text(*summary.build_up.cant_as_canards, 2)), std::string::npos);
-    EXPECT_NE(json(rocket, summary).find("\"high\": null"), std::string::npos);
+    const result::Document found = answer(rocket, summary, {});
+    EXPECT_NE(result::text(found).find(range_text(*summary.build_up.cant_as_canards, 2)), std::string::npos);
+    EXPECT_NE(result::json(found).find("\"high\": null"), std::string::npos);
   }
   EXPECT_EQ(range_text({.value = 2.0, .low = 1.0, .high = 4.0}, 1), "1.0 to 4.0");
 }

@@ -2,10 +2,14 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "airframe/summary.hpp"
 #include "hardover/study.hpp"
 #include "predict/answer.hpp"
 #include "report/answer.hpp"
@@ -40,10 +44,21 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
   std::string page{std::istreambuf_iterator<char>{file}, {}};
   const std::size_t begin = page.find(begin_mark);
   ASSERT_NE(begin, std::string::npos) << page_file;
-  const std::string fields = "\n## campaign hardover\n\n" + tables(hardover::listed_fields()) + "## fly, report\n\n" +
-                             tables(report::listed_fields()) + "## predict\n\n" + tables(predict::listed_fields()) +
-                             "## tune\n\n" + tables(tune::listed_fields());
-  const std::string written = page.substr(0, begin) + std::string{begin_mark} + fields.substr(0, fields.size() - 1);
+  const std::vector<std::pair<std::string_view, std::vector<Listed>>> verbs{
+      {"airframe", airframe::listed_fields()},
+      {"campaign hardover", hardover::listed_fields()},
+      {"fly, report", report::listed_fields()},
+      {"predict", predict::listed_fields()},
+      {"tune", tune::listed_fields()}};
+  std::string fields;
+  for (const auto& [verb, listed] : verbs) {
+    fields += fmt::format("
+## {}
+
+{}", verb, tables(listed));
+    fields.pop_back();
+  }
+  const std::string written = page.substr(0, begin) + std::string{begin_mark} + fields;
   if (std::getenv("FANTAIL_WRITE_MANUAL") != nullptr) {  // NOLINT(concurrency-mt-unsafe): there is one thread
     std::ofstream{page_file} << written;
     page = written;

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "airframe/model/body.hpp"
-#include "airframe/report.hpp"
+#include "airframe/summary.hpp"
 #include "page/page.hpp"
 #include "page/svg_plot.hpp"
 #include "text/number.hpp"

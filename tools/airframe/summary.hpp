@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "airframe/model/build_up.hpp"
+#include "result/document.hpp"
 #include "sim/vehicle.hpp"
 
 namespace fantail::airframe {
@@ -40,5 +41,14 @@ struct Summary {
 [[nodiscard]] std::string range_text(const model::Estimate& estimate, int decimals);
 
 [[nodiscard]] Summary summarize(const sim::Vehicle& vehicle);
+
+/// Is it stable? Undecided where it is marginal, doubtful or not compared with the design that it was read from.
+[[nodiscard]] result::Document answer(const sim::Vehicle& vehicle, const Summary& summary, const result::Made& made);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_fields();
+
+/// The rocket from the side, nose to the left, to scale, with its centres of gravity and pressure: an SVG that takes
+/// its colours from the page.
+[[nodiscard]] std::string side_view(const sim::Geometry& shape, const Summary& summary, double width);
 
 }  // namespace fantail::airframe

@@ -4,19 +4,16 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
-
-#include "airframe/report.hpp"
+#include "airframe/summary.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
-#include "fantail/terminal.hpp"
 #include "input/document.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
-#include "text/output_folder.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -41,23 +38,18 @@ void show_airframe(const AirframeOptions& options) {
                           ": has no section [shape], which says what the rocket looks like (its keys: man "
                           "fantail.toml, or docs/your_rocket.md in the sources)"};
   }
-  const airframe::Summary summary = airframe::summarize(vehicle);
-  const std::string json = airframe::json(vehicle, summary, made_with({file}, {}, options.changes));
-  const std::filesystem::path folder =
-      options.out.empty()
-          ? std::filesystem::path{"out/airframe"} / variant_name(input::name_of_file(file), options.changes)
-          : std::filesystem::path{options.out};
-  const std::vector<text::NamedFile> files{{.name = "airframe.html", .content = airframe::html(vehicle, summary)},
-                                           {.name = "airframe.json", .content = json}};
-  text::OutputFolder{folder, {file}}.write(files);
-  for (const std::string& warning : vehicle.warnings) {
-    say("fantail: warning: " + warning + "\n");
-  }
-  if (options.json) {
-    fmt::print("{}", json);
-    return;
-  }
-  show("{}\n  page  {}\n", airframe::text(vehicle, summary, output_columns()), (folder / "airframe.html").string());
+  deliver(airframe::answer(vehicle, airframe::summarize(vehicle), made_with({file}, {}, options.changes)),
+          {.folder = options.out.empty() ? std::filesystem::path{"out/airframe"} /
+                                               variant_name(input::name_of_file(file), options.changes)
+                                         : std::filesystem::path{options.out},
+           .name = "airframe",
+           .inputs = {file},
+           .json = options.json,
+           .when_written = [&] {
+             for (const std::string& warning : vehicle.warnings) {
+               say("fantail: warning: " + warning + "\n");
+             }
+           }});
 }
 
 void fill(const Verb& verb) {

@@ -10,7 +10,7 @@
 
 #include "airframe/new_rocket.hpp"
 #include "airframe/openrocket/read.hpp"
-#include "airframe/report.hpp"
+#include "airframe/summary.hpp"
 #include "fantail/new_from_design.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"

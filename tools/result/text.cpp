@@ -54,6 +54,9 @@ std::string text(const Figures& figures) {
 std::string in_a_line(const Table& table, const std::vector<std::size_t>& columns, const std::vector<Cell>& row) {
   std::string all;
   for (const std::size_t i : columns) {
+    if (row[i].index() == 0) {
+      continue;
+    }
     all += fmt::format("{}{} {}", all.empty() ? "" : "; ", heading(table.columns[i]), shown(table.columns[i], row[i]));
   }
   return line(all);
