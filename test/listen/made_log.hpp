@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/flight_plan_members.hpp"
+#include "json/value.hpp"
+#include "listen/answer.hpp"
 #include "listen/fly_log.hpp"
 
 // Logs that somebody might have made, and what is said of them.
@@ -37,6 +39,10 @@ inline double constant_push(double t) { return t < 5.0 ? g : t < 7.0 ? 5.0 * g :
 inline bool has(const std::vector<std::string>& sentences, const std::string& part) {
   return std::ranges::any_of(sentences, [&](const std::string& one) { return one.find(part) != std::string::npos; });
 }
+
+inline std::string text_of(const Heard& heard) { return result::text(answer(heard, {})); }
+inline std::string page_of(const Heard& heard) { return result::html(answer(heard, {})); }
+inline json::Value data_of(const Heard& heard) { return json::parse(result::json(answer(heard, {}))); }
 
 inline bool says(const Heard& heard, const std::string& part) { return has(heard.notes, part); }
 inline bool doubts(const Heard& heard, const std::string& part) { return has(heard.doubts, part); }

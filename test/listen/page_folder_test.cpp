@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "listen/page_folder.hpp"
-
 #include <gtest/gtest.h>
 
+#include "listen/answer.hpp"
 #include "system/folder.hpp"
 
 namespace fantail::listen {

@@ -11,6 +11,7 @@
 
 #include "airframe/summary.hpp"
 #include "hardover/study.hpp"
+#include "listen/answer.hpp"
 #include "predict/answer.hpp"
 #include "report/answer.hpp"
 #include "tune/results.hpp"
@@ -48,6 +49,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
       {"airframe", airframe::listed_fields()},
       {"campaign hardover", hardover::listed_fields()},
       {"fly, report", report::listed_fields()},
+      {"listen", listen::listed_fields()},
       {"predict", predict::listed_fields()},
       {"tune", tune::listed_fields()}};
   std::string fields;

@@ -104,7 +104,7 @@ TEST(Listen, OverwritesThePageOfTheSameFileAndNoOthers) {
                      "in out/listen/log_2"),
       std::string::npos)
       << other.err;
-  EXPECT_NE(other.out.find("page  out/listen/log_2/listen.html"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("page     out/listen/log_2/listen.html"), std::string::npos) << other.out;
   EXPECT_EQ(whose("log"), "a/log.csv");
   EXPECT_EQ(whose("log_2"), "b/log.csv");
 

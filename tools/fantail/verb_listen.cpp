@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -20,9 +19,9 @@
 #include "input/document.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
+#include "listen/answer.hpp"
 #include "listen/fly_log.hpp"
-#include "listen/outputs.hpp"
-#include "listen/page_folder.hpp"
+#include "text/error.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::tool {
@@ -120,19 +119,15 @@ void listen_to(const ListenOptions& o) {
   }
   const listen::Heard heard = fly(o, read(o));
   give_up_if_interrupted();
-  const auto [folder, remark] = output_folder(o);
-  const std::string json = listen::as_json(heard, FANTAIL_VERSION, made_with({o.log, o.barometer}));
-  text::OutputFolder{folder, {o.log, o.barometer}}.write(
-      std::array{text::NamedFile{"listen.html", listen::as_html(heard)}, text::NamedFile{"listen.json", json}});
-  if (!remark.empty()) {
-    say(fmt::format("fantail: {} This one is in {}; --out names another place.\n", remark, folder.string()));
-  }
-  if (o.json) {
-    fmt::print("{}", json);
-  } else {
-    show("{}\n  page  {}\n  data  {}\n", listen::as_text(heard, output_columns()), (folder / "listen.html").string(),
-         (folder / "listen.json").string());
-  }
+  const listen::PageFolder place = output_folder(o);
+  deliver(
+      listen::answer(heard, made_with({o.log, o.barometer})),
+      {.folder = place.folder, .name = "listen", .inputs = {o.log, o.barometer}, .json = o.json, .when_written = [&] {
+         if (!place.remark.empty()) {
+           say(fmt::format("fantail: {} This one is in {}; --out names another place.\n", place.remark,
+                           place.folder.string()));
+         }
+       }});
 }
 
 std::string objection_to_map(const std::string& text) {

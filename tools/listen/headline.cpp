@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include "listen/lift_off.hpp"
-#include "listen/outputs.hpp"
 #include "listen/sentences.hpp"
 #include "text/number.hpp"
 
@@ -27,18 +26,6 @@ Finding finding(const Heard& heard) {
   }
   // What is late even if lift-off was where its gap ends.
   return *heard.detected_s > listened_until_s(heard) ? Finding::late : Finding::heard;
-}
-
-result::Answer answer(const Heard& heard) {
-  switch (finding(heard)) {
-    case Finding::heard: return heard.doubts.empty() ? result::Answer::yes : result::Answer::undecided;
-    case Finding::late:
-    case Finding::imagined:
-    case Finding::imagined_and_missed:
-    case Finding::missed: return result::Answer::no;
-    case Finding::no_launch: break;
-  }
-  return result::Answer::undecided;
 }
 
 std::string headline(const Heard& heard) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "listen/page_folder.hpp"
-
 #include <fmt/core.h>
 
 #include "json/value.hpp"
+#include "listen/answer.hpp"
 #include "text/input_file.hpp"
 
 namespace fantail::listen {
