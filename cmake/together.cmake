@@ -41,7 +41,7 @@ set(FANTAIL_COMPILED_APART
   "tools/link|plan_transfer.cpp"
   "tools/predict|answer.cpp run.cpp"
   "tools/report|path_section.cpp read_summary.cpp results.cpp running_figures.cpp"
-  "tools/tunnel|swing.cpp swirl.cpp swirl_report.cpp"
+  "tools/tunnel|swing.cpp swirl.cpp"
 )
 
 # What fits into none of these rows is compiled alone. One is here because GCC 12 invents a warning of it
@@ -92,7 +92,7 @@ set(FANTAIL_COMPILED_ALONE
   tools/logs/rows_of_log.cpp
   tools/page/live.cpp
   tools/report/verdict.cpp
-  tools/tunnel/steps_report.cpp tools/tunnel/swing_log.cpp tools/tunnel/tunnel_log.cpp
+  tools/tunnel/swing_log.cpp tools/tunnel/tunnel_log.cpp
 )
 
 # fantail_compiled_together(<target> <source of this folder>...)

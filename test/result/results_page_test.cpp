@@ -15,6 +15,10 @@
 #include "predict/answer.hpp"
 #include "report/answer.hpp"
 #include "tune/results.hpp"
+#include "tunnel/flow.hpp"
+#include "tunnel/stability.hpp"
+#include "tunnel/steps.hpp"
+#include "tunnel/swirl.hpp"
 
 namespace fantail::result {
 namespace {
@@ -51,7 +55,11 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
       {"fly, report", report::listed_fields()},
       {"listen", listen::listed_fields()},
       {"predict", predict::listed_fields()},
-      {"tune", tune::listed_fields()}};
+      {"tune", tune::listed_fields()},
+      {"tunnel flow", tunnel::listed_flow_fields()},
+      {"tunnel stability", tunnel::listed_stability_fields()},
+      {"tunnel steps", tunnel::listed_step_fields()},
+      {"tunnel swirl", tunnel::listed_swirl_fields()}};
   std::string fields;
   for (const auto& [verb, listed] : verbs) {
     fields += fmt::format("

@@ -63,14 +63,15 @@ TEST(Flow, NothingSteadyOrStillAirIsRefused) {
 TEST(FlowReport, SaysTheSameToPersonScriptAndPage) {
   const TunnelLog log = alternating();
   const Flow flow = examine_flow(log, find_steady(log, {}));
-  const std::string text = flow_text(log, flow);
-  EXPECT_NE(text.find("0.00025 m/s"), std::string::npos) << text;
-  EXPECT_NE(text.find("0.500 %"), std::string::npos) << text;
-  const json::Value json = json::parse(flow_json(log, flow));
+  const result::Document found = flow_answer(log, flow, {});
+  const std::string text = result::text(found);
+  EXPECT_NE(text.find(" 0.00025 "), std::string::npos) << text;
+  EXPECT_NE(text.find(" 0.500 "), std::string::npos) << text;
+  const json::Value json = json::parse(result::json(found));
   EXPECT_EQ(json["set_points"][0]["gamma_m_s"], 0.00025);
   EXPECT_EQ(json["set_points"][0]["relative_deviation"], 0.005);
   EXPECT_TRUE(json["line"].is_null());
-  const std::string page = flow_html(log, flow);
+  const std::string page = result::html(found);
   EXPECT_NE(page.find("<td class=\"number\">0.00025"), std::string::npos);
   EXPECT_NE(page.find("<svg"), std::string::npos);
 }

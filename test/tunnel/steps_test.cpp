@@ -201,8 +201,11 @@ TEST(IdentifySteps, ASpeedThatChangesIsNoTunnels) {
 
 TEST(StepsCsv, HasTheColumnsThatAPredictionReads) {
   const std::string csv =
-      steps_csv({.vehicle = "Dart, \"blue\"", .airframe = {.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5}},
-                identify_steps(made_run(three_rockets), tasha, at_22_m_s()));
+      result::csv(steps_answer({.vehicle = "Dart, \"blue\"",
+                                .airframe = {.inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5},
+                                .options = at_22_m_s()},
+                               identify_steps(made_run(three_rockets), tasha, at_22_m_s()), {})
+                      .spreadsheets.front());
   EXPECT_TRUE(
       csv.starts_with("step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,mean_abs_angle_error_deg,"
                       "mean_abs_rate_error_deg_s,alpha_standard_error_m2,beta_standard_error_m,"
@@ -225,7 +228,8 @@ TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {
                              .speed_source = "from the command line",
                              .density_kg_m3 = 1.2,
                              .options = at_22_m_s()};
-  const json::Value json = json::parse(steps_json(heading, table));
+  const result::Document found = steps_answer(heading, table, {});
+  const json::Value json = json::parse(result::json(found));
   ASSERT_EQ(json["steps"].size(), 3U);
   EXPECT_NEAR(json["steps"][1]["alpha_m2"].number(), 22.0, 0.05);
   EXPECT_NEAR(json["mean"]["alpha_m2"].number(), 20.0, 0.05);
@@ -234,17 +238,13 @@ TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {
   EXPECT_GT(json["between_steps"]["alpha_m2"]["interval"][1].number(), std::sqrt(39.0));
   EXPECT_TRUE(json["steps"][0]["beta_standard_error_m"].is_number());
   EXPECT_EQ(json["speed_m_s"], 22.0);
-  const std::string text = steps_text(heading, table);
+  const std::string text = result::text(found, nullptr, 80);
   EXPECT_NE(text.find("dart: inertia 0.00393 kg m2"), std::string::npos) << text;
-  for (const char* part : {"standard deviation", "of measurement", "between the steps", "Between the steps alpha"}) {
+  for (const char* part : {"\n  deviation ", "\n  measurement ", "\n  between ", "Between the steps alpha"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
-  // The head of the table fits, as its rows do, into the usual 80 columns.
-  std::istringstream lines{text.substr(text.find("\n\n"), text.find("Between the steps alpha") - text.find("\n\n"))};
-  for (std::string line; std::getline(lines, line);) {
-    EXPECT_LE(line.size(), 80U) << line;
-  }
-  const std::string page = steps_html(heading, table);
+  EXPECT_NE(text.find("  step         alpha, m2"), std::string::npos) << "fits into the usual 80 columns\n" << text;
+  const std::string page = result::html(found);
   for (const char* label : {"Roll angle after step 1,", "Roll rate after step 3,", "dart"}) {
     EXPECT_NE(page.find(label), std::string::npos) << label;
   }

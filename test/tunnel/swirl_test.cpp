@@ -89,7 +89,8 @@ TEST(Swirl, WithoutACommonSpeedThatIsFastEnoughThereIsNone) {
   const Swirl swirl = examine_swirl(made_session({10.0}, -6.0), made_session({10.0}, -4.0), tasha3);
   EXPECT_FALSE(swirl.swirl.has_value());
   EXPECT_EQ(swirl.remarks.size(), 1U);
-  EXPECT_NE(swirl_sentence(swirl).find("unknown"), std::string::npos);
+  EXPECT_EQ(swirl_answer({made_session({10.0}, -6.0), made_session({10.0}, -4.0)}, swirl, {}).verdict.answer,
+            result::Answer::undecided);
 }
 
 // Speeds that scatter by a twentieth of a step of the sensor all read alike: the mean is not known better than that.
@@ -147,17 +148,19 @@ TEST(Swirl, WhatCannotBeComparedIsRefused) {
 TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {
   const SwirlSessions sessions{made_session({22.0, 30.0}, -6.1), made_session({22.0, 30.0}, -4.1)};
   const Swirl swirl = examine_swirl(sessions.without, sessions.with, tasha3);
-  EXPECT_NE(swirl_text(sessions, swirl).find("equals -2.000 +-"), std::string::npos) << swirl_text(sessions, swirl);
+  const result::Document found = swirl_answer(sessions, swirl, {});
+  const std::string text = result::text(found);
+  EXPECT_NE(text.find("\nSwirl: -2.000 \u00b1"), std::string::npos) << text;
   const std::string whose = "with alpha 19.4 m2 and beta 9.6 m, the means of the published tunnel steps of Tasha III.";
-  EXPECT_NE(swirl_sentence(swirl).find(whose), std::string::npos) << swirl_sentence(swirl);
-  EXPECT_NE(swirl_text(sessions, swirl).find("clockwise, seen from the tail"), std::string::npos);
-  const json::Value json = json::parse(swirl_json(sessions, swirl));
+  EXPECT_NE(text.find(whose), std::string::npos) << text;
+  EXPECT_NE(text.find("clockwise, seen from the tail"), std::string::npos);
+  const json::Value json = json::parse(result::json(found));
   EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["offset_deg"].number(), -6.1, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["roll_rate_deg_s"].number(), -66.41, 0.005);
   EXPECT_EQ(json["alpha_and_beta"], "the means of the published tunnel steps of Tasha III");
   EXPECT_EQ(json["differences"].size(), 2U);
-  EXPECT_NE(swirl_html(sessions, swirl).find("\u22122.000 \u00b1"), std::string::npos);
+  EXPECT_NE(result::html(found).find("\u22122.000 \u00b1"), std::string::npos);
 }
 
 }  // namespace

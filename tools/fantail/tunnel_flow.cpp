@@ -6,7 +6,6 @@
 #include "fantail/deliver.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/offers.hpp"
-#include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "tunnel/flow.hpp"
 
@@ -27,12 +26,8 @@ void flow(const FlowOptions& options) {
   const tunnel::TunnelLog log =
       tunnel::read_tunnel_log(options.log, sources(options.columns, "--", tunnel::tunnel_quantities));
   const tunnel::Flow flow = tunnel::examine_flow(log, steady_segments(log, options.steady, options.finding));
-  const std::string json = tunnel::flow_json(log, flow, made_with({options.log}));
-  write_tunnel_output(options.output, default_folder,
-                      {.files = {{"flow.json", json}, {"report.html", tunnel::flow_html(log, flow)}},
-                       .text = tunnel::flow_text(log, flow, output_columns()),
-                       .json = json,
-                       .made_from = {options.log}});
+  deliver(tunnel::flow_answer(log, flow, made_with({options.log})),
+          delivery(options.output, default_folder, "flow", {options.log}));
 }
 
 }  // namespace

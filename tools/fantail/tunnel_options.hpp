@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fantail/command_line.hpp"
-#include "text/output_folder.hpp"
+#include "fantail/deliver.hpp"
 #include "tunnel/steady.hpp"
 
 namespace fantail::tool {
@@ -20,15 +20,11 @@ struct TunnelOutput {
 /// --out and --json.
 void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string& default_folder);
 
-struct TunnelResults {
-  std::vector<text::NamedFile> files;
-  std::string text;
-  std::string json;
-  std::vector<std::filesystem::path> made_from;  ///< logs that must not be overwritten, nor written into
-};
-
-/// Writes the files, and prints the text with the folder's page, or the JSON.
-void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder, const TunnelResults& results);
+/// The page is report.html, whatever the `name` of the JSON. `made_from`: logs that must not be overwritten, nor
+/// written into.
+[[nodiscard]] Delivery delivery(const TunnelOutput& output, const std::string& default_folder, const std::string& name,
+                                const std::vector<std::filesystem::path>& made_from,
+                                const std::vector<std::string>& shown_files = {"page"});
 
 /// A list of steady stretches by hand.
 void add_steady_option(const Verb& verb, const std::string& name, std::string& stretches, const std::string& meaning);

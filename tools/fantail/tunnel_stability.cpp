@@ -16,7 +16,6 @@
 #include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
-#include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
 #include "input/document.hpp"
 #include "input/shipped.hpp"
@@ -222,18 +221,10 @@ void stability(const StabilityOptions& options) {
   std::vector<tunnel::StabilitySwing> swings = swings_of(options, heading, remarks);
   tunnel::Stability found = tunnel::examine_stability(std::move(swings), heading.airframe, heading.density_kg_m3);
   found.remarks.insert(found.remarks.begin(), remarks.begin(), remarks.end());
-  const std::string json =
-      tunnel::stability_json(heading, found, made_with({options.logs.begin(), options.logs.end()}));
-  write_tunnel_output(options.output, default_folder,
-                      {.files = {{"swings.csv", tunnel::stability_csv(found)},
-                                 {"stability.json", json},
-                                 {"report.html", tunnel::stability_html(heading, found)}},
-                       .text = tunnel::stability_text(heading, found, output_columns()),
-                       .json = json,
-                       .made_from = {options.logs.begin(), options.logs.end()}});
-  if (found.verdict != tunnel::StabilityVerdict::stable) {
-    throw text::Error{text::ErrorKind::requirement_not_met, ""};
-  }
+  const std::vector<std::filesystem::path> made_from{options.logs.begin(), options.logs.end()};
+  Delivery to = delivery(options.output, default_folder, "stability", made_from, {"page", "swings"});
+  to.yes_is_required = true;
+  deliver(tunnel::stability_answer(heading, found, made_with(made_from)), to);
 }
 
 }  // namespace

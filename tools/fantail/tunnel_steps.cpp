@@ -87,14 +87,8 @@ void steps(const StepsVerbOptions& options) {
   };
   const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options, tell);
   progress.reset();
-  const std::string json = tunnel::steps_json(head, table, made_with({options.run, options.wind}));
-  write_tunnel_output(options.output, default_folder,
-                      {.files = {{"steps.csv", tunnel::steps_csv(head, table)},
-                                 {"steps.json", json},
-                                 {"report.html", tunnel::steps_html(head, table)}},
-                       .text = tunnel::steps_text(head, table),
-                       .json = json,
-                       .made_from = {options.run, options.wind}});
+  deliver(tunnel::steps_answer(head, table, made_with({options.run, options.wind})),
+          delivery(options.output, default_folder, "steps", {options.run, options.wind}, {"page", "steps"}));
 }
 
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -97,16 +99,11 @@ void swirl(const SwirlVerbOptions& options) {
   chapters.next("its page");
   const tunnel::Swirl swirl = tunnel::examine_swirl(
       sessions.without, sessions.with, {.roll = roll_of(options, sessions), .from_speed_m_s = options.from_speed_m_s});
-  const std::string json = tunnel::swirl_json(
-      sessions, swirl, made_with({options.without.roll, options.without.wind, options.with.roll, options.with.wind}));
-  const std::string page = tunnel::swirl_html(sessions, swirl);
+  const std::vector<std::filesystem::path> made_from{options.without.roll, options.without.wind, options.with.roll,
+                                                     options.with.wind};
+  const result::Document document = tunnel::swirl_answer(sessions, swirl, made_with(made_from));
   chapters.end();
-  write_tunnel_output(
-      options.output, default_folder,
-      {.files = {{"swirl.json", json}, {"report.html", page}},
-       .text = tunnel::swirl_text(sessions, swirl),
-       .json = json,
-       .made_from = {options.without.roll, options.without.wind, options.with.roll, options.with.wind}});
+  deliver(document, delivery(options.output, default_folder, "swirl", made_from));
 }
 
 void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/core.h>
-
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
-#include "fantail/terminal.hpp"
 #include "fantail/tunnel_options.hpp"
 
 namespace fantail::tool {
@@ -13,18 +10,14 @@ void add_tunnel_output(const Verb& verb, TunnelOutput& output, const std::string
   verb.flag("--json", output.json, "Print the JSON instead of the text");
 }
 
-void write_tunnel_output(const TunnelOutput& output, const std::string& default_folder, const TunnelResults& results) {
-  const std::filesystem::path folder = output.out.empty() ? default_folder : output.out;
-  text::OutputFolder{folder, results.made_from}.write(results.files);
-  if (output.json) {
-    fmt::print("{}", results.json);
-  } else {
-    show("{}\n", results.text);
-    for (const text::NamedFile& file : results.files) {
-      const bool is_page = file.name.ends_with(".html");
-      show("  {}  {}\n", is_page ? "report" : "data  ", (folder / file.name).string());
-    }
-  }
+Delivery delivery(const TunnelOutput& output, const std::string& default_folder, const std::string& name,
+                  const std::vector<std::filesystem::path>& made_from, const std::vector<std::string>& shown_files) {
+  return {.folder = output.out.empty() ? default_folder : output.out,
+          .name = name,
+          .page = "report",
+          .inputs = made_from,
+          .json = output.json,
+          .shown_files = shown_files};
 }
 
 void add_steady_option(const Verb& verb, const std::string& name, std::string& stretches, const std::string& meaning) {

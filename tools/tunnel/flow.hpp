@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "result/answer.hpp"
+#include "result/document.hpp"
 #include "text/layout.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
@@ -34,9 +35,9 @@ struct Flow {
 /// Throws text::Error (bad_data) when no set point became steady, or when air stood still in one.
 [[nodiscard]] Flow examine_flow(const TunnelLog& log, const SteadySegments& segments);
 
-// What `fantail tunnel flow` prints, its flow.json, and its page.
-[[nodiscard]] std::string flow_text(const TunnelLog& log, const Flow& flow, std::size_t columns = text::any_width);
-[[nodiscard]] std::string flow_json(const TunnelLog& log, const Flow& flow, const result::Made& made = {});
-[[nodiscard]] std::string flow_html(const TunnelLog& log, const Flow& flow);
+/// What `fantail tunnel flow` says: nothing was asked, so that there is no yes or no.
+[[nodiscard]] result::Document flow_answer(const TunnelLog& log, const Flow& flow, const result::Made& made);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_flow_fields();
 
 }  // namespace fantail::tunnel

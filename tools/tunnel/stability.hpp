@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "result/answer.hpp"
+#include "result/document.hpp"
 #include "text/layout.hpp"
 #include "tunnel/swing.hpp"
 #include "tunnel/tunnel_log.hpp"
@@ -74,12 +75,10 @@ struct StabilityHeading {
   double density_kg_m3 = 0.0;
 };
 
-// What `fantail tunnel stability` prints, its stability.json and swings.csv, and its page.
-[[nodiscard]] std::string stability_text(const StabilityHeading& heading, const Stability& stability,
-                                         std::size_t columns = text::any_width);
-[[nodiscard]] std::string stability_json(const StabilityHeading& heading, const Stability& stability,
-                                         const result::Made& made = {});
-[[nodiscard]] std::string stability_csv(const Stability& stability);
-[[nodiscard]] std::string stability_html(const StabilityHeading& heading, const Stability& stability);
+/// Is it stable? What `fantail tunnel stability` says, with swings.csv.
+[[nodiscard]] result::Document stability_answer(const StabilityHeading& heading, const Stability& stability,
+                                                const result::Made& made);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_stability_fields();
 
 }  // namespace fantail::tunnel

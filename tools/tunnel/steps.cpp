@@ -43,42 +43,13 @@ std::string why_useless(const StepResult& result) {
   return known && !(known->alpha_identifiable && known->beta_identifiable) ? known->verdict : std::string{};
 }
 
-constexpr std::array columns{
-    StepColumn{.name = "alpha_m2",
-               .heading = "\u03b1 / m\u00b2",
-               .figure = &StepFigures::alpha_m2,
-               .error_name = "alpha_standard_error_m2",
-               .words = "alpha",
-               .unit = "m2"},
-    StepColumn{.name = "beta_m",
-               .heading = "\u03b2 / m",
-               .figure = &StepFigures::beta_m,
-               .error_name = "beta_standard_error_m",
-               .words = "beta",
-               .unit = "m"},
-    StepColumn{.name = "disturbance_begin_deg",
-               .heading = "begin / deg",
-               .figure = &StepFigures::disturbance_begin_rad,
-               .is_angle = true,
-               .error_name = "disturbance_begin_standard_error_deg",
-               .words = "the disturbance at the beginning",
-               .unit = "deg"},
-    StepColumn{.name = "disturbance_end_deg",
-               .heading = "end / deg",
-               .figure = &StepFigures::disturbance_end_rad,
-               .is_angle = true,
-               .error_name = "disturbance_end_standard_error_deg",
-               .words = "the disturbance at the end",
-               .unit = "deg"},
-    StepColumn{.name = "mean_abs_angle_error_deg",
-               .heading = "angle error / deg",
-               .figure = &StepFigures::mean_abs_angle_error_rad,
-               .is_angle = true},
-    StepColumn{.name = "mean_abs_rate_error_deg_s",
-               .heading = "rate error / deg/s",
-               .figure = &StepFigures::mean_abs_rate_error_rad_s,
-               .is_angle = true},
-};
+/// As step_fields has them.
+constexpr std::array members{&StepFigures::alpha_m2,
+                             &StepFigures::beta_m,
+                             &StepFigures::disturbance_begin_rad,
+                             &StepFigures::disturbance_end_rad,
+                             &StepFigures::mean_abs_angle_error_rad,
+                             &StepFigures::mean_abs_rate_error_rad_s};
 
 std::vector<double> values(const StepTable& table, double StepFigures::* figure,
                            StepFigures (*of)(const StepResult& result)) {
@@ -91,15 +62,15 @@ void summarise(StepTable& table) {
   if (table.steps.size() > 1) {
     table.standard_deviation.emplace();
   }
-  for (const StepColumn& column : columns) {
-    const std::vector<double> found = values(table, column.figure, figures_of);
-    table.mean.*column.figure = mean(found);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const std::vector<double> found = values(table, members[i], figures_of);
+    table.mean.*members[i] = mean(found);
     if (!table.standard_deviation) {
       continue;
     }
-    (*table.standard_deviation).*column.figure = moments(found).standard_deviation;
-    if (column.has_error()) {
-      table.spreads.push_back({&column, between_values(found, values(table, column.figure, standard_errors_of))});
+    (*table.standard_deviation).*members[i] = moments(found).standard_deviation;
+    if (i < step_estimates) {
+      table.spreads.push_back({i, between_values(found, values(table, members[i], standard_errors_of))});
     }
   }
 }
@@ -165,9 +136,12 @@ StepFigures standard_errors_of(const StepResult& result) {
           .disturbance_end_rad = known.back()};
 }
 
-double StepColumn::printed(double value) const { return is_angle ? text::degrees(value) : value; }
-
-std::span<const StepColumn> step_columns() { return columns; }
+result::Column step_column(const StepTable& table, std::size_t figure) {
+  result::Column column = result::column(step_fields[figure]);
+  const bool is_area_or_length = column.unit.symbol == "m2" || column.unit.symbol == "m";
+  column.decimals = is_area_or_length && std::abs(table.mean.*members[figure]) < 1.0 ? 5 : column.decimals;
+  return column;
+}
 
 std::vector<ReferenceStep> find_reference_steps(const logs::RollLog& log) {
   if (log.reference_rad.empty()) {
@@ -230,30 +204,6 @@ StepTable identify_steps(const logs::RollLog& log, const identify::model::Airfra
   summarise(table);
   table.remarks.insert(table.remarks.end(), log.warnings.begin(), log.warnings.end());
   return table;
-}
-
-std::string steps_csv(const StepsHeading& heading, const StepTable& table) {
-  const std::string whose = fmt::format(",{},{},{}", text::csv_cell(heading.vehicle),
-                                        heading.airframe.reference_area_m2, heading.airframe.inertia_kg_m2);
-  std::string text = "step,begin_s";
-  for (const StepColumn& column : columns) {
-    text += fmt::format(",{}", column.name);
-  }
-  for (const StepColumn& column : columns) {
-    text += column.has_error() ? fmt::format(",{}", column.error_name) : "";
-  }
-  text += ",vehicle,reference_area_m2,inertia_kg_m2";
-  for (const StepResult& result : table.steps) {
-    text += fmt::format("\n{},{:.6f}", result.number, result.step.begin_s);
-    for (const StepColumn& column : columns) {
-      text += fmt::format(",{:.6f}", column.printed(figures_of(result)));
-    }
-    for (const StepColumn& column : columns) {
-      text += column.has_error() ? fmt::format(",{:.6f}", column.printed(standard_errors_of(result))) : "";
-    }
-    text += whose;
-  }
-  return text + "\n";
 }
 
 }  // namespace fantail::tunnel

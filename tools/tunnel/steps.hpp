@@ -6,16 +6,14 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "identify/identification.hpp"
 #include "identify/make_record.hpp"
 #include "identify/model/roll_model.hpp"
 #include "logs/roll_log.hpp"
-#include "result/answer.hpp"
+#include "result/document.hpp"
 #include "tunnel/between.hpp"
 #include "tunnel/tunnel_log.hpp"
 
@@ -65,26 +63,25 @@ struct StepFigures {
 /// How well it tells them; of the two mean errors, which are no estimates, zero.
 [[nodiscard]] StepFigures standard_errors_of(const StepResult& result);
 
-/// A figure as every table has it: steps.csv, steps.json, the terminal and the page.
-struct StepColumn {
-  std::string_view name;     ///< in the files
-  std::string_view heading;  ///< on the page
-  double StepFigures::* figure;
-  bool is_angle = false;  ///< printed in degrees
-  // Of an estimate, which has a standard error:
-  std::string_view error_name{};  ///< the error's name in the files
-  std::string_view words{};       ///< in a sentence
-  std::string_view unit{};
-
-  [[nodiscard]] bool has_error() const { return !error_name.empty(); }
-  [[nodiscard]] double printed(double value) const;
-  [[nodiscard]] double printed(const StepFigures& figures) const { return printed(figures.*figure); }
-};
-[[nodiscard]] std::span<const StepColumn> step_columns();
+/// What every table of steps has: steps.csv, steps.json, the terminal and the page.
+inline constexpr auto step_fields = result::fields<StepFigures>({
+    {"alpha", "alpha", result::units::m2, 3, &StepFigures::alpha_m2, "damping"},
+    {"beta", "beta", result::units::m, 3, &StepFigures::beta_m, "torque constant"},
+    {"disturbance_begin", "the disturbance at the beginning", result::units::deg, 3,
+     &StepFigures::disturbance_begin_rad, "as an equivalent fin offset, at the beginning of the step"},
+    {"disturbance_end", "the disturbance at the end", result::units::deg, 3, &StepFigures::disturbance_end_rad,
+     "likewise, at its end"},
+    {"mean_abs_angle_error", "angle error", result::units::deg, 3, &StepFigures::mean_abs_angle_error_rad,
+     "mean absolute difference of measured and modelled roll angle"},
+    {"mean_abs_rate_error", "rate error", result::units::deg_s, 3, &StepFigures::mean_abs_rate_error_rad_s,
+     "the same of the roll rates"},
+});
+/// The first of them are estimates, which have a standard error.
+inline constexpr std::size_t step_estimates = 4;
 
 /// How one figure differs from step to step.
 struct StepSpread {
-  const StepColumn* column;
+  std::size_t figure;  ///< of step_fields
   Between spread;
 };
 
@@ -138,22 +135,14 @@ struct StepsHeading {
   StepOptions options{};
 };
 
-// What `fantail tunnel steps` prints, its steps.json, and its page.
-[[nodiscard]] std::string steps_text(const StepsHeading& heading, const StepTable& table);
-[[nodiscard]] std::string steps_json(const StepsHeading& heading, const StepTable& table,
-                                     const result::Made& made = {});
-[[nodiscard]] std::string steps_html(const StepsHeading& heading, const StepTable& table);
+/// What `fantail tunnel steps` says: nothing was asked, so that there is no yes or no. steps.csv is what `fantail
+/// predict` reads.
+[[nodiscard]] result::Document steps_answer(const StepsHeading& heading, const StepTable& table,
+                                            const result::Made& made);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_step_fields();
 
-/// "Between the steps alpha varies by 0.05 m2 ...": for each figure of `spreads` what is airframe and what measurement.
-/// The means of its steps, a sentence.
-[[nodiscard]] std::string steps_sentence(const StepTable& table);
-[[nodiscard]] std::vector<std::string> spread_sentences(const StepTable& table);
-
-/// Of a column's figures in texts and pages: alpha and beta of a small reference area are small numbers.
-[[nodiscard]] int decimals(const StepTable& table, const StepColumn& column);
-
-/// steps.csv: step, begin_s, the columns of step_columns(), their standard errors, and whose rows they are: vehicle,
-/// which is empty where nobody said, reference_area_m2 and inertia_kg_m2. One row a step.
-[[nodiscard]] std::string steps_csv(const StepsHeading& heading, const StepTable& table);
+/// Of step_fields, with the decimals for this table: alpha and beta of a small reference area are small numbers.
+[[nodiscard]] result::Column step_column(const StepTable& table, std::size_t figure);
 
 }  // namespace fantail::tunnel

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "logs/roll_log.hpp"
-#include "result/answer.hpp"
+#include "result/document.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/steady.hpp"
 #include "tunnel/tunnel_log.hpp"
@@ -81,12 +81,10 @@ struct SwirlSessions {
   RollSession with;
 };
 
-/// One sentence: what the swirl is worth.
-[[nodiscard]] std::string swirl_sentence(const Swirl& swirl);
-
-// What `fantail tunnel swirl` prints, its swirl.json, and its page.
-[[nodiscard]] std::string swirl_text(const SwirlSessions& sessions, const Swirl& swirl);
-[[nodiscard]] std::string swirl_json(const SwirlSessions& sessions, const Swirl& swirl, const result::Made& made = {});
-[[nodiscard]] std::string swirl_html(const SwirlSessions& sessions, const Swirl& swirl);
+/// What `fantail tunnel swirl` says: nothing was asked; undecided where the swirl is unknown.
+[[nodiscard]] result::Document swirl_answer(const SwirlSessions& sessions, const Swirl& swirl,
+                                            const result::Made& made);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_swirl_fields();
 
 }  // namespace fantail::tunnel

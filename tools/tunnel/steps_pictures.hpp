@@ -5,16 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "result/document.hpp"
 #include "tunnel/steps.hpp"
 
 namespace fantail::tunnel {
 
 /// A figure of one step that lies apart from those of the others.
 struct Outlier {
-  std::size_t step = 0;  ///< its number
-  const StepColumn* column = nullptr;
-  double value = 0.0;   ///< in SI and radians, as the figure
-  double median = 0.0;  ///< of all steps
+  std::size_t step = 0;    ///< its number
+  std::size_t figure = 0;  ///< of step_fields
+  double value = 0.0;      ///< in SI and radians, as the figure
+  double median = 0.0;     ///< of all steps
 };
 
 /// By steps. Apart is what is farther from the median than 3.5 times the spread, which is the median distance from it
@@ -25,6 +26,10 @@ struct Outlier {
 
 /// All steps over each other in one chart, each from its own begin and in the sense of its step; the odd ones are
 /// named.
-[[nodiscard]] std::string overlay_html(const StepTable& table);
+[[nodiscard]] std::vector<result::Block> overlay(const StepTable& table);
+/// Damping, torque and disturbance over the steps, with their means.
+[[nodiscard]] std::vector<result::Block> over_steps(const StepTable& table);
+/// Each step alone, measured and modelled.
+[[nodiscard]] std::vector<result::Block> responses(const StepTable& table);
 
 }  // namespace fantail::tunnel

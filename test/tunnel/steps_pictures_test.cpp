@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/steps_overlay.hpp"
+#include "tunnel/steps_pictures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +16,14 @@ TEST(Outliers, AreTheStepsThatLieApartFromTheMedianByFigureAndNumber) {
   rockets[4].alpha_m2 = 26.0;
   const StepTable table = identify_steps(made_run(rockets), tasha, at_22_m_s());
   std::vector<Outlier> of_alpha = outliers(table);
-  std::erase_if(of_alpha, [](const Outlier& one) { return one.column->figure != &StepFigures::alpha_m2; });
+  std::erase_if(of_alpha, [](const Outlier& one) { return step_fields[one.figure].key != "alpha"; });
   ASSERT_EQ(of_alpha.size(), 1U);
   EXPECT_EQ(of_alpha[0].step, 5U);
   EXPECT_NEAR(of_alpha[0].value, 26.0, 0.1);
   EXPECT_NEAR(of_alpha[0].median, 19.5, 0.1);
-  const std::string page = overlay_html(table);
-  EXPECT_NE(page.find(">step 5<"), std::string::npos);
-  EXPECT_NE(page.find("Step 5: "), std::string::npos);
+  const std::vector<result::Block> shown = overlay(table);
+  EXPECT_EQ(std::get<result::Picture>(shown[0]).chart.series.back().name, "step 5");
+  EXPECT_TRUE(std::get<result::Sentences>(shown[1]).all[0].starts_with("Step 5: alpha 26.0"));
 }
 
 TEST(Outliers, WhatIsNegligibleIsNoneHoweverWellTheOthersAgree) {
@@ -41,11 +41,11 @@ TEST(Overlay, SaysWhyUpAndDownStepsAreTwoBundles) {
   const std::vector<Planted> rockets(6, {20.0, 9.6, -4.0});
   StepTable table = identify_steps(made_run(rockets), tasha, at_22_m_s());
   const auto explains = [](const StepTable& some) {
-    return overlay_html(some).find("two bundles") != std::string::npos;
+    return std::get<result::Picture>(overlay(some)[0]).caption.find("two bundles") != std::string::npos;
   };
   EXPECT_TRUE(explains(table));
   const auto explains_the_first = [](const StepTable& some) {
-    return overlay_html(some).find("Step 1 begins where control began") != std::string::npos;
+    return std::get<result::Picture>(overlay(some)[0]).caption.find("Step 1 begins") != std::string::npos;
   };
   EXPECT_TRUE(explains_the_first(table));
   std::erase_if(table.steps, [](const StepResult& result) { return result.step.to_rad < result.step.from_rad; });
