@@ -7,17 +7,13 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "text/number.hpp"
+
 namespace fantail::tool {
 namespace {
 
 // Nobody types a longer one; what keeps coming without an end of line is not typed.
 constexpr std::size_t longest_line = 1000;
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  const std::size_t last = text.find_last_not_of(" \t\r");
-  return first == std::string_view::npos ? std::string{} : std::string{text.substr(first, last - first + 1)};
-}
 
 }  // namespace
 
@@ -27,7 +23,7 @@ std::optional<std::string> LineInput::next() {
   if (end == std::string::npos) {
     return std::nullopt;
   }
-  std::string line = trimmed(std::string_view{text_}.substr(0, end));
+  std::string line{text::trimmed(std::string_view{text_}.substr(0, end))};
   text_.erase(0, end + 1);
   return line;
 }

@@ -5,25 +5,18 @@
 
 #include "input/file_text.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::input {
-namespace {
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string_view::npos ? std::string{}
-                                         : std::string{text.substr(first, text.find_last_not_of(" \t") + 1 - first)};
-}
-
-}  // namespace
 
 Override parse_override(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::size_t dot = text.substr(0, equals).find('.');
   Override change;
   if (equals != std::string_view::npos && dot != std::string_view::npos) {
-    change = {trimmed(text.substr(0, dot)), trimmed(text.substr(dot + 1, equals - dot - 1)),
-              trimmed(text.substr(equals + 1))};
+    change = {std::string{text::trimmed(text.substr(0, dot))},
+              std::string{text::trimmed(text.substr(dot + 1, equals - dot - 1))},
+              std::string{text::trimmed(text.substr(equals + 1))}};
   }
   if (change.section.empty() || change.key.empty() || change.value.empty()) {
     throw text::Error{

@@ -10,6 +10,7 @@
 
 #include "manual/roff.hpp"
 #include "text/layout.hpp"
+#include "text/number.hpp"
 
 namespace fantail::manual {
 namespace {
@@ -21,10 +22,7 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
+using text::trimmed;
 
 /// Outside of code, "[words](address)" becomes "words", and stars are left out.
 std::string plain(std::string_view text) {
