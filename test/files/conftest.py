@@ -2,26 +2,14 @@
 """The programs, and tables to write and to compare."""
 import csv
 import io
-import os
 import pathlib
-import subprocess
 
 import numpy
 import pytest
 from fantail_files import files
+from fantail_program import program  # noqa: F401  a fixture
 
 HERE = pathlib.Path(__file__).parent
-
-
-class Program:
-    def run(self, *words, cwd=None, **environment):
-        return subprocess.run([os.environ["FANTAIL_PROGRAM"], *map(str, words)], cwd=cwd, capture_output=True, check=False,
-                              env=os.environ | environment, text=True)
-
-
-@pytest.fixture(scope="session")
-def program():
-    return Program()
 
 
 @pytest.fixture(scope="session")

@@ -1,27 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The programs, to compare the package with."""
 import csv
-import os
-import subprocess
 
 import pytest
-
-
-class Program:
-    def run(self, *words, cwd=None):
-        return subprocess.run([os.environ["FANTAIL_PROGRAM"], *map(str, words)], cwd=cwd, capture_output=True, text=True,
-                              check=False)
-
-    def refusal(self, *words):
-        """What it says on standard error, without its own name."""
-        said = self.run(*words)
-        assert said.returncode != 0
-        return said.stderr.removeprefix("fantail: ").removesuffix("\n")
-
-
-@pytest.fixture(scope="session")
-def program():
-    return Program()
+from fantail_program import program  # noqa: F401  a fixture
 
 
 @pytest.fixture(scope="session")
