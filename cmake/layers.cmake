@@ -80,6 +80,7 @@ set(FANTAIL_SINGLE_FILES
   "tools/files/convert.cpp|poll\\.h spawn\\.h sys/ unistd\\.h"
   "tools/text/folder_lock.cpp|fcntl\\.h unistd\\.h sys/"
   "tools/fantail/command_line.cpp|CLI/"
+  "tools/fantail/read_command_line.cpp|CLI/"
   "tools/text/deflate.cpp|zlib\\.h"
   "tools/text/sha256.cpp|sha256\\.h"
   "tools/runs/folder.cpp|fcntl\\.h sys/ unistd\\.h"

@@ -22,7 +22,7 @@ TEST(Tune, WritesAPlanThatIsCheckedAndFliesWhereItSays) {
   EXPECT_NE(outcome.out.find("The new plan is better"), std::string::npos) << outcome.out;
   EXPECT_NE(content(folder.path() / "out/tune/s+flights=4/tune.html").find("Proposed"), std::string::npos);
   const std::string plan = folder / "tasha3_launch2_tuned.toml";
-  EXPECT_TRUE(content(plan).starts_with("# Made by fantail tune own/s.toml --flights=4 (Fantail "));
+  EXPECT_TRUE(content(plan).starts_with("# Made by fantail tune own/s.toml --flights 4 (Fantail "));
   const Outcome check = fantail({"plan", "check", plan, "--scenario", "tasha3_launch2"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_EQ(check.out.find("warning"), std::string::npos) << check.out;

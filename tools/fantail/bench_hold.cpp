@@ -89,9 +89,7 @@ void add_bench_hold(const Verb& bench) {
   verb.option("CANARD", options->canard, "Which one, 1 to 4").range(1, 4).required();
   verb.option("DEG", options->angle_deg, "Shaft angle; the avionics keeps its limit").range(-20.47, 20.47).required();
   add_bench_options(verb, options->bench, "One object a second, one a line");
-  verb.option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      .range(0.0, 1e9)
-      .value_name("SECONDS");
+  add_end_option(verb, options->seconds);
   verb.examples(
       "Examples:\n"
       "  fantail bench hold 2 5 --can can0               canard 2 at 5 deg, to measure it with a gauge; Ctrl-C ends\n"

@@ -71,9 +71,7 @@ void add_bench_watch(const Verb& bench) {
   auto verb = bench.verb("watch", "Canards, phase, bus load and errors, live; one line a second in a pipe");
   auto options = std::make_shared<WatchOptions>();
   add_bench_options(verb, options->bench, "One object a second, one a line");
-  verb.option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      .range(0.0, 1e9)
-      .value_name("SECONDS");
+  add_end_option(verb, options->seconds);
   verb.examples(
       "Examples:\n"
       "  fantail bench watch --can can0                   a live table; Ctrl-C ends\n"

@@ -81,29 +81,7 @@ detection::Campaign asked_for(const DetectionOptions& options) {
   return campaign;
 }
 
-/// Another folder for each campaign that cannot go on in one of the others, and for a page of some kinds alone.
-files::path folder_of(const DetectionOptions& options) {
-  std::vector<std::string> changes;
-  const auto add = [&changes](std::string_view name, const std::string& value) {
-    changes.push_back(fmt::format("{}={}", name, value));
-  };
-  for (const std::string& plan : options.plans) {
-    add("plan", plan);
-  }
-  for (const std::string& kind : options.event.empty() ? options.kinds : std::vector<std::string>{}) {
-    add("kind", kind);
-  }
-  if (options.both_well) {
-    changes.emplace_back("both_well");
-  }
-  if (!options.seed.empty()) {
-    add("seed", options.seed);
-  }
-  return options.out.empty() ? files::path{"out"} / "campaign" / variant_name("detection", changes)
-                             : files::path{options.out};
-}
-
-void show_one(const DetectionOptions& options) {
+void show_one(const DetectionOptions& options, const files::path& folder) {
   if (options.kinds.size() != 1) {
     throw UsageError{"--event needs one --kind"};
   }
@@ -117,8 +95,8 @@ void show_one(const DetectionOptions& options) {
   const detection::ShownEvent shown = detection::show_event(campaign, kind, event);
   const std::array<text::NamedFile, 1> page{{{fmt::format("{}_{}.html", detection::info(kind).name, event),
                                               detection::event_html(campaign, kind, event, shown)}}};
-  text::OutputFolder{folder_of(options)}.write(page);
-  show("{}  page  {}\n", shown.text, (folder_of(options) / page[0].name).string());
+  text::OutputFolder{folder}.write(page);
+  show("{}  page  {}\n", shown.text, (folder / page[0].name).string());
 }
 
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {
@@ -130,12 +108,15 @@ detection::Results play(const detection::Campaign& campaign, const files::path& 
   });
 }
 
-void detect(const DetectionOptions& options) {
+void detect(const DetectionOptions& options, Asked asked) {
+  if (!options.event.empty()) {  // its name says the kind
+    std::erase_if(asked.changes, [](const std::string& change) { return change.starts_with("kind="); });
+  }
+  const files::path folder = results_folder(options.out, "campaign", "detection", asked.changes);
   if (!options.event.empty()) {
-    show_one(options);
+    show_one(options, folder);
     return;
   }
-  const files::path folder = folder_of(options);
   detection::Report report{.campaign = asked_for(options), .results = {}, .version = FANTAIL_VERSION, .at_most = {}};
   report.campaign.drop_empty_kinds();
   if (report.campaign.kinds.empty()) {
@@ -159,7 +140,7 @@ void detect(const DetectionOptions& options) {
           "--false-at-most is asked of events that are no launch, by a plan that is judged, and none is to be played"};
     }
   }
-  report.made = made_with({}, report.campaign.seed);
+  report.made = made_with({}, report.campaign.seed, asked.changes);
   report.results = play(report.campaign, folder, options.threads);
   if (report.results.damaged > 0) {
     say(fmt::format("fantail: {} stored parts in {} were damaged, and have been played again\n", report.results.damaged,
@@ -189,17 +170,20 @@ void fill_detection(const Verb& verb) {
           "second launch's rule as printed; of these, judged are those that ask two accelerometers]. One that is named "
           "is judged, but for published_launch2")
       .offers(shipped(input::Shipped::plan))
-      .one_word_each_time();
+      .one_word_each_time()
+      .changes_result();
   verb.option("--kind", options->kinds, "Only this kind of event; may be given again [all]")
       .one_word_each_time()
-      .check(objection_to_kind);
+      .check(objection_to_kind)
+      .changes_result();
   auto events = verb.option("--events", options->events, "How many of each kind that is no launch");
   events.range(0.0, 1e9).show_default();
   auto launches = verb.option("--launches", options->launches, "How many of each kind that is a launch");
   launches.range(0.0, 1e9).show_default();
   verb.flag("--both-well", options->both_well,
-            "Only events in which both accelerometers are well; else in every second one of two is bad");
-  verb.option("--seed", options->seed, "Of all that is drawn [1]").check(objection_to_whole_number);
+            "Only events in which both accelerometers are well; else in every second one of two is bad")
+      .changes_result();
+  verb.option("--seed", options->seed, "Of all that is drawn [1]").check(objection_to_whole_number).changes_result();
   auto event = verb.option("--event", options->event, "Show this one event of --kind again, instead of a campaign");
   event.check(objection_to_whole_number).value_name("NUMBER");
   event.excludes(events).excludes(launches);
@@ -216,7 +200,7 @@ void fill_detection(const Verb& verb) {
       .range(0.0, 100.0)
       .value_name("PERCENT")
       .excludes(event);
-  verb.option("--threads", options->threads, "How many at once [as many as the machine can]").range(1, 256);
+  add_threads_option(verb, options->threads);
   verb.option("--out", options->out,
               "Folder for detection.html, summary.json and the parts [out/campaign/detection, with what was changed in "
               "the name]")
@@ -234,7 +218,7 @@ void fill_detection(const Verb& verb) {
       "  fantail campaign detection --plan tasha3_launch2 --events 100000\n"
       "  fantail campaign detection --kind launch --launches 100000 --at-most 0.1\n"
       "  fantail campaign detection --kind shaking --event 1234        what happened in it, with a picture");
-  verb.action([options] { detect(*options); });
+  verb.action([options, verb] { detect(*options, verb.asked()); });
 }
 
 }  // namespace fantail::tool

@@ -57,36 +57,9 @@ faults::Campaign asked_for(const FaultsOptions& options) {
                             .fault = options.fault,
                             .phase = options.phase,
                             .step_ms = options.step_ms,
-                            .every = options.whole ? 1 : options.every,
+                            .every = options.every,
                             .seeds = options.seeds};
   return campaign;
-}
-
-/// What makes the flights others than those of the scenario as it stands.
-std::vector<std::string> changes_of(const FaultsOptions& options) {
-  const FaultsOptions usual;
-  std::vector<std::string> all = changes_of(options.scenario);
-  const auto add = [&all](const char* name, const std::string& value) {
-    if (!value.empty()) {
-      all.push_back(fmt::format("{}={}", name, value));
-    }
-  };
-  const auto number = [](auto value, auto usually) {
-    return value == usually ? std::string{} : fmt::format("{}", value);
-  };
-  add("device", options.device);
-  add("fault", options.fault);
-  add("phase", options.phase);
-  add("step_ms", number(options.step_ms, usual.step_ms));
-  add("every", number(options.whole ? 1 : options.every, usual.every));
-  add("seeds", number(options.seeds, usual.seeds));
-  return all;
-}
-
-fs::path folder_of(const FaultsOptions& options) {
-  const std::string name = input::name_of_file(options.scenario.scenario);
-  return options.out.empty() ? fs::path{"out"} / "faults" / variant_name(name, changes_of(options))
-                             : fs::path{options.out};
 }
 
 /// The flights without a fault, of every seed.
@@ -99,17 +72,16 @@ faults::Prepared prepare_shown(const faults::Campaign& campaign, unsigned thread
   });
 }
 
-void fly_one(const FaultsOptions& options) {
+void fly_one(const FaultsOptions& options, const std::vector<std::string>& changes, const fs::path& of_campaign) {
   const faults::Campaign campaign = asked_for(options);
   const faults::Prepared prepared = prepare_shown(faults::only(campaign, options.cell), options.threads);
   const faults::Alone alone = faults::fly_alone(prepared, options.cell, options.run);
-  const fs::path folder = folder_of(options) / faults::run_folder(options.cell, options.run);
+  const fs::path folder = of_campaign / faults::run_folder(options.cell, options.run);
   faults::write_run(campaign, options.cell, options.run, alone, folder);
   const std::string report = (folder / "report.html").string();
   if (options.json) {
-    fmt::print("{}",
-               faults::run_json(campaign, alone, report, FANTAIL_VERSION,
-                                made_with(files_of(options.scenario), alone.run.seed, changes_of(options.scenario))));
+    fmt::print("{}", faults::run_json(campaign, alone, report, FANTAIL_VERSION,
+                                      made_with(files_of(options.scenario), alone.run.seed, changes)));
   } else {
     show_text(faults::run_text(alone, report));
   }
@@ -124,13 +96,12 @@ void list_names() {
   }
 }
 
-void fly_all(const FaultsOptions& options) {
+void fly_all(const FaultsOptions& options, const std::vector<std::string>& changes, const fs::path& folder) {
   const faults::Campaign campaign = asked_for(options);
-  const fs::path folder = folder_of(options);
   const faults::Prepared prepared = prepare_shown(campaign, options.threads);
-  const result::Made made = made_with(files_of(options.scenario), {}, changes_of(options.scenario));
+  const result::Made made = made_with(files_of(options.scenario), {}, changes);
   const faults::Extent& extent = prepared.extent;
-  say(fmt::format("fantail: {} flights in {} cells\n", extent.flights, extent.cells));
+  say(fmt::format("{} flights in {} cells\n", extent.flights, extent.cells));
   faults::Result result;
   {
     Progress progress{"flying " + input::name_of_file(campaign.scenario),
@@ -167,22 +138,28 @@ void fill_faults(const Verb& verb) {
   auto options = std::make_shared<FaultsOptions>();
   add_scenario_options(verb, options->scenario);
   auto device = verb.option("--device", options->device, "Only the faults of this device, as --list has them [all]");
-  device.value_name("NAME");
+  device.value_name("NAME").changes_result();
   auto fault = verb.option("--fault", options->fault, "Only this fault, likewise [all]");
-  fault.value_name("NAME");
+  fault.value_name("NAME").changes_result();
   auto phase = verb.option("--phase", options->phase, "Only faults that begin in this phase [all]");
-  phase.one_of({"pad", "armed", "launched", "controlling", "after_control"});
-  verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets").range(1, 10000).show_default();
+  phase.one_of({"pad", "armed", "launched", "controlling", "after_control"}).changes_result();
+  verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets")
+      .range(1, 10000)
+      .show_default()
+      .changes_result();
   auto every =
       verb.option("--every", options->every,
                   "Of these onsets each so-manieth, but at least three in each phase, or all where it has fewer");
-  every.range(1, 100000).show_default();
+  every.range(1, 100000).show_default().changes_result();
   verb.flag("--whole", options->whole, "Every onset: --every 1").excludes(every);
-  verb.option("--seeds", options->seeds, "Fly each onset with so many seeds").range(1, 10000).show_default();
+  verb.option("--seeds", options->seeds, "Fly each onset with so many seeds")
+      .range(1, 10000)
+      .show_default()
+      .changes_result();
   auto cell = verb.option("--cell", options->cell, "Fly one run again: of this cell, DEVICE/FAULT/PHASE");
   cell.value_name("CELL").excludes(device).excludes(fault).excludes(phase);
   verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
-  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 256);
+  add_threads_option(verb, options->threads);
   verb.option(
           "--out", options->out,
           "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "
@@ -200,14 +177,16 @@ void fill_faults(const Verb& verb) {
       "                                                      every 10 ms of control, whatever the IMU does\n"
       "  fantail campaign faults tasha3_launch2 --cell imu/dead/controlling --run 7\n"
       "                                                      one of its runs again, with a flight report");
-  verb.action([options] {
+  verb.action([options, verb] {
     if (options->list) {
       list_names();
-    } else if (options->cell.empty()) {
-      fly_all(*options);
-    } else {
-      fly_one(*options);
+      return;
     }
+    options->every = options->whole ? 1 : options->every;
+    const std::vector<std::string> changes = changes_of(options->scenario, verb.asked());
+    const fs::path folder =
+        results_folder(options->out, "faults", input::name_of_file(options->scenario.scenario), changes);
+    options->cell.empty() ? fly_all(*options, changes, folder) : fly_one(*options, changes, folder);
   });
 }
 

@@ -40,26 +40,25 @@ ScenarioOptions in_six_dof(ScenarioOptions options) {
   return options;
 }
 
-void fly(const HardoverOptions& options) {
+void fly(const HardoverOptions& options, const Asked& all) {
   const sim::Scenario scenario = load(in_six_dof(options.scenario));  // first: what is no scenario has no name
-  std::vector<std::string> changes = changes_of(options.scenario);
+  const std::vector<std::string> changes = changes_of(options.scenario, all);
   hardover::Options asked = options.study;
   if (options.failure == "cut_pulses") {
     asked.failure = hardover::Failure::cut_pulses;
-    changes.push_back("failure=" + options.failure);
   }
-  const std::string name = variant_name(input::name_of_file(options.scenario.scenario), changes);
-  const fs::path folder = options.out.empty() ? fs::path{"out"} / "hardover" / name : fs::path{options.out};
+  const std::string name = input::name_of_file(options.scenario.scenario);
+  const fs::path folder = results_folder(options.out, "hardover", name, changes);
   const std::vector<fs::path> inputs = files_of(options.scenario);
-  const result::Made made = made_with(inputs, scenario.seed, changes_of(options.scenario));
-  const runs::Place place = place_of_flights("hardover", made.command, folder, inputs);
+  const result::Made made = made_with(inputs, scenario.seed, changes);
+  const runs::Place place = place_of_flights("hardover", all.command, folder, inputs);
   const runs::Folder kept{place};
   asked.kept = &kept;
   std::optional<Progress> progress;
   hardover::Study study = hardover::fly(scenario, asked, [&](std::size_t done, std::size_t of) {
     leave_if_interrupted(folder, place.parts);
     if (!progress) {
-      progress.emplace("flying " + name,
+      progress.emplace("flying " + variant_name(name, changes),
                        Progress::Measure{.unit = "flights", .rate = " a second", .total = static_cast<double>(of)});
     }
     progress->show(static_cast<double>(done));
@@ -80,16 +79,19 @@ void fill_hardover(const Verb& verb) {
   verb.option("--failure", options->failure,
               "How the canard fails: runs to a stop for good (both are flown), or hears cut pulses for 20 ms")
       .one_of({"hard_over", "cut_pulses"})
-      .show_default();
+      .show_default()
+      .changes_result();
   verb.option("--step", options->study.step_s, "Seconds between the instants at which a canard fails")
       .range(0.01, 10.0)
-      .show_default();
+      .value_name("S")
+      .show_default()
+      .belongs_to_command();
   verb.option("--coupler", options->study.coupler_m,
               "Where the bending moment is wanted, from the tip of the nose in metres; within the rocket")
       .range(0.0, 30.0)
-      .value_name("M");
-  verb.option("--threads", options->study.threads, "How many to fly at once [as many as the machine can]")
-      .range(1, 1024);
+      .value_name("M")
+      .belongs_to_command();
+  add_threads_option(verb, options->study.threads);
   verb.option("--out", options->out, "Folder for hardover.html and hardover.json [out/hardover/SCENARIO]")
       .offers(folders);
   verb.flag("--json", options->json, "Print hardover.json instead of the text");
@@ -102,7 +104,7 @@ void fill_hardover(const Verb& verb) {
       "  fantail campaign hardover tasha3_launch2 --set wind.speed_m_s=6 --step 0.1\n"
       "                                       the same in wind, with more instants\n"
       "  fantail campaign hardover my_rocket.toml --json");
-  verb.action([options] { fly(*options); });
+  verb.action([options, verb] { fly(*options, verb.asked()); });
 }
 
 }  // namespace fantail::tool

@@ -2,9 +2,7 @@
 #include "fantail/command_line.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,177 +11,43 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "fantail/examples.hpp"
-#include "fantail/terminal.hpp"
-#include "fantail/verb_table.hpp"
+#include "fantail/declared.hpp"
 #include "input/messages.hpp"
 #include "text/number.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {
 
-/// What CLI11 has no place for.
-struct Declared {
-  std::string allowed{};
-  std::vector<std::string> words{};
-  manual::Offering offering{};
-};
+using Texts = std::vector<std::string>;
 
-Declared& declared(const CLI::Option* option) {
+std::map<const CLI::Option*, Declared>& all_declared() {
   static std::map<const CLI::Option*, Declared> all;
-  return all[option];
+  return all;
 }
 
-const CLI::App& innermost(const CLI::App& app) {
-  const auto parsed = app.get_subcommands();
-  return parsed.empty() ? app : innermost(*parsed.front());
+template <typename T>
+Texts texts_of(const T& value) {
+  return {fmt::format("{}", value)};
 }
-
-std::string meant_or_allowed(const std::string& word, const std::vector<std::string>& names) {
-  const auto meant = input::suggestion(word, names);
-  return meant ? "did you mean " + *meant + "?" : fmt::format("allowed: {}", fmt::join(names, ", "));
+template <typename T>
+Texts texts_of(const std::optional<T>& value) {
+  return value ? texts_of(*value) : Texts{};
 }
+Texts texts_of(const Texts& values) { return values; }
+Texts texts_of(bool is_given) { return is_given ? Texts{""} : Texts{}; }
 
-std::string complaint_about_surplus(const CLI::App& verb, const std::vector<std::string>& surplus) {
-  // No word behind a bare -- is an option.
-  const auto dashes = std::ranges::find(surplus, "--");
-  const auto option = std::ranges::find(surplus.begin(), dashes, '-', [](const auto& word) { return word[0]; });
-  if (option == dashes) {
-    return '"' + surplus[dashes == surplus.begin() ? 1 : 0] + "\" is one word too many for " + verb.get_name();
-  }
-  const std::string word = option->substr(0, option->find('='));
-  const auto removed = std::ranges::find(removed_options, verb.get_name() + " " + word, &RemovedOption::option);
-  if (removed != removed_options.end()) {
-    return fmt::format("{} {}", word, removed->said);
-  }
-  std::vector<std::string> names;
-  for (const CLI::Option* known : verb.get_options()) {
-    for (const std::string& name : known->get_lnames()) {
-      names.push_back("--" + name);
-    }
-  }
-  return fmt::format("unknown option {}; {}", word, meant_or_allowed(word, names));
-}
-
-// One line on what is wrong with the words, naming the one that is.
-std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
-  std::vector<std::string> verbs;
-  std::ranges::transform(innermost(program).get_subcommands(nullptr), std::back_inserter(verbs), &CLI::App::get_name);
-  const std::vector<std::string> surplus = program.remaining(true);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !surplus.empty()) {
-    return complaint_about_surplus(innermost(program), surplus);
-  }
-  // CLI11 says only that something is required, whatever stands in its place.
-  if (verbs.empty() || dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) {
-    return error.what();
-  }
-  if (surplus.empty()) {
-    return fmt::format("a verb is missing; allowed: {}", fmt::join(verbs, ", "));
-  }
-  const std::string& word = surplus.front();
-  if (std::ranges::find(verbs, word) != verbs.end()) {
-    return '"' + word + "\" is no verb behind a bare --";
-  }
-  if (word.starts_with('-')) {
-    return fmt::format("unknown option {}; a verb comes first: {}", word, fmt::join(verbs, ", "));
-  }
-  return fmt::format("unknown verb \"{}\"; {}", word, meant_or_allowed(word, verbs));
-}
-
-// What every verb has.
-void add_color(CLI::App& app) {
-  for (CLI::App* verb : app.get_subcommands(nullptr)) {
-    Option{verb->add_option_function<std::string>("--color", set_color,
-                                                  "Colours, or none; auto: on a terminal, without NO_COLOR")}
-        .value_name("auto|always|never")
-        .one_of({"auto", "always", "never"});
-    add_color(*verb);
-  }
-}
-
-std::unique_ptr<CLI::App> program_with(const std::string& name, const std::string& meaning,
-                                       void (*fill)(const Verb& verb)) {
-  auto program = std::make_unique<CLI::App>("", "fantail");
-  program->require_subcommand(1);
-  fill(Verb{program->add_subcommand(name, meaning)});
-  add_color(*program);
-  return program;
-}
-
-manual::Option described(const CLI::Option& option) {
-  const Declared& more = declared(&option);
-  manual::Option result{.allowed = more.allowed,
-                        .usual = option.get_default_str(),
-                        .meaning = option.get_description(),
-                        .words = more.words,
-                        .required = option.get_required(),
-                        .repeated = option.get_expected_max() == CLI::detail::expected_max_vector_size,
-                        .offering = more.offering};
-  for (const std::string& name : option.get_snames()) {
-    result.names.push_back("-" + name);
-  }
-  for (const std::string& name : option.get_lnames()) {
-    result.names.push_back("--" + name);
-  }
-  if (option.get_positional()) {
-    result.names = {option.get_name(true)};
-  }
-  if (option.get_type_size() != 0) {
-    result.value = option.get_type_name();
-    if (!more.allowed.empty()) {  // CLI11 has put it there
-      result.value.resize(result.value.size() - more.allowed.size() - 1);
-    }
-  }
-  for (const CLI::Option* other : option.get_needs()) {
-    result.needs.push_back(other->get_name());
-  }
-  for (const CLI::Option* other : option.get_excludes()) {
-    result.excludes.push_back(other->get_name());
-  }
-  std::ranges::sort(result.excludes);  // CLI11 has them in the order of their addresses
-  return result;
-}
-
-manual::Command described(const CLI::App& verb, const std::string& before) {
-  manual::Command command{.name = before + " " + verb.get_name(),
-                          .meaning = verb.get_description(),
-                          .needs_command = verb.get_require_subcommand_min() > 0,
-                          .notes = verb.get_footer()};
-  for (const CLI::Option* option : verb.get_options([](const auto* o) { return !o->get_group().empty(); })) {
-    (option->get_positional() ? command.arguments : command.options).push_back(described(*option));
-  }
-  for (const CLI::App* inner : verb.get_subcommands(nullptr)) {
-    command.commands.push_back(described(*inner, command.name));
-  }
-  return command;
+template <typename T>
+void remember(const CLI::Option* option, T& value) {
+  declared(option).values = [&value] { return texts_of(value); };
+  declared(option).usual = texts_of(value);
 }
 
 }  // namespace
 
-manual::Command command_of(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb)) {
-  const std::unique_ptr<CLI::App> program = program_with(name, meaning, fill);
-  return described(*program->get_subcommand(name), program->get_name());
-}
+Declared& declared(const CLI::Option* option) { return all_declared()[option]; }
 
-void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
-                       std::vector<std::string> words) {
-  const std::unique_ptr<CLI::App> program = program_with(name, meaning, fill);
-  std::ranges::reverse(words);  // CLI11 takes them from behind
-  words.push_back(name);
-  try {
-    program->parse(std::move(words));
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) {
-      throw UsageError{complaint(*program, error)};
-    }
-    // Asked for. CLI11 puts the examples at its end.
-    const std::string help = program->help();
-    const std::string examples = innermost(*program).get_footer();
-    const std::size_t end = examples.empty() ? help.size() : std::min(help.rfind(examples), help.size());
-    show_text(help.substr(0, end));
-    fmt::print("{}", end == help.size() ? "" : examples_text(examples, output_columns()));
-  }
-}
+void forget_declared() { all_declared().clear(); }
 
 Option& Option::required(bool is) {
   option_->required(is);
@@ -251,6 +115,16 @@ Option& Option::excludes(const Option& other) {
   return *this;
 }
 
+Option& Option::changes_result() {
+  declared(option_).changes_result = true;
+  return belongs_to_command();
+}
+
+Option& Option::belongs_to_command() {
+  declared(option_).belongs_to_command = true;
+  return *this;
+}
+
 Verb Verb::verb(const std::string& name, const std::string& meaning) const {
   return Verb{app_->add_subcommand(name, meaning)};
 }
@@ -260,8 +134,9 @@ void Verb::needs_verb() const { app_->require_subcommand(1); }
 // Whoever leaves a word out asks for what is usual; whoever gives an empty one has made a mistake.
 template <typename T>
 Option Verb::option(const std::string& names, T& value, const std::string& meaning) const {
-  return Option{app_->add_option(names, value, meaning)}.check(
-      [](const std::string& text) { return std::string{text.empty() ? "it is empty" : ""}; });
+  CLI::Option* const option = app_->add_option(names, value, meaning);
+  remember(option, value);
+  return Option{option}.check([](const std::string& text) { return std::string{text.empty() ? "it is empty" : ""}; });
 }
 
 template Option Verb::option(const std::string&, std::string&, const std::string&) const;
@@ -276,7 +151,9 @@ template Option Verb::option(const std::string&, std::optional<std::size_t>&, co
 template Option Verb::option(const std::string&, std::vector<std::string>&, const std::string&) const;
 
 Option Verb::flag(const std::string& name, bool& value, const std::string& meaning) const {
-  return Option{app_->add_flag(name, value, meaning)};
+  CLI::Option* const option = app_->add_flag(name, value, meaning);
+  remember(option, value);
+  return Option{option};
 }
 
 void Verb::examples(const std::string& text) const { app_->footer(text); }
@@ -289,6 +166,29 @@ void Verb::action(const std::function<void()>& action) const {
   });
 }
 
+Asked Verb::asked() const {
+  Asked asked;
+  for (const CLI::App* app = app_; app != nullptr; app = app->get_parent()) {
+    asked.command.insert(0, app->get_name() + (app == app_ ? "" : " "));
+  }
+  for (const CLI::Option* option : app_->get_options()) {
+    const Declared& more = declared(option);
+    const bool is_argument = option->get_positional();
+    const Texts values = more.belongs_to_command ? more.values() : Texts{};
+    if (values == more.usual && !is_argument) {
+      continue;
+    }
+    for (const std::string& value : values) {
+      asked.command += is_argument ? "" : " " + option->get_name();
+      asked.command += value.empty() ? "" : " " + text::shell_word(value);
+      if (more.changes_result) {
+        asked.changes.push_back(option->get_lnames().front() + (value.empty() ? "" : "=" + value));
+      }
+    }
+  }
+  return asked;
+}
+
 Objection within(double low, double high) {
   return [low, high](const std::string& text) {
     const auto value = text::number(text);
@@ -296,6 +196,16 @@ Objection within(double low, double high) {
                ? std::string{}
                : fmt::format("\"{}\": allowed: {} to {}", text, input::plain_number(low), input::plain_number(high));
   };
+}
+
+void add_threads_option(const Verb& verb, unsigned& threads) {
+  verb.option("--threads", threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+}
+
+void add_end_option(const Verb& verb, std::optional<double>& seconds) {
+  verb.option("--for", seconds, "End after so many seconds; without it, by Ctrl-C")
+      .range(0.0, 1e9)
+      .value_name("SECONDS");
 }
 
 std::string objection_to_time(const std::string& text) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,20 @@ class Option {
   Option& needs(const Option& other);
   Option& excludes(const Option& other);
 
+  /// Another value than the usual one makes another result: it is told by asked().
+  Option& changes_result();
+  /// It makes no other result, and belongs to the command that makes the same again.
+  Option& belongs_to_command();
+
  private:
   CLI::Option* option_;
+};
+
+/// What a command line asks for, but for what makes no other result: where it goes, how it is told, how many processors
+/// make it.
+struct Asked {
+  std::string command{};               ///< that makes it again: "fantail predict tasha3_launch2 --swirl -2"
+  std::vector<std::string> changes{};  ///< beside --set and --seed: "swirl=-2"
 };
 
 /// A verb of the program, or one of its own verbs. A handle, too.
@@ -71,6 +84,8 @@ class Verb {
   void examples(const std::string& text) const;
   /// What is done when the whole command line has been read, and none of its own verbs was called.
   void action(const std::function<void()>& action) const;
+  /// As the variables of the options are now: for an action.
+  [[nodiscard]] Asked asked() const;
 
  private:
   CLI::App* app_;
@@ -85,7 +100,12 @@ class Verb {
 void read_command_line(const std::string& name, const std::string& meaning, void (*fill)(const Verb& verb),
                        std::vector<std::string> words);
 
-// What options of several verbs object to.
+// What several verbs have.
+
+/// --threads.
+void add_threads_option(const Verb& verb, unsigned& threads);
+/// --for.
+void add_end_option(const Verb& verb, std::optional<double>& seconds);
 
 /// Both ends included. The library's own range would take "nan".
 [[nodiscard]] Objection within(double low, double high);

@@ -39,9 +39,10 @@ void add_reading(const Verb& verb, IdentifyOptions& o) {
 }
 
 void add_windows(const Verb& verb, IdentifyOptions& o) {
-  auto from =
-      verb.option("--from", o.from_s, "Start of the window on the log's clock, in seconds").check(within(-1e6, 1e6));
-  auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6));
+  auto from = verb.option("--from", o.from_s, "Start of the window on the log's clock, in seconds")
+                  .check(within(-1e6, 1e6))
+                  .value_name("S");
+  auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6)).value_name("S");
   verb.option("--window", o.windows,
               "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
               "without phases]")
@@ -52,6 +53,7 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
       .excludes(to);
   auto lag = verb.option("--lag", o.lag_s, "Seconds by which the canard column lags the gyro's")
                  .check(within(-1.0, 1.0))
+                 .value_name("S")
                  .show_default();
   verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way, with its interval").excludes(lag);
   verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
@@ -64,7 +66,9 @@ void add_rocket(const Verb& verb, IdentifyOptions& o) {
   verb.option("--elevation", o.elevation_m, "Of the site above the sea, for the standard atmosphere")
       .check(within(-500, 9000))
       .value_name("M");
-  verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's").check(within(0.1, 1e4));
+  verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's")
+      .check(within(0.1, 1e4))
+      .value_name("M/S");
 }
 
 void add_method(const Verb& verb, IdentifyOptions& o) {
@@ -93,11 +97,14 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
           "DATA is or holds one]")
       .offers(shipped(input::Shipped::plan));
   verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
-  verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s").check(within(0, 100));
-  verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90));
+  verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s")
+      .check(within(0, 100))
+      .value_name("S");
+  verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90)).value_name("DEG");
   verb.option("--servo-lag", o.servo_lag_s,
               "Closed loop: expected lag of the servos in s; lag and play are fitted, from there on [0.02]")
-      .check(within(0, 0.5));
+      .check(within(0, 0.5))
+      .value_name("S");
 }
 
 core::FlightPlan plan_of(const IdentifyOptions& o, const std::string& data) {

@@ -12,6 +12,7 @@ namespace fantail::tool {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+void (*also_give_up)() = [] {};
 
 }  // namespace
 
@@ -26,13 +27,17 @@ void catch_interrupts() {
   text::check_while_reading(give_up_if_interrupted, [](const std::string& sentence) { say(sentence + "\n"); });
 }
 
+void ask_for_interrupts(void (*give_up)()) { also_give_up = give_up; }
+
 bool take_interrupt() {
+  also_give_up();
   const bool was_interrupted = interrupted != 0;
   interrupted = 0;
   return was_interrupted;
 }
 
 void give_up_if_interrupted() {
+  also_give_up();
   if (interrupted != 0) {
     throw Interrupted{};
   }

@@ -18,6 +18,9 @@ class Interrupted : public text::Error {
 /// From here on the signals only set a mark.
 void catch_interrupts();
 
+/// For a program that takes the signals itself: called wherever the mark is looked at, it throws when there was one.
+void ask_for_interrupts(void (*give_up)());
+
 /// Throws Interrupted when the mark is set.
 void give_up_if_interrupted();
 

@@ -2,12 +2,10 @@
 #include "fantail/run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
@@ -20,7 +18,6 @@
 #include "manual/command_page.hpp"
 #include "manual/completion.hpp"
 #include "manual/roff.hpp"
-#include "page/page.hpp"
 #include "text/error.hpp"
 #include "text/quoting.hpp"
 
@@ -89,32 +86,15 @@ ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const
   return output_was_taken() ? ExitCode::done : complain_about_output();
 }
 
-/// What was typed, without what changes nothing in a result: where results and telemetry go, how they are told, how
-/// many processors make them.
-std::string command_of(const char* name, const std::vector<std::string>& words) {
-  constexpr std::array<std::string_view, 4> with_value{"--out", "--color", "--threads", "--lcm"};
-  std::string command = fmt::format("fantail {}", name);
-  for (auto word = words.begin(); word != words.end(); ++word) {
-    const std::string option = word->substr(0, word->find('='));
-    if (std::ranges::find(with_value, option) != with_value.end()) {
-      word += option == *word && word + 1 != words.end() ? 1 : 0;
-    } else if (*word != "--json" && *word != "--realtime") {
-      command.append(1, ' ').append(text::shell_word(*word));
-    }
-  }
-  return command;
-}
-
 }  // namespace
 
-int run(const char* name, void (*fill)(const Verb& verb), int argc, char** argv) {
+int run(const VerbCode& verb, int argc, char** argv) {
   guard_standard_streams();
   catch_interrupts();
   try {
-    const VerbEntry& entry = *std::ranges::find(verb_table, name, &VerbEntry::name);
+    const VerbEntry& entry = *std::ranges::find(verb_table, verb.name, &VerbEntry::name);
     const std::vector<std::string> words{argv + 1, argv + argc};
-    page::set_made_by(command_of(name, words), FANTAIL_VERSION);
-    return static_cast<int>(run_words(entry, fill, words));
+    return static_cast<int>(run_words(entry, verb.fill, words));
   } catch (...) {  // not even a message can be made: memory has run out
     return static_cast<int>(ExitCode::internal_error);
   }

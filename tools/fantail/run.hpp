@@ -29,8 +29,23 @@ class RequirementNotMet : public text::Error {
   explicit RequirementNotMet(const std::string& message) : Error{text::ErrorKind::requirement_not_met, message} {}
 };
 
-/// The whole of a program `fantail-NAME`, which the program `fantail` starts: reads the command line, does what `fill`
-/// has described, says what went wrong, and returns the exit code. The name is one of verb_table.hpp.
-[[nodiscard]] int run(const char* name, void (*fill)(const Verb& verb), int argc, char** argv);
+/// A verb of the program or library that this is linked into. Its name is one of verb_table.hpp.
+struct VerbCode {
+  using Describe = void (*)(const Verb& verb);
+  VerbCode(const char* its_name, Describe described) noexcept : name{its_name}, fill{described}, next{first} {
+    first = this;
+  }
+  VerbCode(const VerbCode&) = delete;
+  VerbCode& operator=(const VerbCode&) = delete;
+
+  const char* name;
+  Describe fill;
+  const VerbCode* next;  ///< that is linked, or null
+  static inline const VerbCode* first = nullptr;
+};
+
+/// The whole of a program `fantail-NAME`, which the program `fantail` starts: reads the command line, does what the
+/// verb has described, says what went wrong, and returns the exit code.
+[[nodiscard]] int run(const VerbCode& verb, int argc, char** argv);
 
 }  // namespace fantail::tool

@@ -47,7 +47,8 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
       verb.option("SCENARIO", options.scenario,
                   "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
                   "to a scenario file")
-          .offers(shipped(input::Shipped::scenario));
+          .offers(shipped(input::Shipped::scenario))
+          .belongs_to_command();
   if (options.scenario.empty()) {
     scenario.required();
   } else {
@@ -55,17 +56,20 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
   }
   verb.option("--seed", options.seed, "Seed of all random streams, instead of the scenario's")
       .check(objection_to_seed)
-      .value_name("NUMBER");
+      .value_name("NUMBER")
+      .belongs_to_command();
   verb.option("--set", options.changes, "section.key=value: change one value of plan, vehicle or scenario")
       .offers(changes)
-      .one_word_each_time();
+      .one_word_each_time()
+      .belongs_to_command();
 }
 
-std::vector<std::string> changes_of(const ScenarioOptions& options) {
+std::vector<std::string> changes_of(const ScenarioOptions& options, const Asked& asked) {
   std::vector<std::string> changes = options.changes;
   if (!options.seed.empty()) {
     changes.push_back("seed=" + options.seed);
   }
+  changes.insert(changes.end(), asked.changes.begin(), asked.changes.end());
   return changes;
 }
 
@@ -81,6 +85,12 @@ std::string variant_name(std::string_view scenario, std::span<const std::string>
     return name;
   }
   return safe.substr(0, std::max(longest, scenario.size())) + fmt::format("+{:08x}", hash(name));
+}
+
+std::filesystem::path results_folder(const std::string& out, std::string_view verb, std::string_view scenario,
+                                     std::span<const std::string> changes) {
+  return out.empty() ? std::filesystem::path{"out"} / verb / variant_name(scenario, changes)
+                     : std::filesystem::path{out};
 }
 
 std::vector<std::filesystem::path> files_of(const ScenarioOptions& options) {

@@ -22,13 +22,18 @@ struct ScenarioOptions {
 /// SCENARIO, --seed and --set. A scenario that is already named is the default.
 void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 
-/// What the command line changes of the scenario: "controller.canard_limit_deg=9", "seed=7". Empty: nothing.
-[[nodiscard]] std::vector<std::string> changes_of(const ScenarioOptions& options);
+/// What the command line changes of the scenario, and of what else is asked: "controller.canard_limit_deg=9", "seed=7",
+/// "swirl=-2". Empty: nothing.
+[[nodiscard]] std::vector<std::string> changes_of(const ScenarioOptions& options, const Asked& asked = {});
 
 /// A name for the results of a changed scenario, so that they never replace those of the unchanged one:
 /// "tasha3_launch1+controller.canard_limit_deg=9+seed=7". It can be the name of a file. Where characters had to be
 /// replaced for that, or the name to be cut, it ends with a hash of all changes.
 [[nodiscard]] std::string variant_name(std::string_view scenario, std::span<const std::string> changes);
+
+/// `out`, where it is given, else that name in a folder of the verb's results: out/predict/NAME.
+[[nodiscard]] std::filesystem::path results_folder(const std::string& out, std::string_view verb,
+                                                   std::string_view scenario, std::span<const std::string> changes);
 
 /// The scenario, its plan, vehicle and motor, which no result may replace. Throws text::Error.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const ScenarioOptions& options);

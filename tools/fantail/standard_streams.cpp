@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@ namespace fantail::tool {
 namespace {
 
 std::atomic<bool> line_is_for_now = false;
+std::function<void(std::string_view)> listener{};
 constexpr const char* take_away = "\r\033[K";
 
 }  // namespace
@@ -32,13 +34,22 @@ void guard_standard_streams() {
 }
 
 void say(std::string_view text) {
+  if (listener) {
+    listener(text);
+    return;
+  }
   const std::string whole = (line_is_for_now.exchange(false) ? take_away : "") +
                             text::wrapped(without_controls(text), columns_of(STDERR_FILENO));
   std::fwrite(whole.data(), 1, whole.size(), stderr);
   std::fflush(stderr);
 }
 
+void hear_instead(std::function<void(std::string_view)> who) { listener = std::move(who); }
+
 void say_for_now(std::string_view line) {
+  if (listener) {
+    return;
+  }
   if (line.empty() && !line_is_for_now.exchange(false)) {
     return;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@ void guard_standard_streams();
 /// Standard error, wrapped where that is a terminal, as far as it takes anything: a message that cannot be written must
 /// not change the exit code.
 void say(std::string_view text);
+
+/// Who hears it from now on instead of standard error, of any thread; lines that are for now nobody does.
+void hear_instead(std::function<void(std::string_view text)> listener);
 
 /// A line on the terminal that standard error is, until the next such line or anything else is written there; an empty
 /// one takes it away.

@@ -73,7 +73,7 @@ void fill(const Verb& verb) {
   verb.action([options] { show_airframe(*options); });
 }
 
+const VerbCode code{"airframe", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("airframe", fantail::tool::fill, argc, argv); }

@@ -61,10 +61,7 @@ void fill(const Verb& bench) {
   add_bench_log(bench);
 }
 
+const VerbCode code{"bench", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) {
-  using namespace fantail;
-  return tool::run("bench", tool::fill, argc, argv);
-}

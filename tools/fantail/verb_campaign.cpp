@@ -96,25 +96,12 @@ campaign::Campaign asked_for(const CampaignOptions& options) {
 }
 
 /// What makes the runs others than those of the scenario as it stands; the question does only when it stops them.
-std::vector<std::string> changes_of(const CampaignOptions& options) {
-  const CampaignOptions usual;
-  std::vector<std::string> all = changes_of(options.scenario);
-  if (options.runs != usual.runs) {
-    all.push_back(fmt::format("runs={}", options.runs));
-  }
+std::vector<std::string> changes_of(const CampaignOptions& options, const Asked& asked) {
+  std::vector<std::string> all = changes_of(options.scenario, asked);
   if (const auto stop = asked_for(options).stop) {
     all.push_back("until=" + stop->text());
   }
-  if (options.shard != usual.shard) {
-    all.push_back("shard=" + options.shard);
-  }
   return all;
-}
-
-fs::path folder_of(const CampaignOptions& options) {
-  const std::string name = input::name_of_file(options.scenario.scenario);
-  return options.out.empty() ? fs::path{"out"} / "campaign" / variant_name(name, changes_of(options))
-                             : fs::path{options.out};
 }
 
 campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& folder, unsigned threads) {
@@ -140,10 +127,12 @@ void print_shard(const campaign::Shard& shard, std::size_t runs, const fs::path&
        runs, file.string());
 }
 
-void fly_campaign(const CampaignOptions& options) {
+void fly_campaign(const CampaignOptions& options, const Asked& asked) {
   const campaign::Campaign campaign = asked_for(options);
-  const fs::path folder = folder_of(options);
-  const result::Made made = made_with(files_of(options.scenario), campaign.seed, changes_of(options.scenario));
+  const std::vector<std::string> changes = changes_of(options, asked);
+  const fs::path folder =
+      results_folder(options.out, "campaign", input::name_of_file(options.scenario.scenario), changes);
+  const result::Made made = made_with(files_of(options.scenario), campaign.seed, changes);
   campaign::FlownCampaign flown = fly(campaign, folder, options.threads);
   if (!flown.remark.empty()) {
     say("fantail: " + flown.remark + "\n");
@@ -197,7 +186,7 @@ void fill_merge(const Verb& verb) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<CampaignOptions>();
   add_scenario_options(verb, options->scenario);
-  verb.option("--runs", options->runs, "How many flights at most").range(1.0, 1e8).show_default();
+  verb.option("--runs", options->runs, "How many flights at most").range(1.0, 1e8).show_default().changes_result();
   verb.option("--sampling", options->sampling, "Every run for itself, independent of the others; there is no other way")
       .check(campaign::objection_to_sampling)
       .value_name("independent");
@@ -218,8 +207,9 @@ void fill(const Verb& verb) {
       .needs(at_least);
   verb.option("--shard", options->shard, "Fly one part of so many, each for a machine of its own; see campaign merge")
       .check(objection_to_shard)
-      .value_name("NUMBER/OF");
-  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+      .value_name("NUMBER/OF")
+      .changes_result();
+  add_threads_option(verb, options->threads);
   verb.option("--out", options->out,
               "Folder for runs.csv.gz, campaign.json, summary.json, campaign.html and the worst runs "
               "[out/campaign/SCENARIO, with what was changed in the name]")
@@ -238,10 +228,10 @@ void fill(const Verb& verb) {
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
   fill_hardover(verb.verb("hardover", "What one canard that fails does to the flight"));
   fill_detection(verb.verb("detection", "How often an armed rocket believes that it flies, or misses its launch"));
-  verb.action([options] { fly_campaign(*options); });
+  verb.action([options, verb] { fly_campaign(*options, verb.asked()); });
 }
+
+const VerbCode code{"campaign", fill};
 
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("campaign", fantail::tool::fill, argc, argv); }

@@ -123,8 +123,11 @@ void add_log(const Verb& verb, const std::string& name, const std::string& capit
 
 void add_alignment(const Verb& verb, CompareVerbOptions& options) {
   auto window = verb.option("--window", options.window, "By A's events: control, thrust, coast, step:N, or FROM:TO");
-  verb.option("--from", options.from_s, "Start on A's clock, s").check(objection_to_time).excludes(window);
-  verb.option("--to", options.to_s, "End on A's clock, s").check(objection_to_time).excludes(window);
+  verb.option("--from", options.from_s, "Start on A's clock, s")
+      .check(objection_to_time)
+      .value_name("S")
+      .excludes(window);
+  verb.option("--to", options.to_s, "End on A's clock, s").check(objection_to_time).value_name("S").excludes(window);
   auto align = verb.option("--align", options.align,
                            "none: the clocks as they are. angle: look up to 2 s to both sides for the shift at which "
                            "the rolls agree best, judged by their rates")
@@ -133,6 +136,7 @@ void add_alignment(const Verb& verb, CompareVerbOptions& options) {
                    .show_default();
   verb.option("--shift", options.shift_s, "What B's clock shows at A's zero, s")
       .check(objection_to_time)
+      .value_name("S")
       .excludes(align);
   verb.flag("--remove-offset", options.remove_offset,
             "Roll angles count from different zeros: let both begin the window at A's");
@@ -145,10 +149,12 @@ void fill(const Verb& verb) {
   add_save_columns_option(verb, options->save_columns);
   add_alignment(verb, *options);
   verb.option("--require-angle", options->most_angle_deg, "Largest mean difference of the angle, deg; else exit code 1")
-      .check(objection_to_requirement);
+      .check(objection_to_requirement)
+      .value_name("DEG");
   verb.option("--require-rate", options->most_rate_deg_s,
               "Largest mean difference of the rate, deg/s; else exit code 1")
-      .check(objection_to_requirement);
+      .check(objection_to_requirement)
+      .value_name("DEG/S");
   verb.option("--out", options->out, "Folder for compare.html, compare.json and differences.csv")
       .offers(folders)
       .show_default();
@@ -164,7 +170,7 @@ void fill(const Verb& verb) {
   verb.action([options] { compare_logs(*options); });
 }
 
+const VerbCode code{"compare", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("compare", fantail::tool::fill, argc, argv); }

@@ -133,7 +133,7 @@ void fill(const Verb& verb) {
   verb.action([options] { convert(*options); });
 }
 
+const VerbCode code{"convert", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("convert", fantail::tool::fill, argc, argv); }

@@ -77,26 +77,6 @@ std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& sce
   });
 }
 
-/// What makes the flight another one than that of the scenario as it stands.
-std::vector<std::string> changes_of(const FlyOptions& options) {
-  std::vector<std::string> changes = changes_of(options.scenario);
-  if (!options.trajectory.empty()) {
-    changes.push_back("trajectory=" + options.trajectory);
-  }
-  return changes;
-}
-
-/// Puts the trajectory, where there is one, into the scenario; returns what is to be said of it.
-std::vector<std::string> take_trajectory(const FlyOptions& options, sim::Scenario& scenario) {
-  if (options.trajectory.empty()) {
-    return {};
-  }
-  trajectory::Trajectory trajectory = trajectory::load_trajectory(options.trajectory, scenario);
-  scenario.path = std::move(trajectory.path);
-  scenario.changed_values = changes_of(options).size();
-  return std::move(trajectory.notes);
-}
-
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
   const auto resets = [](const sim::Fault& fault) { return std::holds_alternative<sim::Reset>(fault.how); };
   if (options.computer.on == "host") {
@@ -123,9 +103,20 @@ struct Task {
   std::vector<std::filesystem::path> made_from{};  ///< files that no result may replace
 };
 
-Task task_of(const FlyOptions& options) {
-  Task task{.scenario = load(options.scenario), .changes = changes_of(options)};
-  task.notes = take_trajectory(options, task.scenario);
+/// Puts the trajectory, where there is one, into the scenario; returns what is to be said of it.
+std::vector<std::string> take_trajectory(const FlyOptions& options, Task& task) {
+  if (options.trajectory.empty()) {
+    return {};
+  }
+  trajectory::Trajectory trajectory = trajectory::load_trajectory(options.trajectory, task.scenario);
+  task.scenario.path = std::move(trajectory.path);
+  task.scenario.changed_values = task.changes.size();
+  return std::move(trajectory.notes);
+}
+
+Task task_of(const FlyOptions& options, const Asked& asked) {
+  Task task{.scenario = load(options.scenario), .changes = changes_of(options.scenario, asked)};
+  task.notes = take_trajectory(options, task);
   task.made_from = files_of(options.scenario);
   task.made_from.emplace_back(options.trajectory);
   task.folder = std::filesystem::path{"out"} / variant_name(task.scenario.name, task.changes);
@@ -133,8 +124,8 @@ Task task_of(const FlyOptions& options) {
 }
 
 /// A run of a campaign: the folder of its campaign.json says all about it.
-Task campaign_task(const FlyOptions& options) {
-  if (!changes_of(options).empty()) {
+Task campaign_task(const FlyOptions& options, const Asked& asked) {
+  if (!changes_of(options.scenario, asked).empty()) {
     throw UsageError{
         "a run of a campaign is flown as it was: --set, --seed and --trajectory do not go with --campaign"};
   }
@@ -156,11 +147,12 @@ Task campaign_task(const FlyOptions& options) {
           .made_from = {folder}};
 }
 
-void fly_and_report(const FlyOptions& options) {
+void fly_and_report(const FlyOptions& options, const Asked& asked) {
   if (options.page.wanted() && !options.realtime) {
     throw UsageError{"--page shows a flight while it is flown, by the clock: add --realtime"};
   }
-  auto [scenario, changes, notes, usual_folder, made_from] = options.run ? campaign_task(options) : task_of(options);
+  auto [scenario, changes, notes, usual_folder, made_from] =
+      options.run ? campaign_task(options, asked) : task_of(options, asked);
   check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
   const std::string command =
@@ -210,7 +202,8 @@ void fill(const Verb& verb) {
           "A CSV file that RocketPy or OpenRocket has exported: the rocket goes where it says, and only the roll and "
           "the avionics are simulated")
       .offers(files)
-      .value_name("FILE");
+      .value_name("FILE")
+      .changes_result();
   auto campaign = verb.option("--campaign", options->campaign,
                               "Fly a run of the campaign in this folder again, as it was: SCENARIO is that of the "
                               "campaign")
@@ -250,13 +243,10 @@ void fill(const Verb& verb) {
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
       "                                                      by the clock, for fantail watch in another terminal\n"
       "  fantail fly --realtime --page                       by the clock, on a page for browsers");
-  verb.action([options] { fly_and_report(*options); });
+  verb.action([options, verb] { fly_and_report(*options, verb.asked()); });
 }
+
+const VerbCode code{"fly", fill};
 
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) {
-  using namespace fantail;
-  return tool::run("fly", tool::fill, argc, argv);
-}

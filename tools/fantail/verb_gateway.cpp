@@ -168,10 +168,7 @@ void fill(const Verb& verb) {
   verb.action([options] { run(*options); });
 }
 
+const VerbCode code{"gateway", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) {
-  using namespace fantail;
-  return tool::run("gateway", tool::fill, argc, argv);
-}

@@ -251,7 +251,7 @@ void fill(const Verb& verb) {
   verb.action([options] { identify_data(*options); });
 }
 
+const VerbCode code{"identify", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("identify", fantail::tool::fill, argc, argv); }

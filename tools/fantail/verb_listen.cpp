@@ -186,7 +186,7 @@ void fill(const Verb& verb) {
   verb.action([options] { listen_to(*options); });
 }
 
+const VerbCode code{"listen", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("listen", fantail::tool::fill, argc, argv); }

@@ -18,10 +18,7 @@ void fill(const Verb& verb) {
   add_log_export(verb);
 }
 
+const VerbCode code{"log", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) {
-  using namespace fantail;
-  return tool::run("log", tool::fill, argc, argv);
-}

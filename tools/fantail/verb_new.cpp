@@ -218,7 +218,7 @@ void fill(const Verb& verb) {
   verb.action([options] { make(*options); });
 }
 
+const VerbCode code{"new", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("new", fantail::tool::fill, argc, argv); }

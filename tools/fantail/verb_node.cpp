@@ -204,9 +204,7 @@ void fill(const Verb& verb) {
       .value_name("FILE");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
   add_page_options(verb, options->page);
-  verb.option("--for", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      .range(0.0, 1e9)
-      .value_name("SECONDS");
+  add_end_option(verb, options->seconds);
   verb.examples(
       "Examples:\n"
       "  fantail node bench_healthy --can vcan0             a rocket on the bench, for fantail bench\n"
@@ -216,10 +214,7 @@ void fill(const Verb& verb) {
   verb.action([options] { run_node(*options); });
 }
 
+const VerbCode code{"node", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) {
-  using namespace fantail;
-  return tool::run("node", tool::fill, argc, argv);
-}

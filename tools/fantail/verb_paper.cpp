@@ -90,7 +90,7 @@ void fill(const Verb& verb) {
   verb.action([options] { repeat_the_paper(*options); });
 }
 
+const VerbCode code{"paper", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("paper", fantail::tool::fill, argc, argv); }

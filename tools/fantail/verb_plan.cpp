@@ -156,7 +156,7 @@ void fill(const Verb& plan) {
   add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]").offers(files);
 }
 
+const VerbCode code{"plan", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("plan", fantail::tool::fill, argc, argv); }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -85,78 +82,20 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
-/// What makes the answer another one than that of the scenario as it stands, beside --set and --seed.
-std::vector<std::pair<std::string, std::string>> further_changes(const PredictOptions& options) {
-  std::vector<std::pair<std::string, std::string>> all;
-  const auto add = [&all](const char* name, const std::optional<double>& value) {
-    if (value) {
-      all.emplace_back(name, fmt::format("{}", *value));
-    }
-  };
-  if (options.tunnel) {
-    all.emplace_back("tunnel", *options.tunnel);
-  }
-  add("swirl", options.swirl_deg);
-  if (options.damping_factor != PredictOptions{}.damping_factor) {
-    all.emplace_back("damping-factor", options.damping_factor);
-  }
-  add("servo-lag", options.servo_lag_s);
-  add("servo-delay", options.servo_delay_s);
-  const PredictOptions usual;
-  for (const auto& [name, value, usual_value] :
-       {std::tuple{"authority-percent", options.authority_percent, usual.authority_percent},
-        {"held-percent", options.held_percent, usual.held_percent},
-        {"phase-margin", options.phase_margin_deg, usual.phase_margin_deg}}) {
-    if (value != usual_value) {
-      add(name, value);
-    }
-  }
-  return all;
-}
-
-predict::Request request(const PredictOptions& options) {
-  predict::Request asked{.changes = changes_of(options.scenario),
-                         .command = "fantail predict " + text::shell_word(options.scenario.scenario)};
-  for (const std::string& change : options.scenario.changes) {
-    asked.command += " --set " + text::shell_word(change);
-  }
-  if (!options.scenario.seed.empty()) {
-    asked.command += " --seed " + options.scenario.seed;
-  }
-  for (const auto& [name, value] : further_changes(options)) {
-    asked.changes.push_back(fmt::format("{}={}", name, value));
-    asked.command += fmt::format(" --{} {}", name, text::shell_word(value));
-  }
-  if (options.other_vehicle) {
-    asked.command += " --other-vehicle";
-  }
-  return asked;
-}
-
-predict::Options prediction_options(const PredictOptions& options) {
+predict::Options prediction_options(const PredictOptions& options, const Asked& asked) {
   return {.runs = options.runs,
           .threads = options.threads,
           .damping = *parse_damping_factor(options.damping_factor),
           .other_vehicle = options.other_vehicle,
           .servo_lag_s = options.servo_lag_s,
           .servo_delay_s = options.servo_delay_s,
-          .request = request(options)};
-}
-
-std::filesystem::path folder_of(const sim::Scenario& scenario, const PredictOptions& options) {
-  if (!options.out.empty()) {
-    return options.out;
-  }
-  const std::filesystem::path all =
-      std::filesystem::path{"out"} / "predict" / variant_name(scenario.name, request(options).changes);
-  return options.run ? all / fmt::format("run_{}", *options.run) : all;
+          .request = {.changes = changes_of(options.scenario, asked), .command = asked.command}};
 }
 
 predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict::TunnelResult& tunnel,
-                                   const PredictOptions& options, const runs::Place& place, const runs::Folder& kept) {
+                                   predict::Options asked, const runs::Place& place, const runs::Folder& kept) {
   Progress progress{"predicting " + scenario.name,
-                    {.unit = "runs", .rate = " a second", .total = static_cast<double>(options.runs)}};
-  predict::Options asked = prediction_options(options);
+                    {.unit = "runs", .rate = " a second", .total = static_cast<double>(asked.runs)}};
   asked.kept = &kept;
   return predict::predict(scenario, tunnel, asked, [&](std::size_t done) {
     leave_if_interrupted(place.folder, place.parts);
@@ -181,32 +120,34 @@ predict::Decision decided(const predict::Prediction& prediction, const PredictOp
 }
 
 /// One run alone, with the report that `fantail fly` writes of a flight.
-void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tunnel, const PredictOptions& options) {
-  const predict::RepeatedRun repeated =
-      predict::repeat_run(scenario, tunnel, prediction_options(options), *options.run);
-  const report::Results results = report::results(
-      repeated.flight, made_with(inputs_of(scenario, options), repeated.flight.seed, request(options).changes));
-  const std::filesystem::path folder = folder_of(scenario, options);
-  report::write_results(repeated.flight, results, folder, inputs_of(scenario, options));
+void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tunnel, const PredictOptions& options,
+                 const predict::Options& asked, const std::filesystem::path& folder) {
+  const predict::RepeatedRun repeated = predict::repeat_run(scenario, tunnel, asked, *options.run);
+  const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
+  const report::Results results =
+      report::results(repeated.flight, made_with(inputs, repeated.flight.seed, asked.request.changes));
+  report::write_results(repeated.flight, results, folder, inputs);
   deliver(results.document,
           {.json = options.json, .last_line = fmt::format("  report   {}", (folder / "report.html").string())});
 }
 
-void predict_launch(const PredictOptions& options) {
+void predict_launch(const PredictOptions& options, const Asked& asked) {
   const sim::Scenario scenario = load(options.scenario);
   predict::require_launch(scenario);
   const predict::TunnelResult tunnel =
       predict::read_tunnel_result(tunnel_file(scenario, options), in_radians(options.swirl_deg));
+  const predict::Options question = prediction_options(options, asked);
+  const std::filesystem::path folder = results_folder(options.out, "predict", scenario.name, question.request.changes);
   if (options.run) {
-    fly_one_run(scenario, tunnel, options);
+    const std::string run = options.out.empty() ? fmt::format("run_{}", *options.run) : "";
+    fly_one_run(scenario, tunnel, options, question, folder / run);
     return;
   }
-  const std::filesystem::path folder = folder_of(scenario, options);
   const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
-  const runs::Place place = place_of_flights("predict", request(options).command, folder, inputs);
+  const runs::Place place = place_of_flights("predict", asked.command, folder, inputs);
   const runs::Folder kept{place};
-  const result::Made made = made_with(inputs, scenario.seed, request(options).changes);
-  const predict::Prediction prediction = fly_the_spread(scenario, tunnel, options, place, kept);
+  const result::Made made = made_with(inputs, scenario.seed, question.request.changes);
+  const predict::Prediction prediction = fly_the_spread(scenario, tunnel, question, place, kept);
   const predict::Decision decision = decided(prediction, options, place);
   deliver(predict::answer(prediction, decision, made), {.folder = folder,
                                                         .name = "predict",
@@ -221,14 +162,18 @@ void add_thresholds(const Verb& verb, PredictOptions& options) {
   verb.option("--authority-percent", options.authority_percent,
               "Go asks for: canards that can balance the offset in this share of the runs")
       .range(0.0, 99.9)
-      .show_default();
+      .show_default()
+      .changes_result();
   verb.option("--held-percent", options.held_percent, "Go asks for: roll held in this share of the runs")
       .range(0.0, 99.9)
-      .show_default();
+      .show_default()
+      .changes_result();
   verb.option("--phase-margin", options.phase_margin_deg,
               "Go asks for: this phase margin in degrees at the worst speed flown")
       .range(0.0, 90.0)
-      .show_default();
+      .value_name("DEG")
+      .show_default()
+      .changes_result();
 }
 
 void fill(const Verb& verb) {
@@ -237,26 +182,35 @@ void fill(const Verb& verb) {
   verb.option("--tunnel", options->tunnel,
               "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
       .offers(shipped(input::Shipped::tunnel_result))
-      .value_name("FILE");
+      .value_name("FILE")
+      .changes_result();
   verb.flag("--other-vehicle", options->other_vehicle,
-            "Take tunnel results that say they are of another vehicle than the scenario's");
+            "Take tunnel results that say they are of another vehicle than the scenario's")
+      .belongs_to_command();
   verb.option("--swirl", options->swirl_deg,
               "Swirl of the tunnel as a fin offset in degrees, to be subtracted, with the sign of fantail tunnel swirl "
               "(above zero it rolls clockwise, seen from the tail); 0: there was none [column swirl_deg of the file; "
               "without it this is needed]")
-      .range(-45.0, 45.0);
+      .range(-45.0, 45.0)
+      .value_name("DEG")
+      .changes_result();
   verb.option("--damping-factor", options->damping_factor,
               "LOW:HIGH, damping in flight over damping in the tunnel, drawn from a uniform distribution")
       .check(objection_to_damping_factor)
       .value_name("RANGE")
-      .show_default();
+      .show_default()
+      .changes_result();
   verb.option("--servo-lag", options->servo_lag_s, "Measured first-order lag of the servos in seconds [vehicle's]")
-      .range(0.0005, 1.0);
+      .range(0.0005, 1.0)
+      .value_name("S")
+      .changes_result();
   verb.option("--servo-delay", options->servo_delay_s,
               "Measured dead time from command to canard in seconds, lag apart [vehicle's, with the pulse frame]")
-      .range(0.0, 0.05);
+      .range(0.0, 0.05)
+      .value_name("S")
+      .changes_result();
   verb.option("--runs", options->runs, "How many airframes to fly").range(1.0, most_runs).show_default();
-  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+  add_threads_option(verb, options->threads);
   add_thresholds(verb, *options);
   verb.option("--run", options->run, "Fly only this row of runs.csv, counted from 0, and write its flight report")
       .range(0.0, most_runs - 1.0)
@@ -276,10 +230,10 @@ void fill(const Verb& verb) {
       "  fantail predict my_rocket.toml --tunnel out/tunnel/steps/steps.csv --swirl -2 --servo-lag 0.018 --json\n"
       "                                                      your own rocket, after its tunnel run and its bench\n"
       "  fantail predict tasha3_launch2 --run 17             the run of row 17 again, with its flight report");
-  verb.action([options] { predict_launch(*options); });
+  verb.action([options, verb] { predict_launch(*options, verb.asked()); });
 }
+
+const VerbCode code{"predict", fill};
 
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("predict", fantail::tool::fill, argc, argv); }

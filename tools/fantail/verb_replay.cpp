@@ -166,7 +166,7 @@ void fill(const Verb& verb) {
   verb.action([options] { run(*options); });
 }
 
+const VerbCode code{"replay", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("replay", fantail::tool::fill, argc, argv); }

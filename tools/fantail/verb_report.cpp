@@ -101,8 +101,14 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
       .offers(folders);
-  verb.option("--from", options->from_s, "Of two flights: start on A's clock, s").check(objection_to_time).needs(b);
-  verb.option("--to", options->to_s, "Of two flights: end on A's clock, s").check(objection_to_time).needs(b);
+  verb.option("--from", options->from_s, "Of two flights: start on A's clock, s")
+      .check(objection_to_time)
+      .value_name("S")
+      .needs(b);
+  verb.option("--to", options->to_s, "Of two flights: end on A's clock, s")
+      .check(objection_to_time)
+      .value_name("S")
+      .needs(b);
   auto align = verb.option("--align", options->align,
                            "none: the clocks as they are. angle: the shift of up to 2 s at which the rolls agree "
                            "best, judged by their rates")
@@ -112,6 +118,7 @@ void fill(const Verb& verb) {
                    .needs(b);
   verb.option("--shift", options->shift_s, "What B's clock shows at A's zero, s")
       .check(objection_to_time)
+      .value_name("S")
       .excludes(align)
       .needs(b);
   verb.flag("--remove-offset", options->remove_offset, "Roll angles count from different zeros: let both begin at A's")
@@ -133,7 +140,7 @@ void fill(const Verb& verb) {
   verb.action([options] { options->b.empty() ? report_one(*options) : report_two(*options); });
 }
 
+const VerbCode code{"report", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("report", fantail::tool::fill, argc, argv); }

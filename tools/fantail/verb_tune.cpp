@@ -44,48 +44,16 @@ core::OffsetRejection rejection(const std::string& word) {
                               : core::OffsetRejection::observer;
 }
 
-/// What the answer depends on, beside --set and --seed.
-std::vector<std::string> further_changes(const TuneOptions& options) {
-  const TuneOptions usual;
-  std::vector<std::string> all;
-  if (options.rejection != usual.rejection) {
-    all.push_back("rejection=" + options.rejection);
-  }
-  if (options.schedule) {
-    all.emplace_back("schedule");
-  }
-  const auto add = [&all](const char* name, double value, double usual_value) {
-    if (value != usual_value) {
-      all.push_back(fmt::format("{}={}", name, value));
-    }
-  };
-  add("margin", options.margin_deg, usual.margin_deg);
-  add("settling", options.settling_s, usual.settling_s);
-  add("spread", options.spread, usual.spread);
-  add("flights", static_cast<double>(options.flights), static_cast<double>(usual.flights));
-  return all;
-}
-
-tune::Request request(const TuneOptions& options) {
-  tune::Request asked{.rejection = rejection(options.rejection),
-                      .schedule = options.schedule,
-                      .phase_margin_rad = text::radians(options.margin_deg),
-                      .settling_s = options.settling_s,
-                      .spread = options.spread,
-                      .flights = options.flights,
-                      .threads = options.threads,
-                      .command = "fantail tune " + text::shell_word(options.scenario.scenario),
-                      .version = FANTAIL_VERSION};
-  for (const std::string& change : options.scenario.changes) {
-    asked.command += " --set " + text::shell_word(change);
-  }
-  if (!options.scenario.seed.empty()) {
-    asked.command += " --seed " + options.scenario.seed;
-  }
-  for (const std::string& change : further_changes(options)) {
-    asked.command += " --" + change;
-  }
-  return asked;
+tune::Request request(const TuneOptions& options, const Asked& asked) {
+  return {.rejection = rejection(options.rejection),
+          .schedule = options.schedule,
+          .phase_margin_rad = text::radians(options.margin_deg),
+          .settling_s = options.settling_s,
+          .spread = options.spread,
+          .flights = options.flights,
+          .threads = options.threads,
+          .command = asked.command,
+          .version = FANTAIL_VERSION};
 }
 
 /// Beside a plan of one's own. One that is shipped belongs to the program, so there it is the working folder.
@@ -117,12 +85,11 @@ void refuse_to_replace(const std::filesystem::path& file, const TuneOptions& opt
   }
 }
 
-tune::Tuning tuned(const sim::Scenario& scenario, const TuneOptions& options, const runs::Place& place,
+tune::Tuning tuned(const sim::Scenario& scenario, tune::Request asked, const runs::Place& place,
                    const runs::Folder& kept) {
   std::optional<Progress> flying;
   Progress searching{"searching gains for " + scenario.name, {.unit = "steps", .rate = " a second", .total = {}}};
   double steps = 0.0;
-  tune::Request asked = request(options);
   asked.kept = &kept;
   return tune::tune(scenario, asked, [&](tune::Stage stage, std::size_t done) {
     leave_if_interrupted(place.folder, place.parts);
@@ -133,7 +100,7 @@ tune::Tuning tuned(const sim::Scenario& scenario, const TuneOptions& options, co
     if (!flying) {
       flying.emplace(
           "flying both plans",
-          Progress::Measure{.unit = "pairs", .rate = " a second", .total = static_cast<double>(options.flights)});
+          Progress::Measure{.unit = "pairs", .rate = " a second", .total = static_cast<double>(asked.flights)});
     }
     flying->show(static_cast<double>(done));
   });
@@ -157,22 +124,17 @@ std::string how_to_fly(const TuneOptions& options, const std::filesystem::path& 
                      text::toml_text(whole.lexically_relative(folder).generic_string()));
 }
 
-void tune_scenario(const TuneOptions& options) {
+void tune_scenario(const TuneOptions& options, const Asked& asked) {
   const sim::Scenario scenario = load(options.scenario);
   const std::filesystem::path file = plan_file(options);
   refuse_to_replace(file, options);
-  std::vector<std::string> changes = changes_of(options.scenario);
-  for (const std::string& change : further_changes(options)) {
-    changes.push_back(change);
-  }
-  const std::filesystem::path folder =
-      options.out.empty() ? std::filesystem::path{"out"} / "tune" / variant_name(scenario.name, changes)
-                          : std::filesystem::path{options.out};
-  const runs::Place place = place_of_flights("tune", request(options).command, folder, files_of(options.scenario));
+  const std::vector<std::string> changes = changes_of(options.scenario, asked);
+  const std::filesystem::path folder = results_folder(options.out, "tune", scenario.name, changes);
+  const runs::Place place = place_of_flights("tune", asked.command, folder, files_of(options.scenario));
   const runs::Folder kept{place};
   const std::vector<std::filesystem::path> inputs = files_of(options.scenario);
   const result::Made made = made_with(inputs, scenario.seed, changes);
-  const tune::Tuning tuning = tuned(scenario, options, place, kept);
+  const tune::Tuning tuning = tuned(scenario, request(options, asked), place, kept);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
   deliver(tune::answer(tuning, plan_name, made),
           {.folder = folder,
@@ -197,25 +159,32 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.option("--rejection", options->rejection, "What the law does against a fin offset")
       .one_of({"none", "integral", "observer"})
-      .show_default();
-  verb.flag("--schedule", options->schedule, "Let the gains change with speed");
+      .show_default()
+      .changes_result();
+  verb.flag("--schedule", options->schedule, "Let the gains change with speed").changes_result();
   verb.option("--margin", options->margin_deg,
               "Phase margin in degrees that the law must have at every speed under control, over the spread")
       .range(0.0, 80.0)
-      .show_default();
+      .value_name("DEG")
+      .show_default()
+      .changes_result();
   verb.option("--settling", options->settling_s,
               "Seconds after a step of the reference in which the linear loop must come within a tenth of the step, "
               "from the median speed on")
       .range(0.05, 10.0)
-      .show_default();
+      .value_name("S")
+      .show_default()
+      .changes_result();
   verb.option("--spread", options->spread,
               "Damping and torque may each be this many times larger or smaller than the vehicle's; 1: they are exact")
       .range(1.0, 4.0)
-      .show_default();
+      .show_default()
+      .changes_result();
   verb.option("--flights", options->flights, "How many rockets of the spread to fly, each by both plans")
       .range(1.0, 10000.0)
-      .show_default();
-  verb.option("--threads", options->threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+      .show_default()
+      .changes_result();
+  add_threads_option(verb, options->threads);
   verb.option("--plan", options->plan,
               "The plan file to write [NAME_tuned.toml beside the old plan; for a shipped one in the working folder]")
       .offers(files)
@@ -234,10 +203,10 @@ void fill(const Verb& verb) {
       "  fantail tune my_rocket/scenario.toml --rejection observer --schedule --margin 50 --spread 2\n"
       "  fantail tune tasha3_launch1                          exit code 1: more offset than its 6 degrees can balance\n"
       "  fantail tune tasha3_launch1 --set controller.canard_limit_deg=9");
-  verb.action([options] { tune_scenario(*options); });
+  verb.action([options, verb] { tune_scenario(*options, verb.asked()); });
 }
+
+const VerbCode code{"tune", fill};
 
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("tune", fantail::tool::fill, argc, argv); }

@@ -56,7 +56,7 @@ void fill(const Verb& verb) {
   add_tunnel_stability(verb);
 }
 
+const VerbCode code{"tunnel", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) { return fantail::tool::run("tunnel", fantail::tool::fill, argc, argv); }

@@ -109,10 +109,7 @@ void fill(const Verb& verb) {
   });
 }
 
+const VerbCode code{"watch", fill};
+
 }  // namespace
 }  // namespace fantail::tool
-
-int main(int argc, char** argv) {
-  using namespace fantail;
-  return tool::run("watch", tool::fill, argc, argv);
-}
