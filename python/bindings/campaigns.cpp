@@ -19,8 +19,10 @@
 #include "campaign/merge.hpp"
 #include "campaign/setup.hpp"
 #include "input/scenario_file.hpp"
+#include "input/shipped.hpp"
 #include "python/bindings/bind.hpp"
 #include "text/error.hpp"
+#include "text/output_folder.hpp"
 
 namespace nb = nanobind;
 
@@ -74,10 +76,13 @@ FlownRuns fly_campaign(const CampaignRequest& asked) {
   runs.flown = campaign::fly_campaign(campaign, asked.out, FANTAIL_VERSION, asked.threads,
                                       [](std::uint64_t) { give_up_if_interrupted(); });
   if (campaign.shard.of == 1) {
-    runs.summary = campaign::report_json(
+    const result::Document document = campaign::answer(
         campaign::conclude(campaign, runs.flown, question, asked.at_least,
                            result::Made{.version = FANTAIL_VERSION, .seed = campaign.seed, .changes = asked.changes},
                            asked.out, give_up_if_interrupted));
+    text::OutputFolder{asked.out, {input::find_input(input::Shipped::scenario, campaign.scenario)}}.write(
+        result::files(document, "summary", "campaign"));
+    runs.summary = result::json(document);
   }
   return runs;
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "airframe/summary.hpp"
+#include "campaign/results.hpp"
 #include "hardover/study.hpp"
 #include "listen/answer.hpp"
 #include "predict/answer.hpp"
@@ -51,6 +52,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
   ASSERT_NE(begin, std::string::npos) << page_file;
   const std::vector<std::pair<std::string_view, std::vector<Listed>>> verbs{
       {"airframe", airframe::listed_fields()},
+      {"campaign", campaign::listed_fields()},
       {"campaign hardover", hardover::listed_fields()},
       {"fly, report", report::listed_fields()},
       {"listen", listen::listed_fields()},

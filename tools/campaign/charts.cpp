@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/charts.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "campaign/column_words.hpp"
+#include "campaign/results.hpp"
 
 namespace fantail::campaign {
 namespace {

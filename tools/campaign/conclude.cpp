@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/conclude.hpp"
 
-#include <array>
 #include <utility>
 
 #include <fmt/core.h>
@@ -9,7 +8,6 @@
 #include "campaign/repeat.hpp"
 #include "campaign/setup.hpp"
 #include "campaign/write_flight.hpp"
-#include "input/shipped.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 #include "text/quoting.hpp"
@@ -66,9 +64,6 @@ Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& q
   report.made = made;
   report.command = command_of(campaign, question, required);
   report.run_command = fmt::format("fantail fly --campaign {} --run", text::shell_word(folder.string()));
-  const std::array<text::NamedFile, 2> files{
-      {{"summary.json", report_json(report)}, {"campaign.html", report_html(report)}}};
-  text::OutputFolder{folder, {input::find_input(input::Shipped::scenario, report.campaign.scenario)}}.write(files);
   return report;
 }
 

@@ -11,8 +11,8 @@
 namespace fantail::campaign {
 
 /// Analyses a whole campaign that was flown into `folder`, and writes there the flight reports of its worst runs, each
-/// in a folder run_N, and then summary.json and campaign.html. `required`: a share that is asked for. `look` is called
-/// before each of these flights; what it throws ends it. Throws text::OutputError.
+/// in a folder run_N. `required`: a share that is asked for. `look` is called before each of these flights; what it
+/// throws ends it. Throws text::OutputError.
 [[nodiscard]] Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question,
                               std::optional<double> required, const result::Made& made,
                               const std::filesystem::path& folder, const std::function<void()>& look);

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "campaign/analysis.hpp"
+#include "page/chart.hpp"
 #include "result/answer.hpp"
+#include "result/document.hpp"
 #include "text/layout.hpp"
 
 namespace fantail::campaign {
@@ -23,26 +25,34 @@ struct Report {
 };
 
 /// Is the share that was asked for met? Undecided too where runs lie outside of the model; none without a question.
-[[nodiscard]] result::Answer answer(const Report& report);
+[[nodiscard]] result::Answer answer_of(const Report& report);
 /// How many are faster than the simulation of roll holds for, whatever else they came to.
 [[nodiscard]] std::size_t runs_outside_the_model(const Report& report);
 /// What was found, in one sentence or two: the share and the interval, or that it is not decided.
 [[nodiscard]] std::string headline(const Report& report);
-/// What the interval is worth for the way the runs were drawn, a sentence.
-[[nodiscard]] std::string interval_sentence(const Report& report);
 /// What was left out or went wrong, a sentence each.
 [[nodiscard]] std::vector<std::string> remarks(const Report& report);
 
-/// How much the slopes explain, and what they do not show.
-[[nodiscard]] std::string about_slopes(const Analysis& analysis);
-/// In the place of a slope.
-inline constexpr std::string_view no_slope = "not known";
+/// What the figure of the question depends on, with pictures; or why nobody knows.
+[[nodiscard]] std::vector<result::Block> influences(const Report& report);
+/// Of every figure, its slope by each quantity.
+[[nodiscard]] result::Table slopes_of_each_figure(const Analysis& analysis);
+[[nodiscard]] json::Value influences_for_programs(const Analysis& analysis);
 
-/// For a terminal.
-[[nodiscard]] std::string report_text(const Report& report, std::size_t columns = text::any_width);
-/// summary.json: one object, every figure with its unit in its name; what does not exist is null.
-[[nodiscard]] std::string report_json(const Report& report);
-/// campaign.html: one page that loads nothing.
-[[nodiscard]] std::string report_html(const Report& report);
+/// "less than 0.1": a share of which some or not all is left looks like it.
+[[nodiscard]] std::string percent(double of_100);
+
+// Its pictures.
+
+/// The share over the number of runs, with the bounds that hold at every look.
+[[nodiscard]] page::Chart convergence_chart(const Report& report);
+/// How many of the runs are in each of equally wide bins, of a column whose values are not all the same.
+[[nodiscard]] page::Chart histogram(const Column& column);
+/// The figure of the question over one of the quantities: runs that meet it, runs that do not.
+[[nodiscard]] page::Chart scatter(const Report& report, const std::string& quantity);
+
+/// All of it, for every output.
+[[nodiscard]] result::Document answer(const Report& report);
+[[nodiscard]] std::vector<result::Listed> listed_fields();
 
 }  // namespace fantail::campaign

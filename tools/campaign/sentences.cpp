@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -26,14 +25,6 @@ std::string end_percent(double share, double (*outwards)(double), const std::opt
       return text::brief(percent, digits);
     }
   }
-}
-
-// A share of which some or not all is left looks like it.
-std::string percent(double share) {
-  const double tenths = std::round(1000.0 * share);
-  return share > 0.0 && tenths == 0.0      ? "less than 0.1"
-         : share < 1.0 && tenths == 1000.0 ? "more than 99.9"
-                                           : text::brief(tenths / 10.0, 1);
 }
 
 std::string runs(std::size_t count) { return fmt::format("{} run{}", count, count == 1 ? "" : "s"); }
@@ -72,13 +63,28 @@ std::string outside_the_model(const Report& report) {
   return which.empty() ? "" : fmt::format("Outside the model: {}. ", which);
 }
 
+std::string interval_sentence(const Report& report) {
+  if (report.analysis.by_sequence) {
+    return "The interval holds however often somebody looked before the campaign stopped (Robbins' confidence "
+           "sequence); it is wider than one for a number of runs that was fixed beforehand.";
+  }
+  return "The interval is Wilson's for independent runs.";
+}
+
 }  // namespace
+
+std::string percent(double of_100) {
+  const double tenths = std::round(10.0 * of_100);
+  return of_100 > 0.0 && tenths == 0.0        ? "less than 0.1"
+         : of_100 < 100.0 && tenths == 1000.0 ? "more than 99.9"
+                                              : text::brief(tenths / 10.0, 1);
+}
 
 std::size_t runs_outside_the_model(const Report& report) {
   return static_cast<std::size_t>(std::ranges::count_if(extremes_of_all(report), flight::is_beyond_model));
 }
 
-result::Answer answer(const Report& report) {
+result::Answer answer_of(const Report& report) {
   const std::optional<Judgement>& judgement = report.analysis.judgement;
   if (judgement == Judgement::not_met) {
     return result::Answer::no;
@@ -93,32 +99,9 @@ std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
   return outside_the_model(report) + judged(report) +
          fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.", a.question.words(),
-                     a.share.count, runs(a.share.of), percent(a.share.value),
+                     a.share.count, runs(a.share.of), percent(100.0 * a.share.value),
                      end_percent(a.share.low, std::floor, a.required),
                      end_percent(a.share.high, std::ceil, a.required));
-}
-
-std::string interval_sentence(const Report& report) {
-  if (report.analysis.by_sequence) {
-    return "The interval holds however often somebody looked before the campaign stopped (Robbins' confidence "
-           "sequence); it is wider than one for a number of runs that was fixed beforehand.";
-  }
-  return "The interval is Wilson's for independent runs.";
-}
-
-std::string about_slopes(const Analysis& analysis) {
-  const std::size_t figure = analysis.question.measured_by();
-  const bool all_known =
-      std::ranges::all_of(analysis.influences, [figure](const auto& of) { return of.slopes[figure].has_value(); });
-  return fmt::format(
-      "Straight lines of all quantities together explain {} % of the variance. Slopes do not show curves, thresholds, "
-      "or "
-      "effects of two quantities together.{}",
-      text::fixed(100.0 * std::max(0.0, analysis.explained), 0),
-      all_known
-          ? ""
-          : " A slope is not known where the quantity does not vary, where quantities depend wholly on each other, "
-            "or where one run alone decides.");
 }
 
 std::vector<std::string> remarks(const Report& report) {
@@ -141,73 +124,6 @@ std::vector<std::string> remarks(const Report& report) {
   add_count(all, report, "refused", "drew values that do not go together and were not flown");
   add_count(all, report, "not_finite", "gave a figure that is not a number");
   return all;
-}
-
-namespace {
-
-std::string list_of_outcomes(const Report& report) {
-  std::string text;
-  for (const auto& [name, count] : report.analysis.outcomes) {
-    text += fmt::format("  {:<12} {:>8}   {} %\n", name, count,
-                        percent(static_cast<double>(count) / static_cast<double>(report.analysis.share.of)));
-  }
-  return text;
-}
-
-std::string list_of_influences(const Report& report) {
-  const Analysis& a = report.analysis;
-  const std::string_view result = figure_columns[a.question.measured_by()];
-  if (!a.no_influences.empty()) {
-    return fmt::format("What {} depends on: {}\n", result, a.no_influences);
-  }
-  std::string text = fmt::format("What {} depends on (slope in standard deviations; 95 % interval):\n", result);
-  for (const QuantityInfluence& of : a.influences) {
-    if (const auto& slope = of.slopes[a.question.measured_by()]) {
-      text += fmt::format("  {:<44} {:>5}  ({} to {})\n", of.name, text::fixed(slope->value, 2),
-                          text::fixed(slope->low, 2), text::fixed(slope->high, 2));
-    } else {
-      text += fmt::format("  {:<44} {}\n", of.name, no_slope);
-    }
-  }
-  return text + fmt::format("  {}\n", about_slopes(a));
-}
-
-std::string table_of_figures(const Analysis& analysis, std::size_t columns) {
-  text::Table table{{{""}, {"least"}, {"5 %", 1}, {"median"}, {"95 %", 2}, {"largest"}}};
-  const auto row = [&table](const std::string& name, const std::array<std::string, 5>& values) {
-    std::vector<std::string> cells{fmt::format("  {:<24}", name)};
-    for (const std::string& value : values) {
-      cells.push_back(fmt::format(" {:>10}", value));
-    }
-    table.row(cells);
-  };
-  row("", {"least", "5 %", "median", "95 %", "largest"});
-  for (const Column& c : analysis.figures) {
-    row(c.name, {text::fixed(c.least, 3), text::fixed(c.quantiles.p5, 3), text::fixed(c.quantiles.p50, 3),
-                 text::fixed(c.quantiles.p95, 3), text::fixed(c.largest, 3)});
-  }
-  return table.text(columns);
-}
-
-}  // namespace
-
-std::string report_text(const Report& report, std::size_t columns) {
-  const FlownCampaign& flown = report.flown;
-  std::string text =
-      fmt::format("{} ({}), {}, seed {}\n{}\n\n{}\n", flown.scenario, flown.vehicle, runs(flown.runs.size()),
-                  report.campaign.seed, headline(report), list_of_outcomes(report));
-  text += table_of_figures(report.analysis, columns);
-  text += fmt::format("\n{}\n", list_of_influences(report));
-  for (const std::string& sentence : remarks(report)) {
-    text += fmt::format("  {}\n", sentence);
-  }
-  text += "\nThe worst runs:\n";
-  for (std::size_t i = 0; i < report.analysis.worst.size(); ++i) {
-    const FlownRun& run = flown.runs[report.analysis.worst[i]];
-    text += fmt::format("  run {}: {}", run.run, run.outcome);
-    text += report.run_folders[i].empty() ? "\n" : fmt::format(", {}/report.html\n", report.run_folders[i]);
-  }
-  return text + fmt::format("  any run again, with its flight report: {} RUN\n", report.run_command);
 }
 
 }  // namespace fantail::campaign

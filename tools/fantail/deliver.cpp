@@ -54,7 +54,8 @@ result::Made made_with(const std::vector<fs::path>& inputs, std::optional<std::u
 void deliver(const result::Document& document, const Delivery& delivery) {
   const bool is_written = !delivery.name.empty();
   if (is_written) {
-    text::OutputFolder{delivery.folder, delivery.inputs}.write(result::files(document, delivery.name, delivery.page), delivery.removed);
+    text::OutputFolder{delivery.folder, delivery.inputs}.write(result::files(document, delivery.name, delivery.page),
+                                                               delivery.removed);
   }
   if (delivery.when_written) {
     delivery.when_written();

@@ -24,10 +24,8 @@
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
-#include "json/value.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -115,16 +113,15 @@ campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& 
 }
 
 /// A part is not judged.
-void print_shard(const campaign::Shard& shard, std::size_t runs, const fs::path& file, bool as_json) {
-  if (as_json) {
-    json::Value said = {{"shard", shard.number}, {"of", shard.of}, {"runs", runs}, {"file", file.string()}};
-    result::put_answer(said, result::Answer::none, "The question is answered when all shards are merged.",
-                       made_with({}));
-    fmt::print("{}\n", said.dump());
-    return;
-  }
-  show("shard {} of {}: {} runs in {}; what is asked of them is answered when all are merged\n", shard.number, shard.of,
-       runs, file.string());
+result::Document answer_of_shard(const campaign::Shard& shard, std::size_t runs, const std::string& file,
+                                 const result::Made& made) {
+  return {.title = fmt::format("shard {} of {}", shard.number, shard.of),
+          .subtitle = fmt::format("{} runs in {}", runs, file),
+          .verdict = {.answer = result::Answer::none,
+                      .heading = "Flown",
+                      .sentence = "The question is answered when all shards are merged."},
+          .facts = {{"shard", "", shard.number}, {"of", "", shard.of}, {"runs", "", runs}, {"file", "", file}},
+          .made = made};
 }
 
 void fly_campaign(const CampaignOptions& options, const Asked& asked) {
@@ -132,13 +129,15 @@ void fly_campaign(const CampaignOptions& options, const Asked& asked) {
   const std::vector<std::string> changes = changes_of(options, asked);
   const fs::path folder =
       results_folder(options.out, "campaign", input::name_of_file(options.scenario.scenario), changes);
-  const result::Made made = made_with(files_of(options.scenario), campaign.seed, changes);
+  const std::vector<fs::path> inputs = files_of(options.scenario);
+  const result::Made made = made_with(inputs, campaign.seed, changes);
   campaign::FlownCampaign flown = fly(campaign, folder, options.threads);
+  const std::string runs = (folder / campaign::runs_name).string();
   if (!flown.remark.empty()) {
     say("fantail: " + flown.remark + "\n");
   }
   if (campaign.shard.of > 1) {
-    print_shard(campaign.shard, flown.runs.size(), folder / campaign::runs_name, options.json);
+    deliver(answer_of_shard(campaign.shard, flown.runs.size(), runs, made), {.json = options.json});
     return;
   }
   Chapters chapters{"campaign", 1, "figures, the worst flights and the page"};
@@ -146,12 +145,12 @@ void fly_campaign(const CampaignOptions& options, const Asked& asked) {
       campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent), made,
       folder, [&] { leave_if_interrupted(folder, campaign::runs_name); });
   chapters.end();
-  if (options.json) {
-    fmt::print("{}", campaign::report_json(report));
-  } else {
-    show("{}\n  page  {}\n  runs  {}\n", painted_decision(campaign::report_text(report, output_columns())),
-         (folder / "campaign.html").string(), (folder / campaign::runs_name).string());
-  }
+  deliver(campaign::answer(report), {.folder = folder,
+                                     .name = "summary",
+                                     .page = "campaign",
+                                     .inputs = inputs,
+                                     .json = options.json,
+                                     .last_line = "  runs     " + runs});
   if (report.analysis.judgement && *report.analysis.judgement != campaign::Judgement::met) {
     throw RequirementNotMet{""};
   }

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "campaign/column_words.hpp"
+#include "campaign/results.hpp"
+#include "campaign/setup.hpp"
+#include "json/value.hpp"
+#include "text/number.hpp"
+
+namespace fantail::campaign {
+namespace {
+
+using Json = json::Value;
+using result::Cell;
+using result::Named;
+using result::Worse;
+namespace u = result::units;
+
+/// The unit is that of the row, and the decimals with it.
+std::string five_digits(double value) { return text::brief(value, std::max(0, result::decimals_for(value, 5))); }
+
+constexpr auto column_fields = result::fields<Column>({
+    {"name", "figure", u::none, 0,
+     [](const Column& c) { return Cell{Named{c.name, column_words(c.name).with_unit()}}; },
+     "its column in runs.csv.gz; it ends with the unit of the row"},
+    {"runs", "runs", u::none, 0, [](const Column& c) { return Cell{std::uint64_t{c.values.size()}}; },
+     "runs that have it"},
+    {"mean", "mean", u::none, 0, [](const Column& c) { return Cell{c.quantiles.mean}; }, "mean of these runs",
+     Worse::neither, five_digits},
+    {"least", "least", u::none, 0, &Column::least, "least value", Worse::neither, five_digits},
+    {"p5", "5 %", u::none, 0, [](const Column& c) { return Cell{c.quantiles.p5}; },
+     "value below which 5 % of the runs lie", Worse::neither, five_digits},
+    {"p50", "median", u::none, 0, [](const Column& c) { return Cell{c.quantiles.p50}; },
+     "value below which half of the runs lie", Worse::neither, five_digits},
+    {"p95", "95 %", u::none, 0, [](const Column& c) { return Cell{c.quantiles.p95}; },
+     "value below which 95 % of the runs lie", Worse::neither, five_digits},
+    {"largest", "largest", u::none, 0, &Column::largest, "largest value", Worse::neither, five_digits},
+});
+
+struct Outcome {
+  std::string name;
+  std::size_t runs;
+  double share;
+};
+constexpr auto outcome_fields = result::fields<Outcome>({
+    {"outcome", "outcome", u::none, 0, [](const Outcome& o) { return Cell{outcome_words(o.name)}; },
+     "the verdict of a flight report in a word"},
+    {"runs", "runs", u::none, 0, &Outcome::runs, "runs with it"},
+    {"share", "share", u::percent, 1, &Outcome::share, "their share of all runs", Worse::neither, percent},
+});
+
+/// One of the runs that are shown.
+struct WorstRun {
+  const FlownRun* flown;
+  std::optional<double> value;
+  std::string folder;
+};
+Cell words_or_none(const std::string& words) { return words.empty() ? Cell{} : Cell{words}; }
+constexpr auto worst_fields = result::fields<WorstRun>({
+    {"run", "run", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->run}; }, "its number"},
+    {"seed", "seed", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->seed}; }, "seed of its random streams"},
+    {"outcome", "outcome", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->outcome}; },
+     "the verdict of its flight report in a word"},
+    {"value", "figure", u::none, 0, &WorstRun::value,
+     "the figure of the question, of an outcome the largest hold error", Worse::neither, five_digits},
+    {"note", "note", u::none, 0, [](const WorstRun& w) { return words_or_none(w.flown->note); },
+     "why there is no outcome of a flight"},
+    {"folder", "folder", u::none, 0, [](const WorstRun& w) { return words_or_none(w.folder); },
+     "where its flight report is; null for a run that was not flown"},
+});
+
+constexpr std::string_view name(Judgement judgement) {
+  return judgement == Judgement::met ? "met" : judgement == Judgement::not_met ? "not met" : "undecided";
+}
+
+using R = Report;
+constexpr auto report_fields = result::fields<R>({
+    {"question", "what is counted", u::none, 0, [](const R& r) { return Cell{r.analysis.question.text()}; },
+     "what a run must come to"},
+    {"required", "asked for", u::share, 1,
+     [](const R& r) { return r.analysis.required ? Cell{*r.analysis.required} : Cell{}; },
+     "the share that is asked for; null: none"},
+    {"judgement", "judgement", u::none, 0,
+     [](const R& r) {
+       return r.analysis.judgement ? Cell{result::Judged{answer_of(r), std::string{name(*r.analysis.judgement)}}}
+                                   : Cell{};
+     },
+     "met, not_met or undecided, of the share alone; null: none is asked for"},
+    {"runs", "runs", u::none, 0, [](const R& r) { return Cell{std::uint64_t{r.flown.runs.size()}}; }, "runs flown"},
+    {"runs_asked", "runs at most", u::none, 0, [](const R& r) { return Cell{r.campaign.runs}; }, "runs asked for"},
+    {"runs_outside_model", "runs outside the model", u::none, 0,
+     [](const R& r) { return Cell{std::uint64_t{runs_outside_the_model(r)}}; },
+     "runs in which the roll model does not hold"},
+    {"runs_drawn_again", "runs drawn again", u::none, 0,
+     [](const R& r) { return Cell{std::uint64_t{r.analysis.drawn_again}}; },
+     "runs of which a draw left what its field allows"},
+});
+
+Json share_of(const Analysis& a) {
+  Json share = result::json_of(u::none, a.share);
+  share["interval"] = a.by_sequence ? "confidence_sequence" : "wilson";
+  return share;
+}
+
+std::string heading(const Report& report) {
+  const std::optional<Judgement>& judgement = report.analysis.judgement;
+  if (runs_outside_the_model(report) > 0) {
+    return "Outside the model";
+  }
+  return !judgement                         ? "Found"
+         : *judgement == Judgement::met     ? "Met"
+         : *judgement == Judgement::not_met ? "Not met"
+                                            : "Not decided";
+}
+
+std::vector<result::Block> outcomes(const Report& report) {
+  std::vector<Outcome> all;
+  Json counts;
+  for (const auto& [name, count] : report.analysis.outcomes) {
+    all.push_back({name, count, static_cast<double>(count) / static_cast<double>(report.analysis.share.of)});
+    counts[name] = count;
+  }
+  return {result::table({}, all, outcome_fields), result::Data{"outcomes", counts},
+          result::Picture{convergence_chart(report)}};
+}
+
+/// For people; of each run its mean is for programs.
+result::Table shown(const result::Table& columns) {
+  return result::only(columns, {"name", "runs", "least", "p5", "p50", "p95", "largest"});
+}
+
+std::vector<result::Block> distributions(const Analysis& analysis, const result::Table& figures) {
+  std::vector<result::Block> all;
+  for (const Column& c : analysis.figures) {
+    if (c.largest > c.least) {
+      all.emplace_back(result::Picture{histogram(c)});
+    }
+  }
+  all.emplace_back(shown(figures));
+  return all;
+}
+
+std::vector<WorstRun> runs_shown(const Report& report) {
+  std::vector<WorstRun> all;
+  for (std::size_t i = 0; i < report.analysis.worst.size(); ++i) {
+    const FlownRun& run = report.flown.runs[report.analysis.worst[i]];
+    all.push_back({&run, run.figures[report.analysis.question.measured_by()], report.run_folders[i]});
+  }
+  return all;
+}
+
+std::vector<result::Block> worst(const Report& report) {
+  const ColumnWords asked = column_words(figure_columns[report.analysis.question.measured_by()]);
+  const std::string unit = asked.unit.empty() ? "" : " " + asked.unit;
+  result::Links links;
+  for (const WorstRun& one : runs_shown(report)) {
+    const FlownRun& run = *one.flown;
+    const std::string value = one.value ? fmt::format(", {} {}{}", asked.words, five_digits(*one.value), unit) : "";
+    links.all.push_back({.href = one.folder.empty() ? "" : one.folder + "/report.html",
+                         .text = fmt::format("run {}", run.run),
+                         .about = fmt::format(": {}{}{}{}", outcome_words(run.outcome), value,
+                                              run.note.empty() ? "" : "; ", run.note)});
+  }
+  return {links, "Any run again, with its flight report: " + report.run_command + " RUN"};
+}
+
+std::vector<std::string> changes_of(const Campaign& campaign) {
+  std::vector<std::string> all;
+  for (const input::Override& change : campaign.changes) {
+    all.push_back(lines_of({change}));
+  }
+  return all;
+}
+
+std::string subtitle(const Report& report) {
+  std::string changes;
+  for (const std::string& change : changes_of(report.campaign)) {
+    changes += (changes.empty() ? ". Changed: " : ", ") + change;
+  }
+  return fmt::format("{}, plan {}; {} runs, independent, seed {}{}", report.flown.vehicle, report.flown.plan,
+                     report.flown.runs.size(), report.campaign.seed, changes);
+}
+
+}  // namespace
+
+std::vector<result::Listed> listed_fields() {
+  return {result::listed("", report_fields), result::listed("figures[], quantities[]", column_fields),
+          result::listed("worst_runs[]", worst_fields)};
+}
+
+result::Document answer(const Report& report) {
+  using enum result::Readers;
+  const Analysis& a = report.analysis;
+  const Campaign& campaign = report.campaign;
+  const result::Table figures = result::table("figures", a.figures, column_fields);
+  const result::Table quantities = result::table("quantities", a.quantities, column_fields);
+  return {.kind = "Fantail campaign",
+          .title = report.flown.scenario,
+          .subtitle = subtitle(report),
+          .verdict = {.answer = answer_of(report), .heading = heading(report), .sentence = headline(report)},
+          .facts = {{"scenario", "", report.flown.scenario},
+                    {"vehicle", "", report.flown.vehicle},
+                    {"plan", "", report.flown.plan},
+                    {"changes", "", changes_of(campaign)},
+                    {"version", "", report.made.version},
+                    {"seed", "", campaign.seed},
+                    {"sampling", "", "independent"},
+                    {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
+          .sections = {{"Outcomes", outcomes(report)},
+                       {"Figures of the runs", distributions(a, figures)},
+                       {"What matters", influences(report)},
+                       {"Slope of each figure", {slopes_of_each_figure(a)}, files},
+                       {"The worst runs", worst(report)},
+                       {"What was drawn", {shown(quantities)}, files},
+                       {"How far this can be trusted", {result::Sentences{"remarks", remarks(report)}}},
+                       {"Again", {report.command}},
+                       {"For programs",
+                        {result::figures("", report, report_fields), result::Data{"share", share_of(a)}, figures,
+                         quantities, result::Data{"influences", influences_for_programs(a)},
+                         result::table("worst_runs", runs_shown(report), worst_fields)},
+                        programs}},
+          .made = report.made};
+}
+
+}  // namespace fantail::campaign
