@@ -59,7 +59,7 @@ set(FANTAIL_LAYERS
   "tools/tune|core protocol sim text json page result input flight report stability fly runs campaign predict|fmt/"
   "tools/paper|core sim text json page result input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text distributions json page result input runs|fmt/"
-  "tools/faults|core sim text json page result input runs campaign|fmt/"
+  "tools/faults|core sim text json result input runs campaign|fmt/"
   "tools/playground|core sim text json input flight report fly|fmt/"
   "tools/fantail|core protocol avionics hal/linux sim text json manual page result input files flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json result input flight report flight_log logs identify identify/model identify/result fly runs campaign predict|nanobind/")

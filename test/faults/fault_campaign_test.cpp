@@ -12,6 +12,7 @@
 
 #include "faults/results.hpp"
 #include "input/scenario_file.hpp"
+#include "switches.hpp"
 #include "text/error.hpp"
 
 namespace fantail::faults {
@@ -30,41 +31,34 @@ class FaultCampaign : public testing::Test {
   fs::path folder_;
 };
 
-Campaign resets() {
-  Campaign campaign;
-  campaign.scenario = "tasha3_launch2";
-  campaign.device = "arm_switch";
-  campaign.phase = "launched";
-  campaign.every = 1000;
-  return campaign;
-}
-
 void quiet(std::uint64_t /*done*/) {}
 
+std::string said_of(const Result& result) { return result::json(answer(result)); }
+
 TEST_F(FaultCampaign, IsTheSameByAnyNumberOfThreadsAndAfterAnInterruption) {
-  const std::string whole = report_json(fly_campaign(resets(), folder_ / "one", "v", 1, quiet), "v");
-  EXPECT_EQ(report_json(fly_campaign(resets(), folder_ / "three", "v", 3, quiet), "v"), whole);
+  const std::string whole = said_of(fly_campaign(switches(), folder_ / "one", "v", 1, quiet));
+  EXPECT_EQ(said_of(fly_campaign(switches(), folder_ / "three", "v", 3, quiet)), whole);
   const auto interrupt = [](std::uint64_t done) {
     if (done > 0) {
       throw std::runtime_error{"interrupted"};
     }
   };
-  EXPECT_THROW((void)fly_campaign(resets(), folder_ / "cut", "v", 1, interrupt), std::runtime_error);
-  EXPECT_EQ(report_json(fly_campaign(resets(), folder_ / "cut", "v", 1, quiet), "v"), whole);
+  EXPECT_THROW((void)fly_campaign(switches(), folder_ / "cut", "v", 1, interrupt), std::runtime_error);
+  EXPECT_EQ(said_of(fly_campaign(switches(), folder_ / "cut", "v", 1, quiet)), whole);
 }
 
 TEST_F(FaultCampaign, FliesAPartAgainThatIsDamagedAndCountsIt) {
-  const std::string whole = report_json(fly_campaign(resets(), folder_, "v", 2, quiet), "v");
+  const std::string whole = said_of(fly_campaign(switches(), folder_, "v", 2, quiet));
   const fs::path part = folder_ / "parts/arm_switch.open.launched.00000000.part";
   fs::resize_file(part, fs::file_size(part) - 3);
-  const Result again = fly_campaign(resets(), folder_, "v", 2, quiet);
+  const Result again = fly_campaign(switches(), folder_, "v", 2, quiet);
   EXPECT_EQ(again.damaged, 1U);
-  EXPECT_EQ(report_json(again, "v"), whole);
-  EXPECT_EQ(fly_campaign(resets(), folder_, "v", 2, quiet).damaged, 0U);
+  EXPECT_EQ(said_of(again), whole);
+  EXPECT_EQ(fly_campaign(switches(), folder_, "v", 2, quiet).damaged, 0U);
 }
 
 TEST_F(FaultCampaign, RefusesAFolderOfAnotherCampaignOrProgramAndNamesTheDifference) {
-  (void)fly_campaign(resets(), folder_, "1 (a)", 2, quiet);
+  (void)fly_campaign(switches(), folder_, "1 (a)", 2, quiet);
   const auto refusal = [this](const Campaign& campaign, const char* program) -> std::string {
     try {
       (void)fly_campaign(campaign, folder_, program, 2, quiet);
@@ -74,32 +68,32 @@ TEST_F(FaultCampaign, RefusesAFolderOfAnotherCampaignOrProgramAndNamesTheDiffere
     }
     return "it took the folder";
   };
-  Campaign other = resets();
+  Campaign other = switches();
   other.every = 999;
   EXPECT_TRUE(refusal(other, "1 (a)").ends_with("it holds another campaign: every is 1000 there and 999 here"));
-  EXPECT_TRUE(refusal(resets(), "1 (b)").ends_with("version is 1 (a) there and 1 (b) here"));
+  EXPECT_TRUE(refusal(switches(), "1 (b)").ends_with("version is 1 (a) there and 1 (b) here"));
 }
 
 TEST_F(FaultCampaign, RefusesNamesThatItHasNotARunThatItHasNotAndATunnel) {
-  Campaign campaign = resets();
+  Campaign campaign = switches();
   campaign.device = "gyroscope";
   EXPECT_THROW((void)extent_of(campaign), text::Error);
-  EXPECT_THROW((void)fly_alone(resets(), "imu/dead/launched", 3), text::Error);
-  EXPECT_THROW((void)fly_alone(resets(), "second_imu/dead/launched", 0), text::Error);
-  campaign = resets();
+  EXPECT_THROW((void)fly_alone(switches(), "imu/dead/launched", 3), text::Error);
+  EXPECT_THROW((void)fly_alone(switches(), "second_imu/dead/launched", 0), text::Error);
+  campaign = switches();
   campaign.scenario = "tunnel_steps";
   EXPECT_THROW((void)extent_of(campaign), text::Error);
 }
 
 TEST_F(FaultCampaign, CountsItsFlightsBeforehand) {
-  const Extent extent = extent_of(resets());
+  const Extent extent = extent_of(switches());
   EXPECT_EQ(extent.cells, 4U);
-  EXPECT_EQ(extent.flights, fly_campaign(resets(), folder_, "v", 2, quiet).flights);
+  EXPECT_EQ(extent.flights, fly_campaign(switches(), folder_, "v", 2, quiet).flights);
   EXPECT_EQ(extent.flights, 4U * 3U);
 }
 
 TEST_F(FaultCampaign, ARunAloneIsTheRunOfTheCampaign) {
-  Campaign campaign = resets();
+  Campaign campaign = switches();
   campaign.fault = "open";
   const Result result = fly_campaign(campaign, folder_, "v", 2, quiet);
   const faults::Run& worst = *result.cells.at(0).worst;
@@ -110,7 +104,7 @@ TEST_F(FaultCampaign, ARunAloneIsTheRunOfTheCampaign) {
 
 // 30 ms are shorter than what disarms, and a contact that never settles was never closed.
 TEST(FaultCampaignOfSwitches, OneThatChattersDisarmsNoRocketAndArmsNone) {
-  Campaign campaign = resets();
+  Campaign campaign = switches();
   campaign.fault = "chatters";
   const auto outcome = [&](const char* phase, std::uint64_t run) {
     campaign.phase = phase;
@@ -125,11 +119,13 @@ TEST(FaultCampaignOfSwitches, OneThatChattersDisarmsNoRocketAndArmsNone) {
 
 TEST(FaultOnsets, OfAPhaseWithoutThreeStepsAreAllOfThemAndThePageSaysNoMore) {
   Result result;
-  result.campaign = resets();
+  result.campaign = switches();
   result.cells = {{.cell = cell_of("bus/dead/pad")}};
   result.campaign.step_ms = 10'000;
   EXPECT_EQ(extent_of(result.campaign).flights, 4U);
-  const auto says = [&](const std::string& text) { return report_html(result, "v").find(text) != std::string::npos; };
+  const auto says = [&](const std::string& text) {
+    return result::html(answer(result)).find(text) != std::string::npos;
+  };
   EXPECT_TRUE(
       says("in each phase an onset each 10000000 ms, or closer so that there are at least three, but not closer than "
            "10000 ms; seed 1"));
@@ -164,12 +160,12 @@ TEST(FaultWorst, AreTheWorstCellsOfFiveFaultsRedOnesFirst) {
 }
 
 TEST_F(FaultCampaign, WritesTheFlightReportsOfItsWorstFlightsBesideThePageThatLinksToThem) {
-  Result result = fly_campaign(resets(), folder_, "v", 2, quiet);
+  Result result = fly_campaign(switches(), folder_, "v", 2, quiet);
   int looks = 0;
   write_worst(result, prepare(result.campaign), folder_, [&looks] { ++looks; });
   EXPECT_EQ(looks, 4);
-  const std::string page = report_html(result, "v");
-  const std::string summary = report_json(result, "v");
+  const std::string page = result::html(answer(result));
+  const std::string summary = said_of(result);
   for (const CellResult& cell : result.cells) {
     ASSERT_FALSE(cell.report.empty()) << cell.cell.name();
     EXPECT_TRUE(fs::exists(folder_ / cell.report / "report.html")) << cell.report;

@@ -11,6 +11,7 @@
 
 #include "airframe/summary.hpp"
 #include "campaign/results.hpp"
+#include "faults/results.hpp"
 #include "hardover/study.hpp"
 #include "listen/answer.hpp"
 #include "predict/answer.hpp"
@@ -53,6 +54,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
   const std::vector<std::pair<std::string_view, std::vector<Listed>>> verbs{
       {"airframe", airframe::listed_fields()},
       {"campaign", campaign::listed_fields()},
+      {"campaign faults", faults::listed_fields()},
       {"campaign hardover", hardover::listed_fields()},
       {"fly, report", report::listed_fields()},
       {"listen", listen::listed_fields()},
@@ -64,10 +66,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
       {"tunnel swirl", tunnel::listed_swirl_fields()}};
   std::string fields;
   for (const auto& [verb, listed] : verbs) {
-    fields += fmt::format("
-## {}
-
-{}", verb, tables(listed));
+    fields += fmt::format("\n## {}\n\n{}", verb, tables(listed));
     fields.pop_back();
   }
   const std::string written = page.substr(0, begin) + std::string{begin_mark} + fields;

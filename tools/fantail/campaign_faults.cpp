@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/campaign_faults.hpp"
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -24,7 +23,6 @@
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "text/number.hpp"
-#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -79,12 +77,8 @@ void fly_one(const FaultsOptions& options, const std::vector<std::string>& chang
   const fs::path folder = of_campaign / faults::run_folder(options.cell, options.run);
   faults::write_run(campaign, options.cell, options.run, alone, folder);
   const std::string report = (folder / "report.html").string();
-  if (options.json) {
-    fmt::print("{}", faults::run_json(campaign, alone, report, FANTAIL_VERSION,
-                                      made_with(files_of(options.scenario), alone.run.seed, changes)));
-  } else {
-    show_text(faults::run_text(alone, report));
-  }
+  const result::Made made = made_with(files_of(options.scenario), alone.run.seed, changes);
+  deliver(faults::answer(campaign, alone, report, made), {.json = options.json});
   if (alone.judged.colour == faults::Colour::red) {
     throw RequirementNotMet{""};
   }
@@ -99,7 +93,8 @@ void list_names() {
 void fly_all(const FaultsOptions& options, const std::vector<std::string>& changes, const fs::path& folder) {
   const faults::Campaign campaign = asked_for(options);
   const faults::Prepared prepared = prepare_shown(campaign, options.threads);
-  const result::Made made = made_with(files_of(options.scenario), {}, changes);
+  const std::vector<fs::path> inputs = files_of(options.scenario);
+  const result::Made made = made_with(inputs, {}, changes);
   const faults::Extent& extent = prepared.extent;
   say(fmt::format("{} flights in {} cells\n", extent.flights, extent.cells));
   faults::Result result;
@@ -117,16 +112,9 @@ void fly_all(const FaultsOptions& options, const std::vector<std::string>& chang
   }
   Chapters chapters{"faults", 1, "the worst flights and the page"};
   faults::write_worst(result, prepared, folder, [&folder] { leave_if_interrupted(folder); });
-  const std::string summary = faults::report_json(result, FANTAIL_VERSION, made);
-  const std::array<text::NamedFile, 2> files{
-      {{"summary.json", summary}, {"faults.html", faults::report_html(result, FANTAIL_VERSION)}}};
-  text::OutputFolder{folder, files_of(options.scenario)}.write(files);
   chapters.end();
-  if (options.json) {
-    fmt::print("{}", summary);
-  } else {
-    show("{}  page  {}\n", faults::report_text(result), (folder / "faults.html").string());
-  }
+  deliver(faults::answer(result, made),
+          {.folder = folder, .name = "summary", .page = "faults", .inputs = inputs, .json = options.json});
   if (faults::has_red(result)) {
     throw RequirementNotMet{""};
   }

@@ -6,7 +6,7 @@
 // Colours repeat what words say; nothing is said by a colour alone.
 namespace fantail::tool {
 
-/// "Go", "No go", "PASS" and "FAIL", where a line begins with them.
+/// "PASS", "FAIL" and "Outside the model", where a line begins with them.
 [[nodiscard]] std::string painted_decision(std::string text);
 
 /// The word behind "phase" where a line begins with that: green while the rocket is safe, yellow while it is armed,

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "campaign/setup.hpp"
+#include "faults/results.hpp"
+#include "json/value.hpp"
+#include "text/quoting.hpp"
+
+namespace fantail::faults {
+namespace {
+
+namespace u = result::units;
+
+constexpr result::Unit deg{"_deg", "deg"};  // as it is stored
+
+template <Colour colour>
+result::Cell cells_of(const Result& result) {
+  return std::uint64_t{count(result, colour)};
+}
+
+constexpr auto result_fields = result::fields<Result>({
+    {"flights", "flights", u::none, 0, &Result::flights, "flights with a fault"},
+    {"green", "safe", u::none, 0, cells_of<Colour::green>, "cells that are safe in every flight"},
+    {"red", "red", u::none, 0, cells_of<Colour::red>, "cells that are not safe, for no limit that is known"},
+    {"known_limits", "known limits", u::none, 0, cells_of<Colour::known_limit>,
+     "cells that are not safe, for a limit that is known"},
+    {"limits_without_need", "limits without need", u::none, 0, cells_of<Colour::limit_without_need>,
+     "cells that are safe, though a limit is listed"},
+    {"not_judged", "not judged", u::none, 0, cells_of<Colour::not_judged>,
+     "cells of which nothing is asked but what holds for every flight"},
+    {"not_applicable", "not applicable", u::none, 0, cells_of<Colour::not_applicable>,
+     "cells that this rocket cannot have"},
+});
+
+using C = CellResult;
+constexpr auto cell_fields = result::fields<C>({
+    {"cell", "cell", u::none, 0, [](const C& c) { return result::Cell{c.cell.name()}; },
+     "device, fault and phase, as --cell takes them"},
+    {"device", "device", u::none, 0, [](const C& c) { return result::Cell{std::string{c.cell.row->device}}; },
+     "the device that fails"},
+    {"fault", "fault", u::none, 0, [](const C& c) { return result::Cell{std::string{c.cell.row->fault}}; },
+     "how it fails"},
+    {"phase", "phase", u::none, 0, [](const C& c) { return result::Cell{std::string{name(c.cell.phase)}}; },
+     "phase in which the fault begins"},
+    {"safe", "safe is", u::none, 0, [](const C& c) { return result::Cell{c.cell.safe()}; },
+     "what was stated beforehand"},
+    {"result", "result", u::none, 0, [](const C& c) { return result::Cell{std::string{name(c.colour)}}; },
+     "what the cell came to"},
+    {"flights", "flights", u::none, 0, &C::flights, "its flights"},
+    {"red", "red flights", u::none, 0, &C::red, "those that are not safe"},
+});
+
+constexpr auto run_fields = result::fields<Run>({
+    {"run", "run", u::none, 0, &Run::number, "number of the run in its cell"},
+    {"begin", "fault begins", u::s, 3, [](const Run& r) { return result::Cell{1e-3 * r.begin_ms}; },
+     "when the fault begins, after ignition"},
+    {"apart", "apart", deg, 1, &Run::apart_deg,
+     "largest difference from the roll of the same flight without the fault"},
+    {"trim_after", "commands at trim after", u::s, 3, &Run::trim_after_s,
+     "time from then to the last command off trim; 0: none was"},
+    {"stands_after", "canards at trim after", u::s, 3, &Run::stands_after_s,
+     "time from then until the last shaft that obeys truly stood at trim"},
+});
+
+constexpr auto alone_fields = result::fields<Alone>({
+    {"cell", "cell", u::none, 0, [](const Alone& a) { return result::Cell{a.judged.cell.name()}; },
+     "device, fault and phase"},
+    {"safe", "safe is", u::none, 0, [](const Alone& a) { return result::Cell{a.judged.cell.safe()}; },
+     "what was stated beforehand"},
+    {"result", "result", u::none, 0, [](const Alone& a) { return result::Cell{std::string{name(a.judged.colour)}}; },
+     "what the run came to"},
+    {"was", "it was", u::none, 0, [](const Alone& a) { return result::Cell{a.findings.what_it_was()}; },
+     "what happened"},
+});
+
+json::Value limit_of(const CellResult& cell) { return {{"why", cell.limit->why}, {"what_to_do", what_to_do(cell)}}; }
+
+json::Value json_of_cell(const CellResult& result, const Campaign& campaign) {
+  json::Value value = result::json_of(result, cell_fields);
+  if (result.worst) {
+    json::Value counts{};
+    for (unsigned bit = 0; bit < outcomes; ++bit) {
+      const auto outcome = static_cast<Outcome>(1U << bit);
+      if (result.cell.expected().allows(outcome)) {
+        counts[name(outcome)] = result.counts[bit];
+      }
+    }
+    value["outcomes"] = counts;
+    json::Value& worst = value["worst"] = result::json_of(*result.worst, run_fields);
+    worst["seed"] = result.worst->seed;
+    worst["what"] = result.figure;
+    worst["command"] = run_command(campaign, result.cell, result.worst->number);
+    json::keep_exact(worst, "seed");
+  }
+  if (!result.report.empty()) {
+    value["worst"]["report"] = result.report + "/report.html";
+  }
+  if (result.limit != nullptr) {
+    value["limit"] = limit_of(result);
+  }
+  return value;
+}
+
+std::string onsets_of(const Campaign& campaign) {
+  const std::string seeds = campaign.seeds == 1 ? fmt::format("seed {}", campaign.seed)
+                                                : fmt::format("{} seeds from {}", campaign.seeds, campaign.seed);
+  const std::string closer =
+      campaign.every == 1
+          ? ""
+          : fmt::format(", or closer so that there are at least three, but not closer than {} ms", campaign.step_ms);
+  return fmt::format("in each phase an onset each {} ms{}; {}", campaign.step_ms * campaign.every, closer, seeds);
+}
+
+std::string meaning_of_phases() {
+  std::string all = "What it came to, its number of flights, and its worst flight. Phases: ";
+  for (std::size_t i = 0; i < phases; ++i) {
+    const auto phase = static_cast<Phase>(i);
+    all += fmt::format("{}{}: {}", i == 0 ? "" : "; ", name(phase), meaning(phase));
+  }
+  return all + ".";
+}
+
+std::vector<std::string> how() {
+  return {
+      "A cell is a device, a fault and the phase in which the fault begins. Its flights differ by when it begins and "
+      "by the seed.",
+      "In every flight no command may go beyond the smallest of plan limit, hard limit and mechanical stop; none may "
+      "be off trim in Armed, Launched or Finished; none may move away from trim in Safe after ignition; each tick "
+      "comes to its end; and Controlling comes from Launched alone, or from a resumed flight.",
+      "The true shafts are held to the same, by the play and the spread of the servos, and with the time that a servo "
+      "needs to get there. What the shaft of a failed servo may do is stated with its fault, below; the shafts of the "
+      "others are held to all of it.",
+      "\"Not judged further\" are flights of which nothing is asked beyond that: where no servo obeys, the air alone "
+      "turns the rocket.",
+      "Roll is held against the same flight, of the same seed, without the fault: degrees apart are degrees from it.",
+      "Judged are the true roll angle, the true canard shafts, the pulses on the servo lines and the phase. What the "
+      "avionics believes does not count."};
+}
+
+std::vector<result::Section> sections(const Result& result) {
+  using enum result::Readers;
+  json::Value cells = json::Value::array();
+  for (const CellResult& cell : result.cells) {
+    cells.push_back(json_of_cell(cell, result.campaign));
+  }
+  const result::Table open = not_green(result);
+  std::vector<result::Block> worst{worst_flights(result)};
+  if (const std::vector<std::size_t> first = worst_cells(result); !first.empty()) {
+    const CellResult& cell = result.cells[first.front()];
+    worst.emplace_back(
+        "The worst flight of each of the worst faults, with its flight report. Any other again, with its report, by "
+        "its cell and run, as here the first of these: " +
+        run_command(result.campaign, cell.cell, cell.worst->number));
+  }
+  std::vector<result::Section> list{
+      {"The worst flights", worst},
+      {"Not green", open.rows.empty() ? std::vector<result::Block>{"None."} : std::vector<result::Block>{open}},
+      {"Why, and what to do", {reasons(result)}, files},
+      {"Cell by cell", {meaning_of_phases()}, files}};
+  for (const std::string_view device : device_names()) {
+    list.push_back({std::string{device}, matrix(result, device), files});
+  }
+  list.push_back({"How it is judged", {result::Sentences{.all = how()}}, files});
+  list.push_back({"What is safe, stated beforehand", {stated(result)}, files});
+  list.push_back({"Again", {command_of(result.campaign)}});
+  list.push_back(
+      {"For programs", {result::figures("", result, result_fields), result::Data{"cells", cells}}, programs});
+  return list;
+}
+
+}  // namespace
+
+std::vector<result::Listed> listed_fields() {
+  return {result::listed("", result_fields), result::listed("cells[]", cell_fields),
+          result::listed("cells[].worst; with --cell in the object itself", run_fields),
+          result::listed("with --cell", alone_fields)};
+}
+
+result::Document answer(const Result& result, const result::Made& made) {
+  return {
+      .kind = "Fantail campaign of faults",
+      .title = result.scenario,
+      .subtitle = fmt::format("{}, plan {}; {}", result.vehicle, result.plan, onsets_of(result.campaign)),
+      .verdict = {.answer = answer_of(result),
+                  .heading = has_red(result)         ? "Red"
+                             : has_red_limit(result) ? "Known limits"
+                                                     : "No red cell",
+                  .sentence = headline(result),
+                  .not_in_it = {"An outcome that was stated beforehand, as the page has it at its end; control that "
+                                "is over is one of them, and the rocket then rolls freely. It does not say that "
+                                "nobody is hurt, nor where the rocket comes down, and all of it is a model on a PC."},
+                  .not_in_it_heading = "Safe is here:"},
+      .facts = {{"scenario", "", result.scenario},
+                {"vehicle", "", result.vehicle},
+                {"plan", "", result.plan},
+                {"version", "", made.version},
+                {"command", "", command_of(result.campaign)}},
+      .sections = sections(result),
+      .made = made};
+}
+
+result::Document answer(const Campaign& campaign, const Alone& alone, const std::string& report,
+                        const result::Made& made) {
+  const CellResult& judged = alone.judged;
+  result::Figures run = result::figures("", alone.run, run_fields);
+  std::vector<result::Block> limit;
+  if (judged.colour == Colour::known_limit) {
+    limit = {fmt::format("Why: {}.", judged.limit->why), fmt::format("To do: {}.", what_to_do(judged)),
+             result::Data{"limit", limit_of(judged)}};
+  }
+  return {.title = judged.cell.name(),
+          .subtitle = fmt::format("run {}", alone.run.number),
+          .verdict = {.answer = answer_of(judged.colour),
+                      .heading = word_of(judged.colour),
+                      .sentence = alone.findings.what_it_was()},
+          .facts = {{"version", "", made.version},
+                    {"scenario", "", alone.scenario.name},
+                    {"seed", "", alone.run.seed},
+                    {"command", "", run_command(campaign, judged.cell, alone.run.number)},
+                    {"report", "report", report}},
+          .sections = {{"Safe is", {judged.cell.safe()}},
+                       {"It was", {run}},
+                       {"A known limit", limit},
+                       {"For programs", {result::figures("", alone, alone_fields)}, result::Readers::programs}},
+          .made = made};
+}
+
+}  // namespace fantail::faults

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "campaign/setup.hpp"
+#include "faults/results.hpp"
+#include "text/quoting.hpp"
+
+// What came of it, in words, and the commands that fly it again.
+namespace fantail::faults {
+namespace {
+
+std::string options_of(const Campaign& campaign) {
+  const Campaign usual;
+  std::string words;
+  for (const input::Override& change : campaign.changes) {
+    words += " --set " + text::shell_word(campaign::lines_of({change}));
+  }
+  words += fmt::format(" --seed {}", campaign.seed);
+  const auto add = [&words](const char* option, int value, int usually) {
+    words += value == usually ? std::string{} : fmt::format(" {} {}", option, value);
+  };
+  add("--step-ms", campaign.step_ms, usual.step_ms);
+  add("--every", campaign.every, usual.every);
+  add("--seeds", static_cast<int>(campaign.seeds), static_cast<int>(usual.seeds));
+  return words;
+}
+
+/// ", at worst servo/dead/controlling (control went on, 12.3 deg apart)": the flight that is farthest off.
+std::string worst_of(const Result& result, Colour colour) {
+  const CellResult* worst = nullptr;
+  for (const CellResult& cell : result.cells) {
+    if (cell.colour == colour && (worst == nullptr || worst->worst->apart_deg < cell.worst->apart_deg)) {
+      worst = &cell;
+    }
+  }
+  return worst == nullptr
+             ? ""
+             : fmt::format(", at worst {} ({})", worst->cell.name(), worst->figure.substr(0, worst->figure.find(';')));
+}
+
+}  // namespace
+
+std::size_t count(const Result& result, Colour colour) {
+  return static_cast<std::size_t>(std::ranges::count(result.cells, colour, &CellResult::colour));
+}
+
+const char* word_of(Colour colour) {
+  switch (colour) {
+    case Colour::red: return "RED";
+    case Colour::known_limit: return "a known limit";
+    case Colour::limit_without_need: return "safe, though a limit is listed";
+    case Colour::not_judged: return "not judged further";
+    case Colour::green:
+    case Colour::not_applicable: break;
+  }
+  return "safe";
+}
+
+bool has_red(const Result& result) { return count(result, Colour::red) > 0; }
+
+bool has_red_limit(const Result& result) { return count(result, Colour::known_limit) > 0; }
+
+std::string what_to_do(const CellResult& cell) {
+  return fmt::format("{}{}{}", cell.limit->what_to_do, cell.of_rocket.empty() ? "" : ". ", cell.of_rocket);
+}
+
+std::string headline(const Result& result) {
+  const std::size_t flown = result.cells.size() - count(result, Colour::not_applicable);
+  const std::size_t red = count(result, Colour::red);
+  const std::size_t limits = count(result, Colour::known_limit);
+  const std::size_t without_need = count(result, Colour::limit_without_need);
+  const std::size_t not_judged = count(result, Colour::not_judged);
+  const std::size_t safe = flown - red - limits - without_need - not_judged;
+  const auto line = [](std::string_view what, std::size_t number, const std::string& more = {}) {
+    return number == 0 ? std::string{} : fmt::format(" {}: {} cell{}{}.", what, number, number == 1 ? "" : "s", more);
+  };
+  return fmt::format("{} flights in {} cells.{}{}{}{}{}{}", result.flights, flown, red == 0 ? " No cell is RED." : "",
+                     line("RED", red, worst_of(result, Colour::red)),
+                     line("Not safe, for a limit that is known", limits, worst_of(result, Colour::known_limit)),
+                     line("Not judged beyond what holds for every flight", not_judged),
+                     line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe));
+}
+
+std::string command_of(const Campaign& campaign) {
+  std::string words = "fantail campaign faults " + text::shell_word(campaign.scenario) + options_of(campaign);
+  const auto add = [&words](const char* option, const std::string& value) {
+    words += value.empty() ? std::string{} : fmt::format(" {} {}", option, value);
+  };
+  add("--device", campaign.device);
+  add("--fault", campaign.fault);
+  add("--phase", campaign.phase);
+  return words;
+}
+
+std::string run_command(const Campaign& campaign, const Cell& cell, std::uint64_t number) {
+  return fmt::format("fantail campaign faults {}{} --cell {} --run {}", text::shell_word(campaign.scenario),
+                     options_of(campaign), cell.name(), number);
+}
+
+result::Answer answer_of(const Result& result) {
+  return has_red(result) ? result::Answer::no : has_red_limit(result) ? result::Answer::undecided : result::Answer::yes;
+}
+
+result::Answer answer_of(Colour colour) {
+  switch (colour) {
+    case Colour::green: return result::Answer::yes;
+    case Colour::red: return result::Answer::no;
+    case Colour::not_applicable: return result::Answer::none;
+    default: return result::Answer::undecided;
+  }
+}
+
+}  // namespace fantail::faults
