@@ -80,7 +80,6 @@ set(FANTAIL_COMPILED_ALONE
   tools/airframe/model/fin_set.cpp
   tools/airframe/openrocket/read.cpp
   tools/bench/axes.cpp tools/bench/sheet_csv.cpp tools/bench/verdict.cpp
-  tools/detection/report_json.cpp
   tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
   tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
   tools/flight/free_roll.cpp tools/flight/turning.cpp

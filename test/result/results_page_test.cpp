@@ -11,6 +11,7 @@
 
 #include "airframe/summary.hpp"
 #include "campaign/results.hpp"
+#include "detection/report.hpp"
 #include "faults/results.hpp"
 #include "hardover/study.hpp"
 #include "listen/answer.hpp"
@@ -54,6 +55,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
   const std::vector<std::pair<std::string_view, std::vector<Listed>>> verbs{
       {"airframe", airframe::listed_fields()},
       {"campaign", campaign::listed_fields()},
+      {"campaign detection", detection::listed_fields()},
       {"campaign faults", faults::listed_fields()},
       {"campaign hardover", hardover::listed_fields()},
       {"fly, report", report::listed_fields()},

@@ -85,12 +85,11 @@ TEST(Campaign, SaysByItsExitCodeWhetherTheShareIsMetAndIsNotDecidedByTooFewRuns)
   const Folder folder;
   const Outcome few = fantail({"campaign", "--runs", "3", "--at-least", "99", "--out", folder / "few"});
   EXPECT_EQ(few.exit_code, 1) << few.err;
-  EXPECT_NE(few.out.find("Asked for is at least 99 %, which is within the interval: not decided."), std::string::npos)
-      << few.out;
+  EXPECT_EQ(summary(folder / "few")["judgement"], "undecided");
   const Outcome met =
       fantail({"campaign", "--runs", "640", "--at-least", "80", "--until-decided", "--out", folder / "met"});
   EXPECT_EQ(met.exit_code, 0) << met.err << met.out;
-  EXPECT_NE(met.out.find("Asked for is at least 80 %: met."), std::string::npos) << met.out;
+  EXPECT_EQ(summary(folder / "met")["judgement"], "met");
   EXPECT_NE(met.out.find("Stopped after 64 of 640 runs, by the rule: Outcome held, decided at 80 %."),
             std::string::npos)
       << met.out;
@@ -121,9 +120,10 @@ TEST(Campaign, OfDetectionsHasACommandForItsWorstEventThatSaysTheSameOfItsPlanAg
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_NE(one.out.find("tasha3_launch1: "), std::string::npos) << one.out;
   EXPECT_EQ(one.out.find("tasha3_launch2: "), std::string::npos) << one.out;
-  std::istringstream lines{one.out.substr(0, one.out.find("  page"))};
-  for (std::string line; std::getline(lines, line);) {
-    EXPECT_NE(page.find(line.substr(line.find_first_not_of(' '))), std::string::npos) << line;
+  const json::Value said = json::parse(content(folder / "one/shaking_" + words[5] + ".json"));
+  EXPECT_GT(said["what_happens"].size(), 3U);
+  for (const json::Value& sentence : said["what_happens"]) {
+    EXPECT_NE(page.find(sentence.text()), std::string::npos) << sentence;
   }
 }
 
@@ -159,8 +159,8 @@ TEST(CampaignHardover, TakesChangesThatPlayAPartInSixDegreesOfFreedomAlone) {
 }
 
 TEST(CampaignDetection, OneEventTakesNoOptionOfTheWholeCampaign) {
-  for (const Words& option : {Words{"--json"}, Words{"--at-most", "1"}, Words{"--false-at-most", "1"},
-                              Words{"--events", "9"}, Words{"--launches", "9"}}) {
+  for (const Words& option :
+       {Words{"--at-most", "1"}, Words{"--false-at-most", "1"}, Words{"--events", "9"}, Words{"--launches", "9"}}) {
     Words words{"campaign", "detection", "--kind", "shaking", "--event", "277"};
     words.insert(words.end(), option.begin(), option.end());
     Refusal({}, words, 64, {option.front(), "--event"});

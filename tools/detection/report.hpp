@@ -8,6 +8,7 @@
 
 #include "detection/campaign.hpp"
 #include "result/answer.hpp"
+#include "result/document.hpp"
 #include "text/layout.hpp"
 
 namespace fantail::detection {
@@ -15,9 +16,8 @@ namespace fantail::detection {
 struct Report {
   Campaign campaign;
   Results results;
-  std::string version;
   result::Made made{};
-  std::optional<double> at_most;          ///< missed launches of a judged rule, a share: asked of its 95 % bound
+  std::optional<double> at_most{};        ///< missed launches of a judged rule, a share: asked of its 95 % bound
   std::optional<double> false_at_most{};  ///< false actuations of a judged rule, likewise; empty: none may be seen
 };
 
@@ -56,7 +56,7 @@ struct Requirement {
 /// Not met when one is not; met when any is; else not judged.
 [[nodiscard]] Verdict verdict(const std::vector<Requirement>& requirements);
 /// Undecided: not judged.
-[[nodiscard]] result::Answer answer(Verdict verdict);
+[[nodiscard]] result::Answer answer_of(Verdict verdict);
 /// The verdict in words, with the counts behind it.
 [[nodiscard]] std::string what_was_judged(const Report& report, Verdict verdict);
 /// The sentences of those that are not met.
@@ -69,10 +69,30 @@ struct Requirement {
 [[nodiscard]] bool judges_launches(const Campaign& campaign);
 [[nodiscard]] bool judges_events(const Campaign& campaign);
 
-[[nodiscard]] std::string report_text(const Report& report, std::size_t columns = text::any_width);
-/// Events that a command can show again are named by it.
-[[nodiscard]] std::string report_json(const Report& report);
-[[nodiscard]] std::string report_html(const Report& report);
+// What each rule made of it.
+
+/// Of each kind that is no launch, the bad accelerometers together, and each condition by itself.
+[[nodiscard]] result::Table events_table(const Report& report, std::size_t rule);
+[[nodiscard]] result::Table events_by_condition(const Report& report, std::size_t rule);
+/// Of flights that come down: how many were none, and in which part control started.
+[[nodiscard]] std::vector<std::string> about_flights(const Report& report, std::size_t rule);
+[[nodiscard]] result::Table launches_table(const Report& report, std::size_t rule);
+/// With which thrust, or after how long a rest, it misses them or is late.
+[[nodiscard]] std::vector<std::string> about_launches(const Report& report, std::size_t rule);
+/// All of a rule in one line, for scripts too.
+[[nodiscard]] std::vector<std::string> sum_lines(const Report& report);
+/// What was drawn.
+[[nodiscard]] result::Table models(const Report& report);
+/// Of all rules beside each other, the launches of one kind.
+[[nodiscard]] std::vector<result::Block> distributions(const Report& report, Kind kind);
+/// False actuations with both accelerometers well as an SVG: a row for each kind of event and in it a bar for each
+/// rule, up to the 95 % bound of their share, with a dot at what was counted. On a scale of decades, so that none of
+/// ten thousand and none of ten million look different. Empty without events. `width` as in page::Chart.
+[[nodiscard]] std::string bounds_svg(const Report& report, double width);
+
+/// All of it, for every output. Events that a command can show again are named by it.
+[[nodiscard]] result::Document answer(const Report& report);
+[[nodiscard]] std::vector<result::Listed> listed_fields();
 
 /// "fantail campaign detection --kind shaking --event 12", with seed and plans where they are not the usual ones.
 [[nodiscard]] std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event);

@@ -229,4 +229,41 @@ bool judges_launches(const Campaign& campaign) { return judges(campaign, true); 
 
 bool judges_events(const Campaign& campaign) { return judges(campaign, false); }
 
+result::Answer answer_of(Verdict verdict) {
+  return verdict == Verdict::met       ? result::Answer::yes
+         : verdict == Verdict::not_met ? result::Answer::no
+                                       : result::Answer::undecided;
+}
+
+std::string what_was_judged(const Report& report, Verdict verdict) {
+  if (std::ranges::none_of(report.campaign.rules, &Rule::judged)) {
+    return "No plan was played that is judged.";
+  }
+  if (verdict == Verdict::not_met) {
+    return "At least one judged plan did what it must not.";
+  }
+  const std::size_t kinds_of_event = static_cast<std::size_t>(
+      std::ranges::count_if(report.campaign.kinds, [](Kind kind) { return !is_launch(kind); }));
+  const auto judged = std::ranges::find_if(report.campaign.rules, &Rule::judged) - report.campaign.rules.begin();
+  const std::uint64_t events = well_events_of(report.results, static_cast<std::size_t>(judged)).events;
+  std::string text = events == 0
+                         ? std::string{"No event that is no launch was played with both accelerometers well."}
+                         : fmt::format("{} events of {} kinds that are no launch, both accelerometers well: {}.",
+                                       events, kinds_of_event,
+                                       report.false_at_most > 0.0 ? "no more false actuations than asked for"
+                                                                  : "no judged plan moved a canard");
+  if (const std::optional<Kind> kind = worst_kind_of(report, static_cast<std::size_t>(judged))) {
+    const Count& count = report.results.of_kind[index(*kind)]->of_rule[static_cast<std::size_t>(judged)][0];
+    const Sum all = well_events_of(report.results, static_cast<std::size_t>(judged));
+    text +=
+        fmt::format(" {}: of the worst kind, {}, {} of {}; of all kinds together {}.",
+                    report.campaign.rules[static_cast<std::size_t>(judged)].name(), info(*kind).name,
+                    with_bound(count.controlling, count.events), count.events, with_bound(all.controlling, all.events));
+  }
+  if (report.at_most && verdict == Verdict::met) {
+    text += " No more launches missed than asked for.";
+  }
+  return text;
+}
+
 }  // namespace fantail::detection

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
-#include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -13,7 +12,6 @@
 #include "detection/rehearsal.hpp"
 #include "detection/report.hpp"
 #include "page/chart.hpp"
-#include "page/page.hpp"
 #include "sim/units.hpp"
 #include "text/number.hpp"
 
@@ -135,11 +133,11 @@ std::string parts_line(const Motion& motion) {
   for (std::size_t part = 0; part < flight_parts; ++part) {
     const std::size_t begin = motion.part_begin[part];
     if (begin < (part + 1 < flight_parts ? motion.part_begin[part + 1] : motion.length)) {
-      text += fmt::format("{}{} {} s", text.empty() ? "  parts begin: " : ", ", part_names[part],
+      text += fmt::format("{}{} {} s", text.empty() ? "parts begin: " : ", ", part_names[part],
                           text::fixed(seconds(begin), 3));
     }
   }
-  return text + '\n';
+  return text;
 }
 
 }  // namespace
@@ -164,24 +162,25 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
 
   const SensorErrors& errors = rehearsal.readings().errors;
   ShownEvent shown;
-  shown.text = fmt::format("{} {}, seed {}: {} s, {} deg from the vertical\n", info(kind).name, event, campaign.seed,
-                           text::fixed(seconds(rehearsal.motion().length), 3),
-                           text::fixed(rehearsal.motion().start_pitch_rad / sim::radians_per_degree, 1));
-  shown.text += fmt::format("  range of the kind, from which this event is drawn: {}\n", info(kind).what);
-  shown.text += is_flight(kind) ? parts_line(rehearsal.motion()) : "";
-  shown.text += errors.condition == Condition::well
-                    ? std::string{"  both accelerometers well\n"}
-                    : fmt::format("  {}: the {} accelerometer, from {} s\n",
-                                  condition_names[static_cast<std::size_t>(errors.condition)],
-                                  errors.bad == 0 ? "first" : "second", text::fixed(seconds(errors.onset), 3));
-  shown.text +=
-      "  gate: control may begin where the way along the guide, as believed, is beyond the guide and a clearance, and "
-      "the speed, as believed, is at the least that the plan asks for; the share of it is the smaller of the two\n";
-  for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
-    shown.text += fmt::format("  {}\n", said(campaign.rules[rule], answers[rule], is_launch(kind)));
+  const auto say = [&shown](std::string sentence) { shown.sentences.push_back(std::move(sentence)); };
+  say(fmt::format("{} {}, seed {}: {} s, {} deg from the vertical", info(kind).name, event, campaign.seed,
+                  text::fixed(seconds(rehearsal.motion().length), 3),
+                  text::fixed(rehearsal.motion().start_pitch_rad / sim::radians_per_degree, 1)));
+  say(fmt::format("range of the kind, from which this event is drawn: {}", info(kind).what));
+  if (is_flight(kind)) {
+    say(parts_line(rehearsal.motion()));
   }
+  say(errors.condition == Condition::well
+          ? "both accelerometers well"
+          : fmt::format("{}: the {} accelerometer, from {} s",
+                        condition_names[static_cast<std::size_t>(errors.condition)],
+                        errors.bad == 0 ? "first" : "second", text::fixed(seconds(errors.onset), 3)));
+  say("gate: control may begin where the way along the guide, as believed, is beyond the guide and a clearance, and "
+      "the "
+      "speed, as believed, is at the least that the plan asks for; the share of it is the smaller of the two");
   page::Chart readings = readings_chart(rehearsal, campaign.rules);
   for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
+    say(said(campaign.rules[rule], answers[rule], is_launch(kind)));
     if (answers[rule].controlling) {
       readings.levels.push_back({.value = seconds(*answers[rule].controlling),
                                  .label = "control by " + short_name(campaign.rules[rule]),
@@ -191,28 +190,45 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
   }
   add_gates(speed, way, campaign.rules);
   judge(shown, kind, campaign.rules, answers, errors.condition == Condition::well);
-  shown.figures_html = page::figure(readings) + page::figure(speed) + page::figure(way);
+  shown.pictures = {result::Picture{readings}, result::Picture{speed}, result::Picture{way}};
   return shown;
 }
 
-std::string sentences_html(const ShownEvent& shown) {
-  std::vector<std::string> sentences;
-  std::istringstream lines{shown.text};
-  for (std::string line; std::getline(lines, line);) {
-    sentences.emplace_back(text::trimmed(line));
-  }
-  return page::list(std::span<const std::string>{sentences});
+result::Document event_answer(const Campaign& campaign, Kind kind, std::uint64_t event, const result::Made& made) {
+  const ShownEvent shown = show_event(campaign, kind, event);
+  return {
+      .kind = "Fantail campaign of detections",
+      .title = fmt::format("{} {}", info(kind).name, event),
+      .subtitle = command_of(campaign, kind, event),
+      .verdict = {.answer = shown.is_bad ? result::Answer::no : result::Answer::none,
+                  .heading = "What came of it",
+                  .sentence = shown.verdict},
+      .facts = {{"kind", "", info(kind).name}, {"event", "", event}, {"seed", "", campaign.seed}},
+      .sections = {{"What happens", {result::Sentences{"what_happens", shown.sentences}}},
+                   {"Force, speed and way", std::vector<result::Block>(shown.pictures.begin(), shown.pictures.end())}},
+      .made = made};
 }
 
-std::string event_html(const Campaign& campaign, Kind kind, std::uint64_t event, const ShownEvent& shown) {
-  const page::Page page{.kind = "Fantail campaign of detections",
-                        .title = fmt::format("{} {}", info(kind).name, event),
-                        .subtitle = command_of(campaign, kind, event),
-                        .tone = shown.is_bad ? page::Tone::bad : page::Tone::plain,
-                        .verdict_heading = "What came of it",
-                        .verdict = shown.verdict,
-                        .body_html = page::section("What happens", sentences_html(shown)) + shown.figures_html};
-  return page::html(page);
+std::optional<result::Section> worst_event(const Report& report, std::size_t rule) {
+  std::optional<Kind> worst;
+  Worst at;
+  for (const Kind kind : report.campaign.kinds) {
+    for (const Count& count : report.results.of_kind[index(kind)]->of_rule[rule]) {
+      if (!is_launch(kind) && count.events > 0 && count.worst.value > std::max(0.0, at.value)) {
+        worst = kind;
+        at = count.worst;
+      }
+    }
+  }
+  if (!worst) {
+    return {};
+  }
+  const ShownEvent shown = show_event(report.campaign, *worst, at.event);
+  result::Section section{fmt::format("Worst event of {}", report.campaign.rules[rule].name()),
+                          {command_of(report.campaign, *worst, at.event), result::Sentences{.all = shown.sentences}},
+                          result::Readers::files};
+  section.blocks.insert(section.blocks.end(), shown.pictures.begin(), shown.pictures.end());
+  return section;
 }
 
 }  // namespace fantail::detection

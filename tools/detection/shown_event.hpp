@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "detection/campaign.hpp"
+#include "detection/report.hpp"
 #include "page/chart.hpp"
 
 namespace fantail::detection {
@@ -16,17 +18,17 @@ inline constexpr std::array<page::Role, 4> roles{page::Role::measured, page::Rol
 
 /// One event of a campaign again, tick by tick.
 struct ShownEvent {
-  std::string verdict;       ///< in a sentence: who moves canards, or who detects
-  bool is_bad = false;       ///< a judged rule moves a canard without a launch, or misses one with both well
-  std::string text;          ///< what happens in it and what each rule makes of it
-  std::string figures_html;  ///< what the accelerometers read, and speed and way that each rule believed in
+  std::string verdict{};  ///< in a sentence: who moves canards, or who detects
+  bool is_bad = false;    ///< a judged rule moves a canard without a launch, or misses one with both well
+  std::vector<std::string> sentences{};  ///< what happens in it and what each rule makes of it
+  std::vector<result::Picture>
+      pictures{};  ///< what the accelerometers read, and speed and way that each rule believed in
 };
 [[nodiscard]] ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event);
+[[nodiscard]] result::Document event_answer(const Campaign& campaign, Kind kind, std::uint64_t event,
+                                            const result::Made& made);
 
-/// Its text for a page, a line each.
-[[nodiscard]] std::string sentences_html(const ShownEvent& shown);
-
-/// A page of its own.
-[[nodiscard]] std::string event_html(const Campaign& campaign, Kind kind, std::uint64_t event, const ShownEvent& shown);
+/// Of the events that are no launch the one that came nearest to moving a canard of the rule; empty: none came near.
+[[nodiscard]] std::optional<result::Section> worst_event(const Report& report, std::size_t rule);
 
 }  // namespace fantail::detection

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/campaign_detection.hpp"
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -25,7 +24,6 @@
 #include "fantail/terminal.hpp"
 #include "input/shipped.hpp"
 #include "text/number.hpp"
-#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -92,11 +90,10 @@ void show_one(const DetectionOptions& options, const files::path& folder) {
     throw UsageError{
         fmt::format("--both-well leaves out {} {}: one accelerometer is bad in it", detection::info(kind).name, event)};
   }
-  const detection::ShownEvent shown = detection::show_event(campaign, kind, event);
-  const std::array<text::NamedFile, 1> page{{{fmt::format("{}_{}.html", detection::info(kind).name, event),
-                                              detection::event_html(campaign, kind, event, shown)}}};
-  text::OutputFolder{folder}.write(page);
-  show("{}  page  {}\n", shown.text, (folder / page[0].name).string());
+  const result::Document shown = detection::event_answer(campaign, kind, event, made_with({}, campaign.seed));
+  deliver(shown, {.folder = folder,
+                  .name = fmt::format("{}_{}", detection::info(kind).name, event),
+                  .json = options.json});
 }
 
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {
@@ -117,7 +114,7 @@ void detect(const DetectionOptions& options, Asked asked) {
     show_one(options, folder);
     return;
   }
-  detection::Report report{.campaign = asked_for(options), .results = {}, .version = FANTAIL_VERSION, .at_most = {}};
+  detection::Report report{.campaign = asked_for(options), .results = {}};
   report.campaign.drop_empty_kinds();
   if (report.campaign.kinds.empty()) {
     throw UsageError{
@@ -146,15 +143,16 @@ void detect(const DetectionOptions& options, Asked asked) {
     say(fmt::format("fantail: {} stored parts in {} were damaged, and have been played again\n", report.results.damaged,
                     folder.string()));
   }
-  const std::string summary = detection::report_json(report);
-  const std::array<text::NamedFile, 2> results{
-      {{"summary.json", summary}, {"detection.html", detection::report_html(report)}}};
-  text::OutputFolder{folder}.write(results);
-  if (options.json) {
-    fmt::print("{}", summary);
-  } else {
-    show("{}  page  {}\n", detection::report_text(report, output_columns()), (folder / "detection.html").string());
-  }
+  const detection::Results& results = report.results;
+  deliver(detection::answer(report),
+          {.folder = folder,
+           .name = "summary",
+           .page = "detection",
+           .json = options.json,
+           .last_line = results.played == 0 || results.processor_s <= 0.0
+                            ? ""
+                            : fmt::format("  played   {} events now, {:.0f} a second and core", results.played,
+                                          static_cast<double>(results.played) / results.processor_s)});
   if (detection::verdict(detection::requirements(report)) == detection::Verdict::not_met) {
     throw RequirementNotMet{""};
   }
@@ -205,7 +203,7 @@ void fill_detection(const Verb& verb) {
               "Folder for detection.html, summary.json and the parts [out/campaign/detection, with what was changed in "
               "the name]")
       .offers(folders);
-  verb.flag("--json", options->json, "Print summary.json instead of the text").excludes(event);
+  verb.flag("--json", options->json, "Print summary.json instead of the text; of one event, what it came to");
   verb.examples(
       "Armed, and in hands, dropped, on the road, shaken, beside another launch, or down again after a flight that it "
       "did not detect: how often does it believe that it flies, and how often do its canards move? Of launches: how "

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "detection/bounds_chart.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "detection/report.hpp"
 #include "detection/shown_event.hpp"
 #include "page/page.hpp"
 #include "page/parts.hpp"
@@ -72,6 +71,43 @@ void draw_row(page::SvgPlot& plot, const Report& report, Kind kind, double top) 
   }
 }
 
+page::Series shares(const Histogram& histogram, double scale, std::string name, page::Role role) {
+  page::Series series{.name = std::move(name), .role = role, .mark = page::Mark::step};
+  std::uint64_t sum = 0;
+  const auto total = static_cast<double>(histogram.total());
+  for (const auto& [value, times] : histogram.counts()) {
+    sum += times;
+    series.x.push_back(scale * value);
+    series.y.push_back(100.0 * static_cast<double>(sum) / total);
+  }
+  return series;
+}
+
+page::Chart by_thrust_chart(const Report& report, Kind kind) {
+  page::Chart chart{.label = "Share of the launches that are missed or late, by their thrust",
+                    .x_label = "peak thrust over weight / g",
+                    .y_label = "missed or late / %"};
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][0];
+    page::Series series{.name = report.campaign.rules[rule].name(),
+                        .role = roles[rule % roles.size()],
+                        .mark = page::Mark::line_and_points};
+    for (const auto& [peak_g, all] : count.all_by_peak_g.counts()) {
+      const std::uint64_t bad = count.missed_by_peak_g.times(peak_g) + count.late_by_peak_g.times(peak_g);
+      series.x.push_back(peak_g + 0.5);
+      series.y.push_back(100.0 * static_cast<double>(bad) / static_cast<double>(all));
+    }
+    chart.series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+/// Four times the least median: what lies far beyond is rare, and would leave no room for the rest.
+std::optional<page::Range> most_of(const std::vector<double>& medians) {
+  const double least = medians.empty() ? 0.0 : std::ranges::min(medians);
+  return least > 0.0 ? std::optional<page::Range>{{0.0, 4.0 * least}} : std::nullopt;
+}
+
 }  // namespace
 
 std::string bounds_svg(const Report& report, double width) {
@@ -113,6 +149,35 @@ std::string bounds_svg(const Report& report, double width) {
     draw_row(plot, report, rows[i], top + row * static_cast<double>(i) + 0.5 * gap);
   }
   return plot.end();
+}
+
+std::vector<result::Block> distributions(const Report& report, Kind kind) {
+  page::Chart latency{.label = "Share of the launches detected within a time",
+                      .x_label = "after the thrust's first crossing / s",
+                      .y_label = "detected / %",
+                      .width = page::half_page};
+  page::Chart way{.label = "Share of the launches whose control has started within a way",
+                  .x_label = "true way along the guide / m",
+                  .y_label = "in control / %",
+                  .width = page::half_page};
+  std::vector<double> latencies;
+  std::vector<double> ways;
+  for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
+    const Count& count = report.results.of_kind[index(kind)]->of_rule[rule][0];
+    if (count.controlling > 0) {
+      const std::string name = report.campaign.rules[rule].name();
+      latencies.push_back(1e-3 * count.latency_ms.point(0.5).value_or(0));
+      ways.push_back(1e-2 * count.distance_cm.point(0.5).value_or(0));
+      latency.series.push_back(shares(count.latency_ms, 1e-3, name, roles[rule % roles.size()]));
+      way.series.push_back(shares(count.distance_cm, 1e-2, name, roles[rule % roles.size()]));
+    }
+  }
+  if (latency.series.empty()) {
+    return {};
+  }
+  latency.x_range = most_of(latencies);
+  way.x_range = most_of(ways);
+  return {result::Picture{latency}, result::Picture{way}, result::Picture{by_thrust_chart(report, kind)}};
 }
 
 }  // namespace fantail::detection
