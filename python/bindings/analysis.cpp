@@ -14,7 +14,7 @@
 #include "identify/choices.hpp"
 #include "identify/make_record.hpp"
 #include "identify/model/roll_model.hpp"
-#include "identify/result/outputs.hpp"
+#include "identify/result/answer.hpp"
 #include "identify/study.hpp"
 #include "input/messages.hpp"
 #include "input/shipped.hpp"
@@ -118,7 +118,7 @@ std::string identify_log(const logs::RollLog& log, const std::optional<flight::F
   study.speed = asked.speed_m_s ? input::plain_number(*asked.speed_m_s) + " m/s throughout"
                 : asked.truth   ? "true_speed_m_s"
                                 : "speed_m_s";
-  return identify::result::as_json(study);
+  return result::json(identify::result::answer(study));
 }
 
 std::string identify_file(const std::string& path, const Question& asked) {

@@ -11,7 +11,7 @@
 
 #include "chosen_input.hpp"
 #include "flight/flight.hpp"
-#include "identify/result/validation_findings.hpp"
+#include "identify/result/agreement.hpp"
 #include "input_file.hpp"
 #include "json/value.hpp"
 #include "report/results.hpp"

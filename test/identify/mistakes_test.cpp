@@ -11,7 +11,7 @@
 #include "identify/identification.hpp"
 #include "identify/model/planted.hpp"
 #include "identify/planted_log.hpp"
-#include "identify/result/formatting.hpp"
+#include "identify/result/words.hpp"
 #include "identify/study.hpp"
 #include "seed.hpp"
 #include "text/error.hpp"

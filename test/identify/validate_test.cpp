@@ -10,9 +10,7 @@
 
 #include "identify/identification.hpp"
 #include "identify/model/planted.hpp"
-#include "identify/result/joint_outputs.hpp"
-#include "identify/result/outputs.hpp"
-#include "identify/result/validation_outputs.hpp"
+#include "identify/result/answer.hpp"
 #include "logs/refused.hpp"
 #include "system/folder.hpp"
 #include "text/error.hpp"
@@ -96,7 +94,7 @@ TEST(Validate, ConstantsForAnotherAreaAreConverted) {
 TEST(KnownModel, IsReadAsItWasWritten) {
   const test::Folder folder;
   const Study study = study_of({}, 1);
-  write_study(study, folder.path() / "id");
+  folder.write("id/identification.json", fantail::result::json(answer(study)));
   const KnownModel read = read_model(folder.path() / "id");
   const Constants written = constants_of(study.windows[0].results[0]);
   EXPECT_NEAR(read.constants.value(0), written.value(0), 1e-6);
@@ -109,7 +107,7 @@ TEST(KnownModel, OfSeveralWindowsIsTheCommonOne) {
   const test::Folder folder;
   Study study = study_of({}, 1);
   study.windows.push_back(study_of({.node_deg = {2.0}}, 2).windows[0]);
-  write_study(study, folder.path() / "each");
+  folder.write("each/identification.json", fantail::result::json(answer(study)));
   test::expect_refused(text::ErrorKind::bad_data, {"several results", "--shared alpha,beta"},
                        [&] { (void)read_model(folder.path() / "each"); });
 }

@@ -186,6 +186,10 @@ TEST(Document, ADeviationIsNoPartOfTheNumberInFiles) {
   EXPECT_EQ(data["list"][1], "other");
   EXPECT_TRUE(holds(text(document), "  damping  22.87 m2 (± 0.41)\n")) << text(document);
   EXPECT_EQ(csv(only(table("x", all, damping_fields), {"alpha"})), "alpha_m2\n22.871111\n");
+  document.facts = {{"", "air", "thin"}, {"rocket", "", "ours"}};
+  EXPECT_TRUE(holds(text(document), "  air      thin\n")) << "for people alone";
+  EXPECT_FALSE(holds(json(document), "thin"));
+  EXPECT_FALSE(holds(text(document), "ours")) << "for programs alone";
 }
 
 TEST(Document, FiguresOfTwoThingsStandBesideEachOther) {

@@ -14,6 +14,7 @@
 #include "detection/report.hpp"
 #include "faults/results.hpp"
 #include "hardover/study.hpp"
+#include "identify/result/answer.hpp"
 #include "listen/answer.hpp"
 #include "predict/answer.hpp"
 #include "report/answer.hpp"
@@ -59,6 +60,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
       {"campaign faults", faults::listed_fields()},
       {"campaign hardover", hardover::listed_fields()},
       {"fly, report", report::listed_fields()},
+      {"identify", identify::result::listed_fields()},
       {"listen", listen::listed_fields()},
       {"predict", predict::listed_fields()},
       {"tune", tune::listed_fields()},

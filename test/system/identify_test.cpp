@@ -46,6 +46,11 @@ TEST_F(IdentifiedFlight, GivesWhatItWasFlownWith) {
   EXPECT_GE(response["lines"].size(), 40U);
   EXPECT_NEAR(response["lines"][3]["gain_per_s"].number() / response["lines"][3]["model_gain_per_s"].number(), 1.0,
               0.02);
+  const auto& inputs = json["made"]["inputs"];
+  ASSERT_EQ(inputs.size(), 3U) << "all that is read of the folder";
+  EXPECT_EQ(inputs[0]["file"], "tasha3_launch2/flight.csv");
+  EXPECT_EQ(inputs[1]["sha256"], json::parse(content(*folder_ / "out/tasha3_launch2/summary.json"))["log_sha256"]);
+  EXPECT_EQ(inputs[2]["file"], "tasha3_launch2/summary.json");
   for (const char* name : {"report.html", "model.csv", "identification.json"}) {
     EXPECT_GT(content(*folder_ / (std::string{"out/identify/tasha3_launch2/"} + name)).size(), 500U) << name;
   }
@@ -170,8 +175,8 @@ TEST(Identify, PrintsATableForPeople) {
   folder.write("run.csv", text(tunnel_rows(shaken)));
   const Outcome outcome = fantail(identify("run.csv", {"--method", "both"}), {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* part : {"run.csv: the roll model", "grid, open loop", "continuous, open loop", "damping alpha / m2",
-                           "alpha and beta are identifiable from this window", "out/identify/run/report.html"}) {
+  for (const char* part : {"run.csv: ", "grid, open loop", "continuous, open loop", "damping alpha, m2",
+                           "Alpha and beta are identifiable from this window", "out/identify/run/report.html"}) {
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
   }
 }

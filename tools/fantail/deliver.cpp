@@ -31,21 +31,33 @@ std::string paint(page::Tone tone, std::string_view words) {
   return std::string{words};
 }
 
+void add_input(result::Made& made, const fs::path& file, const fs::path& name) {
+  if (std::error_code unknown; !fs::is_regular_file(file, unknown)) {
+    return;
+  }
+  try {
+    const std::string bytes = text::read_input(file);
+    made.inputs.push_back({name.string(), text::sha256(std::as_bytes(std::span{bytes}))});
+  } catch (const std::runtime_error&) {
+    return;  // a result without a hash is worth more than none
+  }
+}
+
 }  // namespace
 
 result::Made made_with(const std::vector<fs::path>& inputs, std::optional<std::uint64_t> seed,
                        std::vector<std::string> changes) {
   result::Made made{
       .command = page::made_by_command(), .version = FANTAIL_VERSION, .seed = seed, .changes = std::move(changes)};
-  for (const fs::path& file : inputs) {
-    if (std::error_code unknown; !fs::is_regular_file(file, unknown)) {
+  for (const fs::path& input : inputs) {
+    std::error_code unknown;
+    if (!fs::is_directory(input, unknown)) {
+      add_input(made, input, input.filename());
       continue;
     }
-    try {
-      const std::string bytes = text::read_input(file);
-      made.inputs.push_back({file.filename().string(), text::sha256(std::as_bytes(std::span{bytes}))});
-    } catch (const std::runtime_error&) {
-      continue;  // a result without a hash is worth more than none
+    const fs::path folder = fs::weakly_canonical(input).filename();  // of "." and "out/x/", too
+    for (const char* const name : {"flight.csv", "flight.ftl", "summary.json"}) {
+      add_input(made, input / name, folder / name);
     }
   }
   return made;

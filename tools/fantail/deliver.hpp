@@ -13,7 +13,8 @@
 namespace fantail::tool {
 
 /// The command that was typed, this version, and the hashes of the files that the result is made from, as they are now:
-/// to be called before long work. What is no file that can be read has none.
+/// to be called before long work. A folder stands for what fantail fly wrote into it. What is no file that can be read
+/// has none.
 [[nodiscard]] result::Made made_with(const std::vector<std::filesystem::path>& inputs,
                                      std::optional<std::uint64_t> seed = {}, std::vector<std::string> changes = {});
 

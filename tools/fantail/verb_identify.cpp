@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,16 +16,14 @@
 #include "fantail/log_options.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
-#include "fantail/terminal.hpp"
 #include "identify/choices.hpp"
 #include "identify/joint_fit.hpp"
 #include "identify/make_record.hpp"
-#include "identify/result/joint_outputs.hpp"
-#include "identify/result/outputs.hpp"
-#include "identify/result/validation_outputs.hpp"
+#include "identify/result/answer.hpp"
 #include "identify/study.hpp"
 #include "identify/validate.hpp"
 #include "input/messages.hpp"
+#include "input/shipped.hpp"
 #include "logs/roll_log.hpp"
 
 namespace fantail::tool {
@@ -91,27 +88,50 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
   return result;
 }
 
-void print(const std::string& text, const std::filesystem::path& folder, const std::vector<std::string>& models) {
-  show("{}\n  report  {}\n", text, (folder / "report.html").string());
-  for (const std::string& name : models) {
-    show("  model   {}\n", (folder / name).string());
+/// What is read: logs, or folders of them, and what else the command names.
+result::Made made(const IdentifyOptions& o) {
+  std::vector<std::filesystem::path> files{o.data.begin(), o.data.end()};
+  if (o.validate) {
+    const std::filesystem::path model = *o.validate;
+    files.push_back(std::filesystem::is_directory(model) ? model / "identification.json" : model);
   }
+  if (o.airframe.vehicle) {
+    files.push_back(input::find_input(input::Shipped::vehicle, *o.airframe.vehicle));
+  }
+  if (o.plan) {
+    files.push_back(input::find_input(input::Shipped::plan, *o.plan));
+  }
+  return made_with(files);
+}
+
+void write(const result::Document& document, const IdentifyOptions& o, Chapters& chapters) {
+  give_up_if_interrupted();
+  const std::filesystem::path folder = output_folder(o);
+  std::vector<std::string> shown{"page"};
+  for (const result::Table& sheet : document.spreadsheets) {
+    shown.push_back(*sheet.key);
+  }
+  std::vector<std::filesystem::path> inputs{o.data.begin(), o.data.end()};
+  if (o.validate) {
+    inputs.emplace_back(*o.validate);
+  }
+  deliver(document, {.folder = folder,
+                     .name = o.validate ? "validation" : "identification",
+                     .page = "report",
+                     .inputs = inputs,
+                     .removed = identify::result::stale_models(folder, document),
+                     .json = o.json,
+                     .yes_is_required = o.validate.has_value(),
+                     .shown_files = shown,
+                     .when_written = [&chapters] { chapters.end(); }});
 }
 
 void identify_one(const IdentifyOptions& o) {
   Chapters chapters{"identify", 2, "identifying " + o.data.front()};
-  const identify::result::Study result = study_of(o, o.data.front());
-  give_up_if_interrupted();
-  const std::filesystem::path folder = output_folder(o);
+  const result::Made how = made(o);
+  const identify::result::Study study = study_of(o, o.data.front());
   chapters.next("writing the page");
-  const result::Made made = made_with({o.data.begin(), o.data.end()});
-  write_study(result, folder, made);
-  chapters.end();
-  if (o.json) {
-    fmt::print("{}", as_json(result, made));
-  } else {
-    print(as_text(result, output_columns()), folder, model_csv_names(result));
-  }
+  write(identify::result::answer(study, how), o, chapters);
 }
 
 void require_one_open_loop_fit(const IdentifyOptions& o, const std::string& option) {
@@ -147,6 +167,7 @@ void identify_together(const IdentifyOptions& asked) {
   std::vector<identify::result::Study> studies;
   std::size_t windows = 0;
   Chapters chapters{"identify", o.data.size() + 1, "identifying " + o.data.front()};
+  const result::Made how = made(o);
   for (const std::string& data : o.data) {
     studies.push_back(study_of(o, data));
     chapters.next(studies.size() < o.data.size() ? "identifying " + o.data[studies.size()]
@@ -169,22 +190,14 @@ void identify_together(const IdentifyOptions& asked) {
   if (result.vehicle != studies.front().vehicle) {
     result.warnings.emplace_back("The vehicles differ, and one damping and one torque is looked for all the same.");
   }
-  give_up_if_interrupted();
-  const std::filesystem::path folder = output_folder(o);
-  const result::Made made = made_with({o.data.begin(), o.data.end()});
-  write_joint(result, folder, made);
-  chapters.end();
-  if (o.json) {
-    fmt::print("{}", as_json(result, made));
-  } else {
-    print(as_text(result, output_columns()), folder, model_csv_names(result));
-  }
+  write(identify::result::answer(result, how), o, chapters);
 }
 
 void validate_model(const IdentifyOptions& o) {
   require_one_open_loop_fit(o, "--validate");
   const identify::result::KnownModel model = identify::result::read_model(*o.validate);
   Chapters chapters{"identify", 2, "identifying " + o.data.front()};
+  const result::Made how = made(o);
   const identify::result::Study studied = study_of(o, o.data.front());
   identify::result::Validation result = identify::validate(
       model, studied, o.fit_initial ? identify::model::Start::fitted : identify::model::Start::measured);
@@ -198,21 +211,8 @@ void validate_model(const IdentifyOptions& o) {
                                           input::about(model.reference_area_m2),
                                           input::about(studied.airframe.reference_area_m2)));
   }
-  give_up_if_interrupted();
-  const std::filesystem::path folder = output_folder(o);
   chapters.next("writing the page");
-  const result::Made made = made_with({o.data.begin(), o.data.end()});
-  write_validation(result, folder, made);
-  chapters.end();
-  if (o.json) {
-    fmt::print("{}", as_json(result, made));
-  } else {
-    print(as_text(result), folder, model_csv_names(result));
-  }
-  const auto holds = [](const identify::result::ValidatedWindow& w) { return w.can_tell() && w.holds(); };
-  if (!std::ranges::all_of(result.windows, holds)) {
-    throw RequirementNotMet{""};
-  }
+  write(identify::result::answer(result, how), o, chapters);
 }
 
 void identify_data(const IdentifyOptions& o) {

@@ -13,9 +13,9 @@
 #include "identify/lag_doubt.hpp"
 #include "identify/model/open_loop.hpp"
 #include "identify/model/robust_fit.hpp"
-#include "identify/result/formatting.hpp"
 #include "identify/result/residual.hpp"
 #include "identify/result/uncertainty.hpp"
+#include "identify/result/words.hpp"
 #include "logs/log_doubts.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -132,7 +132,7 @@ std::string advice_on_loss(const DoubtCase& c) {
   const Identification other{.model = robust.model, .uncertainty = known};
   return fmt::format(
       " Or use {}--loss huber, on which they have little influence: it gives alpha {} m2 instead of {}, beta {} m "
-      "instead of {} (+-: standard deviation).",
+      "instead of {} (\u00b1: standard deviation).",
       c.found.method == Method::grid ? "--method continuous " : "", with_deviation(other, 0),
       with_deviation(c.found, 0), with_deviation(other, 1), with_deviation(c.found, 1));
 }

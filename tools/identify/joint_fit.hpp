@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "identify/model/roll_model.hpp"
+#include "identify/result/agreement.hpp"
 #include "identify/result/findings.hpp"
-#include "identify/result/joint_findings.hpp"
 
 namespace fantail::identify {
 

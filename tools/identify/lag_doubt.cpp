@@ -11,8 +11,8 @@
 
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/open_loop.hpp"
-#include "identify/result/formatting.hpp"
 #include "identify/result/uncertainty.hpp"
+#include "identify/result/words.hpp"
 #include "identify/study.hpp"
 #include "sim/compressibility.hpp"
 #include "text/degrees.hpp"

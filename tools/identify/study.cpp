@@ -12,9 +12,9 @@
 #include "identify/conditions.hpp"
 #include "identify/doubts.hpp"
 #include "identify/model/least_squares.hpp"
-#include "identify/result/formatting.hpp"
 #include "identify/result/residual.hpp"
 #include "identify/result/residual_tests.hpp"
+#include "identify/result/words.hpp"
 #include "input/messages.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -104,10 +104,12 @@ std::optional<std::string> unexpected_servo(const std::optional<double>& told_s,
       std::abs(*told_s - found.servo->lag_s) <= found.uncertainty->lag_s->reach) {
     return {};
   }
+  const double reach_s = found.uncertainty->lag_s->reach;
   return fmt::format(
       "The servos lag by {} ms in this model (95 %: {} ms), not by the {} ms of --servo-lag. The result is that of the "
       "fitted lag; a delay counts as lag.",
-      text::brief(1e3 * found.servo->lag_s, 1), servo_interval(found.servo->lag_s, found.uncertainty->lag_s, 1e3),
+      text::brief(1e3 * found.servo->lag_s, 1),
+      interval_text({std::max(0.0, found.servo->lag_s - reach_s), found.servo->lag_s + reach_s}, 1e3),
       text::brief(1e3 * *told_s, 1));
 }
 
@@ -122,7 +124,7 @@ std::optional<std::string> about_effective_samples(const Identification& found) 
       "The effective samples are few, {} of {}: an error that many samples share counts once, as of a residual that "
       "changes slowly, or of a measured first angle and rate. The intervals count with that. alpha and beta are "
       "identifiable because these errors are small beside the motion.",
-      worth_text(*u), found.samples);
+      worth_text(u->effective_samples), found.samples);
 }
 
 // What the angle alone says so well is not known while the rate says otherwise.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "identify/model/roll_model.hpp"
+#include "identify/result/agreement.hpp"
 #include "identify/result/findings.hpp"
-#include "identify/result/validation_findings.hpp"
 
 namespace fantail::identify {
 

@@ -33,7 +33,7 @@ struct Verdict {
 /// How somebody gets the same again; in JSON "made".
 struct Made {
   struct Input {
-    std::string file{};  ///< without its folder
+    std::string file{};  ///< without its folder; of a flight, which is a folder, with it
     std::string sha256{};
   };
   std::string command{};  ///< empty: no command line made it

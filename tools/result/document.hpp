@@ -82,7 +82,7 @@ struct Section {
   std::string folded{};  ///< "Show each step": a page shows it when these words are clicked; empty: at once
 };
 
-/// One thing that the result was made from. Without a label it is for programs alone.
+/// One thing that the result was made from. Without a label it is for programs alone, without a key for people.
 struct Fact {
   std::string key;
   std::string label;

@@ -133,8 +133,10 @@ std::string json(const Document& document) {
   Value all;
   put_answer(all, document.verdict.answer, document.verdict.sentence, document.made);
   for (const Fact& fact : document.facts) {
-    put(all, fact.key, fact.value);
-    json::keep_exact(all, fact.key);
+    if (!fact.key.empty()) {
+      put(all, fact.key, fact.value);
+      json::keep_exact(all, fact.key);
+    }
   }
   for (const Section& section : document.sections) {
     for (const Block& block : section.blocks) {

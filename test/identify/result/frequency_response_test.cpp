@@ -10,7 +10,7 @@
 
 #include "identify/model/open_loop.hpp"
 #include "identify/model/planted.hpp"
-#include "identify/result/frequency_page.hpp"
+#include "identify/result/words.hpp"
 #include "seed.hpp"
 
 namespace fantail::identify::result {
@@ -219,7 +219,7 @@ TEST(FrequencyResponse, SaysThatFeedbackBiasesIt) {
   const FrequencyResponse found = frequency_response(record, {.roll_rate_rad_s = record.roll_rate_rad_s});
   EXPECT_EQ(found.instrument, Instrument::canards);
   EXPECT_TRUE(found.loop_was_closed);
-  EXPECT_NE(frequency_section(found).find("bias this estimate"), std::string::npos);
+  EXPECT_NE(instrument_sentence(found).find("bias this estimate"), std::string::npos);
 }
 
 }  // namespace

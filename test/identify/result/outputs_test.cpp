@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "identify/result/outputs.hpp"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "identify/planted_log.hpp"
-#include "identify/result/formatting.hpp"
+#include "identify/result/answer.hpp"
+#include "identify/result/words.hpp"
 #include "json/value.hpp"
 #include "system/folder.hpp"
 
@@ -34,6 +33,8 @@ Study example(const std::vector<Method>& methods = {Method::continuous}, const s
   return result;
 }
 
+json::Value json_of(const Study& found) { return json::parse(fantail::result::json(answer(found))); }
+
 // Numbers without a log behind them, so that every word of the output is known.
 Identification known() {
   Identification result;
@@ -48,36 +49,20 @@ Identification known() {
   return result;
 }
 
-TEST(Formatting, ShowTwoDigitsOfTheDeviation) {
-  EXPECT_EQ(with_deviation(known(), 0), "22.87 +- 0.41");
-  EXPECT_EQ(with_deviation(known(), 1), "9.050 +- 0.052");
-  EXPECT_EQ(with_deviation(known(), 2, 1000.0), "-100.0 +- 2.0");
-}
-
-// Alpha and beta go with one over the reference area: 0.0019 m2 is known as well as 19 m2.
-TEST(Formatting, ShowASmallConstantByItsDigits) {
-  EXPECT_EQ(value_with_deviation(0.13042, 0.00011), "0.13042 +- 0.00011");
-  EXPECT_EQ(value_with_deviation(0.0019271, 0.0000034), "0.0019271 +- 0.0000034");
-  EXPECT_EQ(interval_text({.low = 0.0019199, .high = 0.0019341}), "0.0019199 to 0.0019341");
-  EXPECT_EQ(constant_text(0.0019271), "0.001927");
+TEST(Words, OfAConstantAreItsDigits) {
+  EXPECT_EQ(with_deviation(known(), 0), "22.87 \u00b1 0.41");
+  EXPECT_EQ(constant_text(0.0019271), "0.001927");  // alpha and beta go with one over the reference area
   EXPECT_EQ(constant_text(22.8712), "22.87");
 }
 
-TEST(Formatting, ShowTwoConstantsByTheDigitsThatTellThemApart) {
+TEST(Words, ShowTwoConstantsByTheDigitsThatTellThemApart) {
   EXPECT_EQ(change_text(20.08, 23.0, "m2"), "20.08 m2 instead of 23");
   EXPECT_EQ(change_text(0.1121, 0.1149, "m"), "0.1121 m instead of 0.1149");
   EXPECT_EQ(change_text(0.11210, 0.11213, "m"), "0.1121 m instead of 0.11213");
   EXPECT_EQ(change_text(0.112101, 0.112102, "m"), "0.1121 m as before");
 }
 
-TEST(Formatting, ShowTheEndsOfAnInterval) {
-  EXPECT_EQ(interval_text({22.1, 23.72}), "22.10 to 23.72");
-  EXPECT_EQ(interval_text({12.0, {}}), "above 12.00");
-  EXPECT_EQ(interval_text({{}, 30.0}), "below 30.0");
-  EXPECT_EQ(interval_text(Interval{}), "not bounded by this window");
-}
-
-TEST(Formatting, SayHowWellANumberIsKnown) {
+TEST(Words, SayHowWellANumberIsKnown) {
   Identification result = known();
   EXPECT_EQ(precision_sentence(result, 0), "Damping alpha lies between 22.10 and 23.72 m2 (95 %, \u00b13.5 %).");
   EXPECT_TRUE(holds(precision_sentence(result, 3), "2 s into the window"));
@@ -89,36 +74,22 @@ TEST(Formatting, SayHowWellANumberIsKnown) {
 
 TEST(ResultJson, OfOneResultIsTheResultItself) {
   const Study found = example();
-  const auto json = json::parse(as_json(found));
-  for (const char* key : {"alpha_m2",
-                          "beta_m",
-                          "disturbance_deg",
-                          "node_time_s",
-                          "mean_abs_angle_error_deg",
-                          "mean_abs_rate_error_deg_s",
-                          "alpha_sd_m2",
-                          "beta_sd_m",
-                          "disturbance_sd_deg",
-                          "alpha_interval_m2",
-                          "beta_interval_m",
-                          "disturbance_interval_deg",
-                          "correlation",
-                          "alpha_identifiable",
-                          "verdict",
-                          "method",
-                          "loop",
-                          "samples",
-                          "seconds",
-                          "window",
-                          "remarks"}) {
+  const auto json = json_of(found);
+  for (const char* key :
+       {"mean_abs_angle_error_deg", "mean_abs_rate_error_deg_s", "alpha_sd_m2", "beta_sd_m", "disturbance_sd_deg",
+        "alpha_interval_m2", "beta_interval_m", "alpha_identifiable", "verdict", "window"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
-  EXPECT_FALSE(json.contains("node_curve"));
+  for (const char* key : {"results", "node_curve", "servo_lag_s", "huber_threshold_deg"}) {
+    EXPECT_FALSE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(json["answer"], "yes");
   EXPECT_EQ(json["method"], "continuous");
   EXPECT_EQ(json["loop"], "open");
   EXPECT_EQ(json["samples"], 401);
   EXPECT_DOUBLE_EQ(json["seconds"].number(), 4.0);
   EXPECT_NEAR(json["alpha_m2"].number(), found.windows[0].results[0].model.alpha_m2, 1e-6);
+  EXPECT_EQ(json["node_time_s"], (json::Value::array({2.0, 6.0}))) << "on the log's clock";
   EXPECT_EQ(json["disturbance_deg"].size(), 2U);
   EXPECT_NEAR(json["disturbance_deg"][0].number(), -5.0, 0.5);  // planted
   EXPECT_EQ(json["disturbance_interval_deg"].size(), 2U);
@@ -128,34 +99,33 @@ TEST(ResultJson, OfOneResultIsTheResultItself) {
 }
 
 TEST(ResultJson, OfSeveralIsAListOfThem) {
-  const auto json = json::parse(as_json(example({Method::grid, Method::continuous})));
+  const auto json = json_of(example({Method::grid, Method::continuous}));
   ASSERT_EQ(json["results"].size(), 2U);
   EXPECT_EQ(json["results"][0]["method"], "grid");
   EXPECT_EQ(json["results"][1]["method"], "continuous");
+  EXPECT_EQ(json["results"][1]["density"], "1.2 kg/m3");
 }
 
 TEST(ResultJson, HasNullForAnOpenEnd) {
   Study found = example();
   found.windows[0].results[0].uncertainty->alpha_profile_m2 = {.low = 3.0, .high = {}};
-  const auto json = json::parse(as_json(found));
-  EXPECT_EQ(json["alpha_interval_m2"][0], 3.0);
-  EXPECT_TRUE(json["alpha_interval_m2"][1].is_null());
+  const auto json = json_of(found);
+  EXPECT_EQ(json["alpha_interval_m2"], (json::Value::array({3.0, {}})));
 }
 
 TEST(ResultJson, HasTheCurveOverTheNodesWhenTheyWereChosen) {
-  const auto json = json::parse(as_json(example({Method::continuous}, "auto")));
+  const auto json = json_of(example({Method::continuous}, "auto"));
   ASSERT_EQ(json["node_curve"].size(), 6U);
   EXPECT_EQ(json["node_curve"][0]["intervals"], 1);
   EXPECT_TRUE(json["node_curve"][0].contains("mean_abs_angle_error_deg"));
 }
 
 TEST(ResultText, SetsTheMethodsSideBySideAndSaysWhatTheyAreWorth) {
-  const std::string text = as_text(example({Method::grid, Method::continuous}));
-  EXPECT_TRUE(holds(text, "grid, open loop             continuous, open loop\n")) << text;
-  EXPECT_TRUE(holds(text, "damping alpha / m2")) << text;
-  EXPECT_TRUE(holds(text, "Note: angles look odd")) << text;
-  EXPECT_TRUE(holds(text, "window all: 2 s to 6 s on the log's clock, 401 samples")) << text;
-  EXPECT_TRUE(holds(text, "continuous: alpha and beta are identifiable from this window.")) << text;
+  const std::string text = fantail::result::text(answer(example({Method::grid, Method::continuous})));
+  for (const char* part : {"  grid, open loop  continuous, open loop\n", "damping alpha, m2", "angles look odd",
+                           "2 s to 6 s on the log's clock, 401 samples", "identifiable"}) {
+    EXPECT_TRUE(holds(text, part)) << part << "\n" << text;
+  }
 }
 
 TEST(ModelCsv, HasARowASampleOnTheLogsClock) {
@@ -169,7 +139,10 @@ TEST(ModelCsv, HasARowASampleOnTheLogsClock) {
   simulation.roll_rate_rad_s = {0.0, 2.0};
   simulation.canard_rad = {0.05, -0.05};
   const RollModel model{.alpha_m2 = 1.0, .beta_m = 1.0, .node_time_s = {0.0, 2.0}, .node_rad = {0.0, 0.2}};
-  EXPECT_EQ(as_csv(record, model, simulation),
+  const WindowFindings window{.record = record, .results = {{.model = model, .simulation = simulation}}};
+  const auto document = answer(Study{.windows = {window}});
+  ASSERT_EQ(document.spreadsheets.size(), 1U);
+  EXPECT_EQ(fantail::result::csv(document.spreadsheets.front()),
             "time_s,roll_angle_deg,model_roll_angle_deg,roll_rate_deg_s,model_roll_rate_deg_s,canard_deg,"
             "disturbance_deg\n"
             "2.000000,5.729578,5.729578,0.000000,0.000000,2.864789,0.000000\n"
@@ -179,7 +152,7 @@ TEST(ModelCsv, HasARowASampleOnTheLogsClock) {
 TEST(ResultPage, LoadsNothingAndEscapesNames) {
   Study found = example({Method::grid, Method::continuous}, "auto");
   found.data = "<img src=x>";
-  const std::string page = as_html(found);
+  const std::string page = fantail::result::html(answer(found));
   for (const char* way : {"src=x>", "@import", "<link", "href=\"http", "<script", "fetch("}) {
     EXPECT_FALSE(holds(page, way)) << way;
   }
@@ -195,32 +168,33 @@ TEST(ResultPage, HasAPartForEachWindow) {
   found.windows.push_back(found.windows[0]);
   found.windows[1].record.window = "step:2";
   found.windows[1].results[0].uncertainty->alpha_identifiable = false;
-  const std::string page = as_html(found);
+  const std::string page = fantail::result::html(answer(found));
   EXPECT_TRUE(holds(page, "1 of 2 windows determine damping and torque"));
   EXPECT_TRUE(holds(page, "<h2>Window all</h2>"));
   EXPECT_TRUE(holds(page, "<h2>Window step:2</h2>"));
 }
 
-TEST(WrittenStudy, HasOneCsvForEachResult) {
-  const test::Folder folder;
-  write_study(example(), folder.path());
-  EXPECT_EQ(folder.listing(), (std::vector<std::string>{"identification.json", "model.csv", "report.html"}));
-  const test::Folder several;
-  write_study(example({Method::grid, Method::continuous}), several.path());
-  EXPECT_EQ(several.listing(),
-            (std::vector<std::string>{"identification.json", "model_1.csv", "model_2.csv", "report.html"}));
-  write_study(example(), several.path());
-  EXPECT_EQ(several.listing(), (std::vector<std::string>{"identification.json", "model.csv", "report.html"}))
-      << "nothing of the earlier result stays";
+std::vector<std::string> sheets(const fantail::result::Document& document) {
+  std::vector<std::string> all;
+  for (const auto& sheet : document.spreadsheets) {
+    all.push_back(*sheet.key + ".csv");
+  }
+  return all;
 }
 
-TEST(WrittenStudy, LeavesTheFilesOfOthers) {
+TEST(ModelCsv, OfAnEarlierResultIsStaleAndAFileOfSomebodyElseIsNot) {
   const test::Folder folder;
+  const auto one = answer(example());
+  const auto two = answer(example({Method::grid, Method::continuous}));
+  EXPECT_EQ(sheets(one), (std::vector<std::string>{"model.csv"}));
+  EXPECT_EQ(sheets(two), (std::vector<std::string>{"model_1.csv", "model_2.csv"}));
+  for (const auto& sheet : two.spreadsheets) {
+    folder.write(*sheet.key + ".csv", fantail::result::csv(sheet));
+  }
+  EXPECT_EQ(stale_models(folder.path(), two), std::vector<std::string>{});
+  EXPECT_EQ(stale_models(folder.path(), one), (std::vector<std::string>{"model_1.csv", "model_2.csv"}));
   folder.write("model_1.csv", "mine");
-  write_study(example(), folder.path());
-  write_study(example(), folder.path());
-  EXPECT_EQ(folder.listing(),
-            (std::vector<std::string>{"identification.json", "model.csv", "model_1.csv", "report.html"}));
+  EXPECT_EQ(stale_models(folder.path(), one), (std::vector<std::string>{"model_2.csv"}));
 }
 
 }  // namespace

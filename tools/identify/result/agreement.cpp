@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "distributions/quantiles.hpp"
+#include "identify/result/uncertainty.hpp"
 
 namespace fantail::identify::result {
 namespace {
@@ -60,5 +61,39 @@ Agreement difference(const Constants& a, const Constants& b) {
   return {.chi_square = away.dot(covariance.inverse() * away),
           .limit = limit(2, std::min(a.degrees_of_freedom, b.degrees_of_freedom))};
 }
+
+bool JointFindings::determines_both() const {
+  return is_identifiable(interval_of(together, 0)) && is_identifiable(interval_of(together, 1));
+}
+
+double JointFindings::largest_difference() const {
+  double largest = 0.0;
+  for (const JointWindow& window : windows) {
+    const Uncertainty& own = *window.own.uncertainty;
+    if (own.alpha_identifiable && own.beta_identifiable) {
+      const Eigen::Vector2d away = constants_of(window.own).value - together.value;
+      largest = std::max(largest, away.cwiseQuotient(together.value).cwiseAbs().maxCoeff());
+    }
+  }
+  return largest;
+}
+
+bool JointFindings::are_of_one_rocket() const {
+  const bool all_known = std::ranges::all_of(windows, [](const JointWindow& window) {
+    return window.own.uncertainty->alpha_identifiable && window.own.uncertainty->beta_identifiable;
+  });
+  return agreement.agree() || (all_known && largest_difference() < no_matter);
+}
+
+bool ValidatedWindow::can_tell() const {
+  return own.uncertainty->alpha_identifiable && own.uncertainty->beta_identifiable;
+}
+
+double ValidatedWindow::largest_difference() const {
+  const model::RollModel& known = window.results.front().model;
+  return std::max(std::abs(known.alpha_m2 / own.model.alpha_m2 - 1.0), std::abs(known.beta_m / own.model.beta_m - 1.0));
+}
+
+bool ValidatedWindow::holds() const { return agreement.agree() || largest_difference() < no_matter; }
 
 }  // namespace fantail::identify::result

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "identify/result/charts.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
 
 #include <fmt/core.h>
 
-#include "identify/result/formatting.hpp"
+#include "identify/result/parts.hpp"
+#include "identify/result/words.hpp"
+#include "page/heat_map.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
 using namespace model;
+using fantail::result::Picture;
 using page::Chart;
 using page::Role;
 using page::Series;
@@ -52,6 +54,8 @@ Chart over_time(const std::string& label, const std::string& y_label) {
   return chart;
 }
 
+enum class Motion : std::uint8_t { angle, rate };
+
 struct Signal {
   const char* name;
   const char* unit;
@@ -84,8 +88,6 @@ Estimate disturbance_at(const Identification& result, double time_s) {
       u.correlation(static_cast<Eigen::Index>(share.left) + 2, static_cast<Eigen::Index>(share.right) + 2);
   return {value, std::sqrt(std::fmax(0.0, a * a + b * b + 2.0 * together * a * b))};
 }
-
-}  // namespace
 
 Chart motion_chart(const WindowFindings& window, Motion motion) {
   const auto [name, unit, measured, modelled] = signal(motion);
@@ -155,7 +157,28 @@ Chart disturbance_chart(const WindowFindings& window) {
   return chart;
 }
 
-Chart node_curve_chart(const Identification& result) {
+}  // namespace
+
+void add_motion(Blocks& to, const WindowFindings& window) {
+  to.emplace_back(Picture{motion_chart(window, Motion::angle)});
+  to.emplace_back(Picture{motion_chart(window, Motion::rate)});
+}
+
+void add_residuals(Blocks& to, const WindowFindings& window) {
+  to.emplace_back(Picture{residual_chart(window, Motion::angle)});
+  to.emplace_back(Picture{residual_chart(window, Motion::rate)});
+}
+
+Blocks input_pictures(const WindowFindings& window) {
+  Blocks all{Picture{disturbance_chart(window),
+                     "The disturbance as an equivalent canard angle; the band is its 95 % interval."}};
+  if (const Chart canards = canard_chart(window); !canards.series.empty()) {
+    all.emplace_back(Picture{canards, "The mean canard angle."});
+  }
+  return all;
+}
+
+Picture node_picture(const Identification& result) {
   Chart chart;
   chart.label = "mean angle error over the number of intervals of the disturbance";
   chart.x_label = "intervals of the disturbance";
@@ -173,10 +196,10 @@ Chart node_curve_chart(const Identification& result) {
   chart.levels.push_back(
       {.value = static_cast<double>(result.model.node_rad.size() - 1), .label = "chosen", .upright = true});
   chart.y_range = page::Range{0.0, 1.1 * most};
-  return chart;
+  return {chart};
 }
 
-page::HeatMap error_map_chart(const WindowFindings& window, const ErrorMap& errors) {
+fantail::result::Drawing error_map_drawing(const WindowFindings& window, const ErrorMap& errors) {
   page::HeatMap map;
   map.label = "mean angle error over alpha and beta";
   map.x_label = "alpha / m\u00b2";
@@ -194,7 +217,13 @@ page::HeatMap error_map_chart(const WindowFindings& window, const ErrorMap& erro
       map.spots.push_back({.x = model.alpha_m2, .y = model.beta_m, .label = std::string{name(result.method)}});
     }
   }
-  return map;
+  page::HeatMap narrow = map;
+  narrow.width = page::half_page;
+  narrow.height = 300.0;
+  return {
+      page::svg(map), page::svg(narrow),
+      "Each cell shows the mean angle error with the disturbance that fits best. A long dark valley means that many "
+      "pairs of alpha and beta fit the log almost equally well."};
 }
 
 }  // namespace fantail::identify::result

@@ -12,6 +12,7 @@
 #include "identify/model/robust_fit.hpp"
 #include "identify/model/roll_model.hpp"
 #include "identify/result/frequency_response.hpp"
+#include "result/field.hpp"
 
 namespace fantail::identify::result {
 
@@ -19,10 +20,7 @@ enum class Method : std::uint8_t { grid, continuous };
 enum class Loop : std::uint8_t { open, closed };
 
 /// Where a number lies with a probability of 95 %. Empty ends: the data do not bound it there.
-struct Interval {
-  std::optional<double> low;
-  std::optional<double> high;
-};
+using Interval = fantail::result::Range;
 
 /// Of a number that was fitted beside a model's own.
 struct Spread {

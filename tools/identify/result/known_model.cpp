@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "identify/result/validation_findings.hpp"
+#include "identify/result/agreement.hpp"
 #include "json/value.hpp"
 #include "text/error.hpp"
 #include "text/input_file.hpp"

@@ -12,8 +12,8 @@
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
-#include "identify/result/formatting.hpp"
 #include "identify/result/residual.hpp"
+#include "identify/result/words.hpp"
 #include "linear/dense.hpp"
 #include "text/number.hpp"
 

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "identify/result/frequency_page.hpp"
-
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
-
-#include "page/chart.hpp"
-#include "page/page.hpp"
+#include "identify/result/parts.hpp"
 #include "text/degrees.hpp"
-#include "text/number.hpp"
 
 namespace fantail::identify::result {
 namespace {
 
+using fantail::result::Picture;
 using page::Chart;
 using page::Role;
 using page::Series;
@@ -101,68 +96,12 @@ Chart coherence_chart(const FrequencyResponse& response) {
 
 }  // namespace
 
-std::string_view name(Instrument instrument) {
-  switch (instrument) {
-    case Instrument::canards: return "canards";
-    case Instrument::excitation: return "excitation";
-    case Instrument::reference: break;
+void add_frequency(Blocks& to, const FrequencyResponse& response) {
+  if (count_lines(response).told > 0) {
+    to.emplace_back(Picture{gain_chart(response)});
+    to.emplace_back(Picture{phase_chart(response)});
   }
-  return "reference";
-}
-
-std::string frequency_sentence(const FrequencyResponse& response) {
-  if (!response.obstacle.empty()) {
-    return response.obstacle;
-  }
-  const FrequencyCount count = count_lines(response);
-  const std::string needed = text::fixed(least_coherence, 1);
-  if (count.told == 0) {
-    return fmt::format(
-        "Frequency response: the coherence reaches {} at none of {} frequencies up to {} Hz, so the log does not show "
-        "one.",
-        needed, response.lines.size(), text::brief(response.lines.back().frequency_hz, 1));
-  }
-  return fmt::format(
-      "Frequency response: the coherence reaches {} at {} of {} frequencies, between {} and {} Hz; the model's gain is "
-      "inside the 95 % interval at {} of them.",
-      needed, count.told, response.lines.size(), text::brief(count.lowest_hz, 1), text::brief(count.highest_hz, 1),
-      count.agreed);
-}
-
-std::string instrument_sentence(const FrequencyResponse& response) {
-  if (response.instrument != Instrument::canards) {
-    return fmt::format(
-        "The log has the {} of a controller. Cross spectra are taken with it, so what noise and disturbances do to the "
-        "canards by way of the controller does not bias the estimate.",
-        name(response.instrument));
-  }
-  if (response.loop_was_closed) {
-    return "The log has the reference of a controller, but it did not move, and there was no excitation: noise and "
-           "disturbances that came back to the canards through the controller bias this estimate. The fit over time is "
-           "not based on it.";
-  }
-  return "The log does not say what moved the canards. If it was a controller that measured the roll, noise and "
-         "disturbances that came back through it bias this estimate; the fit over time is not based on it.";
-}
-
-std::string frequency_section(const FrequencyResponse& response) {
-  std::string body = page::paragraph(frequency_sentence(response));
-  if (!response.lines.empty()) {
-    body += page::paragraph(instrument_sentence(response));
-    body += page::paragraph(fmt::format(
-        "Welch's method: {} segments of {} s that overlap by half, Hann's window. Nothing is drawn where the coherence "
-        "is below {}. The model's curve is computed in the same way from the modelled roll rate, so a speed that "
-        "changes within the window acts on both alike.",
-        response.segments, text::brief(response.segment_s, 2), text::fixed(least_coherence, 1)));
-    if (count_lines(response).told > 0) {
-      body += page::figure(gain_chart(response));
-      const std::vector<std::string> two{page::figure(phase_chart(response)), page::figure(coherence_chart(response))};
-      body += page::side_by_side(two);
-    } else {
-      body += page::figure(coherence_chart(response));
-    }
-  }
-  return page::section("Frequency response", body);
+  to.emplace_back(Picture{coherence_chart(response)});
 }
 
 }  // namespace fantail::identify::result
