@@ -82,7 +82,7 @@ set(FANTAIL_COMPILED_ALONE
   tools/bench/axes.cpp tools/bench/sheet_csv.cpp tools/bench/verdict.cpp
   tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
   tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
-  tools/flight/free_roll.cpp tools/flight/turning.cpp
+  tools/flight/path.cpp tools/flight/path.cpp
   tools/identify/conditions.cpp tools/identify/lag_doubt.cpp
   tools/input/scenario_fields.cpp
   tools/link/await_avionics.cpp tools/link/log_reader.cpp tools/link/session.cpp

@@ -15,8 +15,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "campaign/conclude.hpp"
-#include "campaign/merge.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/results.hpp"
 #include "campaign/setup.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"

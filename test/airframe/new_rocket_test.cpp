@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "airframe/first_gains.hpp"
 #include "airframe/model/build_up.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "fly/fly_scenario.hpp"

@@ -2,9 +2,9 @@
 // What the board reports stands on the sheet that is signed, and what keeps the rocket from being armed fails it.
 #include <gtest/gtest.h>
 
-#include "bench/board_state.hpp"
 #include "bench/cycle.hpp"
 #include "bench/sheet.hpp"
+#include "bench/watch.hpp"
 #include "bench/zero.hpp"
 #include "json/value.hpp"
 #include "synthetic.hpp"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
-#include "bench/board_state.hpp"
 #include "hal/board.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "json/value.hpp"

@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/repeat.hpp"
 #include "campaign/runs_file.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scratch_file.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/column_words.hpp"
-
 #include <gtest/gtest.h>
 
 #include "campaign/flown_run.hpp"
+#include "campaign/results.hpp"
 
 namespace fantail::campaign {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/merge.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

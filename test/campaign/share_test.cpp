@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/share.hpp"
-
 #include <gtest/gtest.h>
+
+#include "campaign/analysis.hpp"
 
 namespace fantail::campaign {
 namespace {

@@ -12,7 +12,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "campaign/sensitivity.hpp"
+#include "campaign/analysis.hpp"
 #include "seed.hpp"
 #include "sim/random.hpp"
 

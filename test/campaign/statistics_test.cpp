@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/confidence_sequence.hpp"
-#include "campaign/sensitivity.hpp"
+#include "campaign/analysis.hpp"
+#include "campaign/stop_rule.hpp"
 #include "distributions/quantiles.hpp"
 #include "seed.hpp"
 #include "sim/random.hpp"

@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "detection/fingerprint.hpp"
 #include "detection/report.hpp"
-#include "detection/shown_event.hpp"
 #include "json/value.hpp"
 #include "runs/folder.hpp"
 #include "text/error.hpp"

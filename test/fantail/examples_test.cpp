@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/examples.hpp"
-
 #include <gtest/gtest.h>
 
+#include "fantail/help.hpp"
 #include "text/layout.hpp"
 
 namespace fantail::tool {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fantail/verdict_color.hpp"
-
 namespace fantail::tool {
 namespace {
 

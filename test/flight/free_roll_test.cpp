@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "flight/free_roll.hpp"
-
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "flight/path.hpp"
 
 namespace fantail::flight {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "flight/six_decimals.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "flight/columns.hpp"
 #include "seed.hpp"
 
 namespace fantail::flight {

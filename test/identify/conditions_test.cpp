@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "identify/conditions.hpp"
-
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "identify/doubts.hpp"
 #include "identify/planted_log.hpp"
 #include "identify/study.hpp"
 

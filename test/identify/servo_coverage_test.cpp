@@ -13,7 +13,7 @@
 #include "identify/closed_loop/runs.hpp"
 #include "identify/doubts.hpp"
 #include "identify/identification.hpp"
-#include "identify/result/residual_tests.hpp"
+#include "identify/result/residual.hpp"
 #include "seed.hpp"
 
 namespace fantail::identify {

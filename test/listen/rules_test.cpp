@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "listen/lift_off.hpp"
-#include "listen/log_height.hpp"
 #include "listen/range_end.hpp"
 #include "listen/sensors.hpp"
 #include "random/seed.hpp"

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "flight/column_texts.hpp"
 #include "flight/columns.hpp"
 #include "made_flight.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "logs/log_doubts.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "logs/roll_log.hpp"
 
 namespace fantail::logs {
 namespace {

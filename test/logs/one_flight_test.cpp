@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "logs/one_flight.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "manual/command_page.hpp"
-
 #include <array>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "manual/roff.hpp"
 
 namespace fantail::manual {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "manual/markdown.hpp"
-
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "manual/roff.hpp"
 
 namespace fantail::manual {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "manual/notes.hpp"
-
 #include <gtest/gtest.h>
+
+#include "manual/roff.hpp"
 
 namespace fantail::manual {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/judged_flight.hpp"
+#include "campaign/flown_run.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/judged_flight.hpp"
+#include "campaign/flown_run.hpp"
 #include "input/scenario_file.hpp"
 #include "text/degrees.hpp"
 

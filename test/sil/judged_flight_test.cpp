@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A flight that is judged on the way is judged as the one whose rows were kept.
-#include "campaign/judged_flight.hpp"
-
 #include <map>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "campaign/flown_run.hpp"
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
 #include "seed.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/between.hpp"
-
 #include <cmath>
 #include <vector>
 
@@ -8,6 +6,7 @@
 
 #include "seed.hpp"
 #include "tunnel/made_logs.hpp"
+#include "tunnel/statistics.hpp"
 
 namespace fantail::tunnel {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/steps_pictures.hpp"
-
 #include <gtest/gtest.h>
 
 #include "tunnel/made_steps.hpp"
+#include "tunnel/steps.hpp"
 
 namespace fantail::tunnel {
 namespace {

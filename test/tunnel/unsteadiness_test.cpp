@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/unsteadiness.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "tunnel/made_logs.hpp"
+#include "tunnel/statistics.hpp"
 
 namespace fantail::tunnel {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "airframe/design_check.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "airframe/summary.hpp"
 #include "text/number.hpp"
 
 namespace fantail::airframe {

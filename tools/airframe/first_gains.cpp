@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "airframe/first_gains.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "airframe/new_rocket.hpp"
 #include "sim/ascent.hpp"
 #include "sim/scenario.hpp"
 #include "sim/units.hpp"

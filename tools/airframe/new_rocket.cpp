@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "airframe/first_gains.hpp"
 #include "airframe/model/build_up.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "text/degrees.hpp"

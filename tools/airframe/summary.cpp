@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "airframe/design_check.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "bench/board_state.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "avionics/board_text.hpp"
+#include "bench/watch.hpp"
 #include "hal/board.hpp"
 #include "replies/sentence.hpp"
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <utility>
 
-#include "bench/diagnosis.hpp"
+#include "bench/verdict.hpp"
 
 namespace fantail::bench {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "bench/board_state.hpp"
 #include "bench/cycle.hpp"
+#include "bench/watch.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
 

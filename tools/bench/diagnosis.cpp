@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bench/diagnosis.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
+#include "bench/verdict.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

@@ -7,9 +7,9 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include "bench/board_state.hpp"
 #include "bench/measurement.hpp"
 #include "bench/trace.hpp"
+#include "bench/watch.hpp"
 #include "core/flight_plan.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

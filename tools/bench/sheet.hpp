@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "bench/diagnosis.hpp"
 #include "bench/exercise.hpp"
 #include "bench/measurement.hpp"
 #include "bench/verdict.hpp"

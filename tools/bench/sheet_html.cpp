@@ -7,9 +7,9 @@
 
 #include <fmt/core.h>
 
-#include "bench/board_state.hpp"
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
+#include "bench/watch.hpp"
 #include "core/tick_record.hpp"
 #include "page/page.hpp"
 #include "text/number.hpp"

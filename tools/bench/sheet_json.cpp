@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "bench/board_state.hpp"
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
+#include "bench/watch.hpp"
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
 #include "json/value.hpp"

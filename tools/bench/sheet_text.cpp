@@ -5,9 +5,9 @@
 
 #include <fmt/core.h>
 
-#include "bench/board_state.hpp"
 #include "bench/sheet.hpp"
 #include "bench/sheet_parts.hpp"
+#include "bench/watch.hpp"
 #include "core/tick_record.hpp"
 #include "text/layout.hpp"
 

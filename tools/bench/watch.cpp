@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "avionics/board_text.hpp"
-#include "bench/board_state.hpp"
 #include "core/tick_record.hpp"
 #include "json/value.hpp"
 #include "replies/sentence.hpp"

@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "campaign/column_words.hpp"
+#include "campaign/results.hpp"
 
 namespace fantail::campaign {
 namespace {

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/flown_run.hpp"
 #include "campaign/runs_file.hpp"
 #include "campaign/stop_rule.hpp"
+#include "sim/scenario.hpp"
 
 namespace fantail::campaign {
 
@@ -48,5 +50,28 @@ struct FlownCampaign {
 [[nodiscard]] FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path& folder,
                                          const std::string& version, unsigned threads,
                                          const std::function<void(std::uint64_t done)>& look);
+
+/// Puts the runs of all shards of one campaign into the folder `out`: the bytes of runs.csv.gz and of campaign.json are
+/// those of the campaign flown as one. `shards`: their folders, in any order. Returns how many runs there are.
+///
+/// Throws text::Error, and writes nothing: no_such_input for a folder in which no shard was finished; bad_configuration
+/// for shards of different campaigns (naming what differs), one that is there twice or missing, by its number; bad_data
+/// for runs that are damaged, or not those of the shard.
+std::uint64_t merge(std::span<const std::filesystem::path> shards, const std::filesystem::path& out);
+
+/// One run of a campaign, to be flown again.
+struct RepeatedRun {
+  sim::Scenario scenario{};
+  std::vector<std::string> changes{};  ///< of the whole campaign: "body.mass_kg=4.1"
+  std::string note{};                  ///< which run it is, and what was drawn for it: a sentence for its report
+};
+
+/// Throws text::Error for a run that is none of its runs, or whose files do not allow what it draws together.
+[[nodiscard]] RepeatedRun repeat_run(const Campaign& campaign, std::uint64_t run);
+
+/// The campaign that was flown in a folder, or is on its way there. Throws text::Error: no_such_input without one,
+/// bad_data for a file that does not say all of it, bad_configuration when scenario, plan, vehicle, motor, a table
+/// or the program's `version` is not what it was.
+[[nodiscard]] Campaign campaign_in(const std::filesystem::path& folder, const std::string& version);
 
 }  // namespace fantail::campaign

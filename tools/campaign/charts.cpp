@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include "campaign/column_words.hpp"
 #include "campaign/results.hpp"
 
 namespace fantail::campaign {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/column_words.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
+
+#include "campaign/results.hpp"
 
 namespace fantail::campaign {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/conclude.hpp"
-
 #include <utility>
 
 #include <fmt/core.h>
 
-#include "campaign/repeat.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/flown_run.hpp"
+#include "campaign/results.hpp"
 #include "campaign/setup.hpp"
-#include "campaign/write_flight.hpp"
 #include "text/number.hpp"
 #include "text/output_folder.hpp"
 #include "text/quoting.hpp"

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include <fmt/core.h>
 
-#include "campaign/judged_flight.hpp"
 #include "flight/table.hpp"
+#include "fly/fly_scenario.hpp"
+#include "report/results.hpp"
+#include "report/running_figures.hpp"
 #include "runs/runner.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -75,6 +78,28 @@ bool is_outcome(std::string_view word) {
 }
 
 }  // namespace
+
+JudgedFlight fly_and_judge(const sim::Scenario& scenario, const fly::TakeRow& take) {
+  report::RunningFigures running{scenario.surroundings != sim::Surroundings::flight};
+  JudgedFlight judged;
+  judged.flight = fly::fly_without_rows(scenario, [&](const flight::Row& row, const flight::Flight& so_far) {
+    running.add(row, so_far);
+    if (take) {
+      take(row, so_far);
+    }
+  });
+  judged.figures = running.figures(judged.flight, judged.flight.clock);
+  judged.verdict = report::verdict(judged.flight, judged.figures);
+  return judged;
+}
+
+void write_flight(const sim::Scenario& scenario, std::vector<std::string> changes, std::string note,
+                  const std::filesystem::path& folder) {
+  flight::Flight flight = fly::fly_scenario(scenario, {}, {}, fly::Log::kept);
+  flight.changes = std::move(changes);
+  flight.notes.insert(flight.notes.begin(), std::move(note));
+  report::write_results(flight, report::results(flight), folder);
+}
 
 flight::Extremes extremes_of(const FlownRun& run) {
   flight::Extremes extremes{.top_mach = run.figures[top_mach_column],

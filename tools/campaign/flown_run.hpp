@@ -4,15 +4,35 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "campaign/draw.hpp"
+#include "flight/flight.hpp"
+#include "fly/fly_scenario.hpp"
+#include "report/figures.hpp"
 #include "report/verdict.hpp"
+#include "sim/scenario.hpp"
 
 namespace fantail::campaign {
+
+/// What a flight report says of a flight, of which no row was kept.
+struct JudgedFlight {
+  flight::Flight flight;    ///< without rows
+  report::Figures figures;  ///< but for Figures::side_deflection
+  report::Verdict verdict;
+};
+
+/// Flies a scenario and judges it on the way. `take` gets each row, too.
+[[nodiscard]] JudgedFlight fly_and_judge(const sim::Scenario& scenario, const fly::TakeRow& take = {});
+
+/// Flies one run of a campaign alone and writes its flight report, as `fantail fly` does, into a folder. `changes`: of
+/// the whole campaign; `note`: which run it is, a sentence. Throws text::OutputError.
+void write_flight(const sim::Scenario& scenario, std::vector<std::string> changes, std::string note,
+                  const std::filesystem::path& folder);
 
 /// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
 inline constexpr std::array<std::string_view, 11> figure_columns{

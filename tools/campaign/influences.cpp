@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "campaign/column_words.hpp"
 #include "campaign/results.hpp"
 #include "text/number.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/column_words.hpp"
+#include "campaign/results.hpp"
 #include "report/verdict.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/repeat.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "campaign/campaign.hpp"
 #include "campaign/setup.hpp"
 #include "runs/runner.hpp"
 #include "text/error.hpp"

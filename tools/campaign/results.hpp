@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,5 +57,27 @@ struct Report {
 /// All of it, for every output.
 [[nodiscard]] result::Document answer(const Report& report);
 [[nodiscard]] std::vector<result::Listed> listed_fields();
+
+/// What a column of runs.csv or a drawn quantity is called where a person reads it, and its unit, which may be empty:
+/// "largest hold error" and "deg" of largest_hold_error_deg, "servo: lag, factor" of servo.lag_s_factor, "disturbance:
+/// angles, added" and "deg" of disturbance.angles_deg_offset.
+struct ColumnWords {
+  std::string words;
+  std::string unit;
+
+  /// "largest hold error / deg".
+  [[nodiscard]] std::string with_unit() const { return unit.empty() ? words : words + " / " + unit; }
+};
+[[nodiscard]] ColumnWords column_words(std::string_view name);
+
+/// "cut short" of cut_short.
+[[nodiscard]] std::string outcome_words(std::string outcome);
+
+/// Analyses a whole campaign that was flown into `folder`, and writes there the flight reports of its worst runs, each
+/// in a folder run_N. `required`: a share that is asked for. `look` is called before each of these flights; what it
+/// throws ends it. Throws text::OutputError.
+[[nodiscard]] Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question,
+                              std::optional<double> required, const result::Made& made,
+                              const std::filesystem::path& folder, const std::function<void()>& look);
 
 }  // namespace fantail::campaign

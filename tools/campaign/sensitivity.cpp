@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/sensitivity.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include <Eigen/Core>
 
+#include "campaign/analysis.hpp"
 #include "distributions/quantiles.hpp"
 #include "linear/dense.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/share.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "campaign/analysis.hpp"
 #include "distributions/quantiles.hpp"
 
 namespace fantail::campaign {

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include "detection/report.hpp"
-#include "detection/shown_event.hpp"
 #include "json/value.hpp"
 
 namespace fantail::detection {

@@ -9,7 +9,6 @@
 
 #include <fmt/core.h>
 
-#include "detection/fingerprint.hpp"
 #include "detection/rehearsal.hpp"
 #include "runs/runner.hpp"
 

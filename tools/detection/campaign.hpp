@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,5 +59,9 @@ struct Results {
 [[nodiscard]] Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder,
                            const std::string& program, unsigned threads,
                            const std::function<void(std::uint64_t done)>& look);
+
+/// Of the models and of what these rules make of them: a digest of a few events of every kind. Another one when a model
+/// draws something else, or when the flight law decides otherwise in one of these events.
+[[nodiscard]] std::string fingerprint(std::span<const Rule> rules);
 
 }  // namespace fantail::detection

@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "detection/report.hpp"
-#include "detection/shown_event.hpp"
 #include "page/page.hpp"
 #include "page/parts.hpp"
 #include "page/svg_plot.hpp"

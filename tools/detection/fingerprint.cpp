@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "detection/fingerprint.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
 
+#include "detection/campaign.hpp"
 #include "detection/rehearsal.hpp"
 #include "text/sha256.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "detection/shown_event.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <utility>

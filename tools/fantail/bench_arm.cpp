@@ -7,10 +7,9 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/deliver.hpp"
-#include "fantail/line_input.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"

@@ -4,13 +4,12 @@
 #include <fmt/core.h>
 
 #include "bench/axes.hpp"
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "link/plan_transfer.hpp"
 
 namespace fantail::tool {

@@ -10,8 +10,8 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"

@@ -8,9 +8,9 @@
 
 #include <fmt/core.h>
 
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
 #include "json/value.hpp"
 #include "link/session.hpp"

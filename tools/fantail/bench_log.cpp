@@ -13,7 +13,6 @@
 
 #include "fantail/deliver.hpp"
 #include "fantail/flight_files.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"

@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/terminal.hpp"
 #include "json/value.hpp"

@@ -3,8 +3,6 @@
 #include <random>
 
 #include "fantail/bench_log.hpp"
-#include "fantail/interrupt.hpp"
-#include "fantail/line_input.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"

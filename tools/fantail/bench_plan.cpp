@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"

@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 
 #include "avionics/board_text.hpp"
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/deliver.hpp"
-#include "fantail/plan_json.hpp"
+#include "fantail/plan_check.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"

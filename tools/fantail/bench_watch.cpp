@@ -6,13 +6,12 @@
 #include <string>
 
 #include "bench/watch.hpp"
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/live_screen.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/campaign_detection.hpp"
-
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -13,7 +11,6 @@
 
 #include "detection/campaign.hpp"
 #include "detection/report.hpp"
-#include "detection/shown_event.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
@@ -91,9 +88,8 @@ void show_one(const DetectionOptions& options, const files::path& folder) {
         fmt::format("--both-well leaves out {} {}: one accelerometer is bad in it", detection::info(kind).name, event)};
   }
   const result::Document shown = detection::event_answer(campaign, kind, event, made_with({}, campaign.seed));
-  deliver(shown, {.folder = folder,
-                  .name = fmt::format("{}_{}", detection::info(kind).name, event),
-                  .json = options.json});
+  deliver(shown,
+          {.folder = folder, .name = fmt::format("{}_{}", detection::info(kind).name, event), .json = options.json});
 }
 
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/campaign_faults.hpp"
-
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -11,7 +9,6 @@
 
 #include "campaign/setup.hpp"
 #include "fantail/deliver.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"

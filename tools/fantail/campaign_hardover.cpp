@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/campaign_hardover.hpp"
-
 #include <filesystem>
 #include <memory>
 #include <optional>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
 
 namespace fantail::tool {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/examples.hpp"
-
 #include <algorithm>
 #include <vector>
 
-#include "manual/command_lines.hpp"
+#include "fantail/help.hpp"
+#include "manual/command.hpp"
 #include "text/layout.hpp"
 
 namespace fantail::tool {

@@ -15,8 +15,6 @@
 
 #include "core/tick_record_fields.hpp"
 #include "input/plan_file.hpp"
-#include "manual/command_page.hpp"
-#include "manual/markdown.hpp"
 #include "manual/roff.hpp"
 #include "protocol/log_schema.hpp"
 

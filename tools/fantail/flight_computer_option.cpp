@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 
 #include "avionics/identity.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
+#include "fantail/progress.hpp"
 #include "hil/emulator.hpp"
 #include "hil/wire.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/interrupt.hpp"
-
 #include <csignal>
 #include <initializer_list>
 #include <string>
 
+#include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
 #include "text/input_file.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/line_input.hpp"
-
 #include <array>
 #include <string_view>
 
 #include <poll.h>
 #include <unistd.h>
 
+#include "fantail/standard_streams.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {

@@ -13,8 +13,7 @@
 #include <fmt/format.h>
 
 #include "fantail/command_line.hpp"
-#include "fantail/interrupt.hpp"
-#include "fantail/log_file.hpp"
+#include "fantail/log_info.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"

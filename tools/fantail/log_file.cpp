@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/log_file.hpp"
-
 #include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "fantail/command_line.hpp"
+#include "fantail/log_info.hpp"
 
 namespace fantail::tool {
 

@@ -13,8 +13,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include "fantail/exit_codes.hpp"
-#include "fantail/program_page.hpp"
+#include "fantail/help.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"

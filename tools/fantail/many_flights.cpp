@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "avionics/identity.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
 #include "text/input_file.hpp"
 
 namespace fantail::tool {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fantail/command_line.hpp"
 #include "runs/folder.hpp"
 
 namespace fantail::tool {
@@ -21,5 +22,14 @@ namespace fantail::tool {
 /// Throws Interrupted when somebody has interrupted, and says whether flights are kept: `kept` is where they would be,
 /// the folder of their parts or a file, in the folder of the results.
 void leave_if_interrupted(const std::filesystem::path& folder, const std::string& kept = runs::Place{}.parts);
+
+/// `campaign detection`.
+void fill_detection(const Verb& verb);
+
+/// `campaign faults`.
+void fill_faults(const Verb& verb);
+
+/// `campaign hardover`: what one canard that fails does to the flight.
+void fill_hardover(const Verb& verb);
 
 }  // namespace fantail::tool

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "fantail/line_input.hpp"
+#include "fantail/standard_streams.hpp"
 #include "hal/linux/can_bus.hpp"
 
 namespace fantail::tool {

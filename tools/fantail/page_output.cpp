@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "fantail/interrupt.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
 #include "text/quoting.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "campaign/judged_flight.hpp"
+#include "campaign/flown_run.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/scenario_options.hpp"

@@ -5,6 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "core/flight_plan.hpp"
+#include "json/value.hpp"
+
 namespace fantail::tool {
 
 struct PlanCheck {
@@ -16,5 +19,8 @@ struct PlanCheck {
 /// Says whether the plan may fly: by the rules on its own numbers, and, where a rocket is known, by the phase margin of
 /// the loop at every speed under control. Throws text::Error for one that may not.
 void check_plan(const PlanCheck& asked);
+
+/// Every field of a plan by section and key, in the units of plan files.
+[[nodiscard]] json::Value plan_json(const core::FlightPlan& plan);
 
 }  // namespace fantail::tool

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/plan_json.hpp"
-
 #include <cstddef>
 #include <cstdint>
 
 #include <fmt/core.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "fantail/plan_check.hpp"
 
 namespace fantail::tool {
 namespace {

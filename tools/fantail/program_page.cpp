@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/program_page.hpp"
-
-#include "fantail/exit_codes.hpp"
-#include "manual/command_page.hpp"
+#include "fantail/help.hpp"
 #include "manual/roff.hpp"
 
 namespace fantail::tool {

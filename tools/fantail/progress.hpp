@@ -11,7 +11,29 @@
 #include <string_view>
 #include <thread>
 
+#include "text/error.hpp"
+
 namespace fantail::tool {
+
+/// Ctrl-C, a request to terminate, or a terminal that was closed. Work is given up between two steps, never in the
+/// middle of writing results.
+class Interrupted : public text::Error {
+ public:
+  explicit Interrupted(const std::string& what = "interrupted; nothing was written")
+      : Error{text::ErrorKind::interrupted, what} {}
+};
+
+/// From here on the signals only set a mark.
+void catch_interrupts();
+
+/// For a program that takes the signals itself: called wherever the mark is looked at, it throws when there was one.
+void ask_for_interrupts(void (*give_up)());
+
+/// Throws Interrupted when the mark is set.
+void give_up_if_interrupted();
+
+/// True once for every interrupt: for work that has to be ended in order, and cannot when the mark stays.
+[[nodiscard]] bool take_interrupt();
 
 /// One line on a terminal for work that takes longer than half a second: how far, how fast, how long still. Where
 /// standard error is not a terminal, a line of its own every ten seconds.

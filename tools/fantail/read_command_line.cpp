@@ -13,7 +13,7 @@
 
 #include "fantail/command_line.hpp"
 #include "fantail/declared.hpp"
-#include "fantail/examples.hpp"
+#include "fantail/help.hpp"
 #include "fantail/terminal.hpp"
 #include "fantail/verb_table.hpp"
 #include "input/messages.hpp"

@@ -10,12 +10,11 @@
 
 #include <fmt/core.h>
 
-#include "fantail/exit_codes.hpp"
-#include "fantail/interrupt.hpp"
+#include "fantail/help.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/verb_table.hpp"
 #include "files/convert.hpp"
-#include "manual/command_page.hpp"
 #include "manual/completion.hpp"
 #include "manual/roff.hpp"
 #include "text/error.hpp"

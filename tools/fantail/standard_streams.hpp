@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,5 +30,21 @@ void say_for_now(std::string_view line);
 /// Writes what a person is watching to standard output, at once. False: there is no use in going on. A reader that has
 /// left has seen enough; that is no fault, and a full disk is one, which the end of the program will say.
 [[nodiscard]] bool show_live(const std::string& text);
+
+/// Lines from standard input, taken without ever waiting for them, so that a bus can be served meanwhile.
+class LineInput {
+ public:
+  /// Without its end and without spaces around it; empty when no whole line is there yet.
+  [[nodiscard]] std::optional<std::string> next();
+
+  /// No more will come.
+  [[nodiscard]] bool ended() const { return ended_; }
+
+ private:
+  void read_what_is_there();
+
+  std::string text_;
+  bool ended_ = false;
+};
 
 }  // namespace fantail::tool

@@ -49,4 +49,13 @@ void show(fmt::format_string<Values...> text, Values&&... values) {
   show_text(fmt::format(text, std::forward<Values>(values)...));
 }
 
+// Colours repeat what words say; nothing is said by a colour alone.
+
+/// "PASS", "FAIL" and "Outside the model", where a line begins with them.
+[[nodiscard]] std::string painted_decision(std::string text);
+
+/// The word behind "phase" where a line begins with that: green while the rocket is safe, yellow while it is armed,
+/// cyan in flight.
+[[nodiscard]] std::string painted_phase(std::string text);
+
 }  // namespace fantail::tool

@@ -24,7 +24,7 @@
 #include "text/error.hpp"
 #include "tunnel/stability.hpp"
 #include "tunnel/statistics.hpp"
-#include "tunnel/swing_log.hpp"
+#include "tunnel/swing.hpp"
 #include "tunnel/tunnel_log.hpp"
 
 namespace fantail::tool {

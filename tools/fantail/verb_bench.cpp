@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 
-#include "fantail/bench_options.hpp"
+#include "fantail/bench_desk.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "hal/linux/can_error.hpp"

@@ -10,12 +10,8 @@
 #include <fmt/core.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/conclude.hpp"
-#include "campaign/merge.hpp"
+#include "campaign/results.hpp"
 #include "campaign/setup.hpp"
-#include "fantail/campaign_detection.hpp"
-#include "fantail/campaign_faults.hpp"
-#include "fantail/campaign_hardover.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "fantail/compare_results.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"

@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
-#include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"

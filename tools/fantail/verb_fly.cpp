@@ -9,11 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "campaign/repeat.hpp"
+#include "campaign/campaign.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/page_output.hpp"

@@ -7,10 +7,10 @@
 #include <fmt/core.h>
 
 #include "fantail/can_place.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/page_output.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"

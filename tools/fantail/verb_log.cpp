@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/log_file.hpp"
+#include "fantail/log_info.hpp"
 #include "fantail/run.hpp"
 #include "telemetry/url.hpp"
 

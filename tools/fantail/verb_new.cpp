@@ -15,7 +15,6 @@
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/document.hpp"
 #include "input/rasp_file.hpp"

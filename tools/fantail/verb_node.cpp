@@ -11,11 +11,11 @@
 
 #include <fmt/core.h>
 
-#include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/pad_script.hpp"
 #include "fantail/page_output.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/standard_streams.hpp"

@@ -8,7 +8,6 @@
 #include <fmt/core.h>
 
 #include "fantail/deliver.hpp"
-#include "fantail/interrupt.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"

@@ -12,7 +12,6 @@
 #include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/plan_check.hpp"
-#include "fantail/plan_json.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"

@@ -10,8 +10,7 @@
 #include <fmt/core.h>
 
 #include "fantail/deliver.hpp"
-#include "fantail/interrupt.hpp"
-#include "fantail/log_file.hpp"
+#include "fantail/log_info.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"

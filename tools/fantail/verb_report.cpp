@@ -10,8 +10,7 @@
 
 #include "fantail/compare_results.hpp"
 #include "fantail/deliver.hpp"
-#include "fantail/interrupt.hpp"
-#include "fantail/log_file.hpp"
+#include "fantail/log_info.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"

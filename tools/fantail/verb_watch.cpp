@@ -6,14 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "fantail/interrupt.hpp"
 #include "fantail/lcm_output.hpp"
 #include "fantail/live_screen.hpp"
 #include "fantail/page_output.hpp"
+#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
-#include "fantail/verdict_color.hpp"
 #include "hal/linux/clock.hpp"
 #include "telemetry/panel.hpp"
 #include "telemetry/receiver.hpp"

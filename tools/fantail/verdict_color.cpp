@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fantail/verdict_color.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string_view>

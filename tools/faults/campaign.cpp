@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "campaign/setup.hpp"
-#include "faults/fingerprint.hpp"
 #include "faults/stop_rule.hpp"
 #include "faults/tasks.hpp"
 #include "runs/runner.hpp"

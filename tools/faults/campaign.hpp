@@ -174,4 +174,8 @@ void write_worst(Result& result, const Prepared& prepared, const std::filesystem
 [[nodiscard]] CellResult conclude(const Cell& cell, const CellSum& sum, const KnownLimit* limit);
 [[nodiscard]] CellResult concluded(const Cell& cell, const std::vector<Run>& runs, const CellLimit& limit);
 
+/// Of what makes a flight this one and no other, beside its scenario: a digest of the first twin, of a few flights with
+/// a fault, and of the table. Another one when simulator, flight law, judge or table make something else of them.
+[[nodiscard]] std::string fingerprint(const Twins& twins);
+
 }  // namespace fantail::faults

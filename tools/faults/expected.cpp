@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "faults/expected.hpp"
-
 #include <array>
 
 #include <fmt/core.h>
+
+#include "faults/fault_table.hpp"
 
 namespace fantail::faults {
 namespace {

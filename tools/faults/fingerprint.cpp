@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "faults/fingerprint.hpp"
-
 #include <algorithm>
 #include <array>
 #include <span>
 
 #include <fmt/core.h>
 
+#include "faults/campaign.hpp"
 #include "input/fault_file.hpp"
 #include "runs/folder.hpp"
 

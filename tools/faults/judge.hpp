@@ -9,7 +9,7 @@
 
 #include "core/flight_phase.hpp"
 #include "core/flight_plan.hpp"
-#include "faults/expected.hpp"
+#include "faults/fault_table.hpp"
 #include "faults/shaft.hpp"
 
 // Judges a flight with a fault by what truly was: roll angle, canard shafts and pulses as the world has them, and the

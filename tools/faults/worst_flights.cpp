@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "campaign/flown_run.hpp"
 #include "campaign/setup.hpp"
-#include "campaign/write_flight.hpp"
 #include "faults/campaign.hpp"
 
 namespace fantail::faults {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
@@ -10,11 +11,27 @@
 #include <utility>
 #include <vector>
 
+namespace fantail::files {
+
+/// What other programs are to take a column for.
+enum class Kind : std::uint8_t { number, integer, flag, word };
+
+/// One column of a table. All columns of one are equally long.
+struct Column {
+  std::string name;
+  Kind kind = Kind::number;
+  /// Not a number: unknown. Of a flag 0 or 1; of a word its place in `words`, counted from 0.
+  std::vector<double> values{};
+  std::vector<std::string> words{};  ///< those that occur
+
+  friend bool operator==(const Column&, const Column&) = default;
+};
+using Columns = std::vector<Column>;
+
 /// Files of other programs, by the Python packages that are made for them: python/fantail/files, which runs as a
 /// process of its own. It is given a file's bytes and the end of its name, gives back bytes, opens nothing and gets no
 /// shell. It stops at 4 GB of memory and at 512 MiB of result. The Python is the one that FANTAIL_PYTHON names, else
 /// that of the environment which install() makes, else python3.
-namespace fantail::files {
 
 /// No Python, or none with a package that is needed; what() says which command installs it.
 class NotInstalled : public std::runtime_error {

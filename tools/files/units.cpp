@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "files/units.hpp"
-
 #include <algorithm>
 #include <array>
 #include <numbers>
+
+#include "files/quantities.hpp"
 
 namespace fantail::files {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "flight/column_texts.hpp"
-
 #include <algorithm>
 #include <array>
+
+#include "flight/columns.hpp"
 
 namespace fantail::flight {
 namespace {

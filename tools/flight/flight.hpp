@@ -14,10 +14,8 @@
 #include "core/flight_plan.hpp"
 #include "core/tick_record.hpp"
 #include "flight/before_burnout.hpp"
-#include "flight/free_roll.hpp"
 #include "flight/model_end.hpp"
 #include "flight/path.hpp"
-#include "flight/turning.hpp"
 
 namespace fantail::flight {
 

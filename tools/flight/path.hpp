@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,41 @@ struct PathPoint {
 
 /// The last point at or before this time; null where there is none.
 [[nodiscard]] const PathPoint* point_at(const std::vector<PathPoint>& path, double time_s);
+
+/// How the same rocket would have rolled with its canards at trim, as only a simulator can tell.
+struct FreeRollPoint {
+  double time_s = 0.0;               ///< on the rows' clock
+  double true_roll_angle_rad = 0.0;  ///< since the pad, not wrapped, as Truth::roll_angle_rad
+  double true_roll_rate_rad_s = 0.0;
+};
+
+/// without_control.csv: one row a point.
+[[nodiscard]] std::string free_roll_csv(const std::vector<FreeRollPoint>& points);
+
+/// The other way. Throws as read_points().
+[[nodiscard]] std::vector<FreeRollPoint> read_free_roll(const Table& table);
+
+/// Between two points on the line through them; empty before the first and after the last.
+[[nodiscard]] std::optional<double> free_roll_angle_rad(const std::vector<FreeRollPoint>& points, double time_s);
+
+/// How a rocket turns about all its axes that hands or pins hold, and what was measured of it. Roll is about the long
+/// axis, pitch about y, yaw about z of the body.
+struct TurnPoint {
+  double time_s = 0.0;  ///< on the rows' clock
+  double true_roll_rate_rad_s = 0.0;
+  double true_pitch_rate_rad_s = 0.0;
+  double true_yaw_rate_rad_s = 0.0;
+  double true_tilt_rad = 0.0;         ///< of the long axis, from the vertical
+  double gyro_roll_rate_rad_s = 0.0;  ///< its last sample, bias and noise in it, as the next two
+  double gyro_pitch_rate_rad_s = 0.0;
+  double gyro_yaw_rate_rad_s = 0.0;
+  double tilt_rad = 0.0;  ///< as the avionics estimates it
+};
+
+/// turning.csv: one row a point.
+[[nodiscard]] std::string turning_csv(const std::vector<TurnPoint>& turning);
+
+/// The other way. Throws as read_points().
+[[nodiscard]] std::vector<TurnPoint> read_turning(const Table& table);
 
 }  // namespace fantail::flight

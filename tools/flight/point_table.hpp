@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "flight/six_decimals.hpp"
+#include "flight/columns.hpp"
 #include "flight/table.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "flight/columns.hpp"
-#include "flight/six_decimals.hpp"
 
 namespace fantail::flight {
 namespace {

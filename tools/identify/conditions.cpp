@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "identify/conditions.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
 #include "identify/choices.hpp"
+#include "identify/doubts.hpp"
 #include "input/messages.hpp"
 #include "sim/compressibility.hpp"
 #include "text/number.hpp"

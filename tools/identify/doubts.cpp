@@ -10,13 +10,12 @@
 
 #include <fmt/core.h>
 
-#include "identify/lag_doubt.hpp"
+#include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
-#include "identify/model/robust_fit.hpp"
 #include "identify/result/residual.hpp"
 #include "identify/result/uncertainty.hpp"
 #include "identify/result/words.hpp"
-#include "logs/log_doubts.hpp"
+#include "logs/roll_log.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

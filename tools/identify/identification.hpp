@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "identify/closed_loop/loop.hpp"
-#include "identify/model/robust_fit.hpp"
+#include "identify/model/least_squares.hpp"
 #include "identify/model/roll_model.hpp"
 #include "identify/result/findings.hpp"
 

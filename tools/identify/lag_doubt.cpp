@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "identify/lag_doubt.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "identify/doubts.hpp"
 #include "identify/model/alpha_fit.hpp"
 #include "identify/model/open_loop.hpp"
 #include "identify/result/uncertainty.hpp"

@@ -9,11 +9,9 @@
 #include <fmt/core.h>
 
 #include "identify/choices.hpp"
-#include "identify/conditions.hpp"
 #include "identify/doubts.hpp"
 #include "identify/model/least_squares.hpp"
 #include "identify/result/residual.hpp"
-#include "identify/result/residual_tests.hpp"
 #include "identify/result/words.hpp"
 #include "input/messages.hpp"
 #include "text/degrees.hpp"

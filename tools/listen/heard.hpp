@@ -7,8 +7,8 @@
 
 #include "core/flight_phase.hpp"
 #include "listen/imu_log.hpp"
-#include "listen/log_height.hpp"
 #include "listen/range_end.hpp"
+#include "listen/sensors.hpp"
 
 namespace fantail::listen {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "listen/log_height.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
+
+#include "listen/sensors.hpp"
 
 namespace fantail::listen {
 namespace {

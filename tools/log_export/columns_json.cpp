@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "flight/column_texts.hpp"
+#include "flight/columns.hpp"
 #include "flight_log/schema.hpp"
 #include "json/value.hpp"
 #include "log_export/formats.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "flight/columns.hpp"
-#include "flight/six_decimals.hpp"
 #include "flight/write_csv.hpp"
 #include "flight_log/schema.hpp"
 #include "log_export/formats.hpp"

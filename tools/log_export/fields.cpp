@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/tick_record_fields.hpp"
-#include "flight/column_texts.hpp"
+#include "flight/columns.hpp"
 #include "input/messages.hpp"
 #include "text/degrees.hpp"
 

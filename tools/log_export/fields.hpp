@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "files/convert.hpp"
 #include "log_export/replayed_flight.hpp"
 
 namespace fantail::log_export {
@@ -76,5 +77,8 @@ void for_each_tick(const ReplayedFlight& source, Take take) {
     }
   }
 }
+
+/// The chosen fields, a value for each tick of the log. The words of a column stand in the order of their enumeration.
+[[nodiscard]] files::Columns tick_columns(const ReplayedFlight& source, const Selection& selection);
 
 }  // namespace fantail::log_export

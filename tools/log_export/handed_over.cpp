@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "files/convert.hpp"
-#include "flight/column_texts.hpp"
+#include "flight/columns.hpp"
 #include "flight_log/event_text.hpp"
 #include "log_export/about.hpp"
-#include "log_export/event_level.hpp"
+#include "log_export/fields.hpp"
 #include "log_export/formats.hpp"
-#include "log_export/tick_columns.hpp"
+#include "log_export/ulog_writer.hpp"
 
 namespace fantail::log_export {
 namespace {

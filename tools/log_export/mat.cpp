@@ -8,8 +8,8 @@
 
 #include "files/mat_writer.hpp"
 #include "log_export/about.hpp"
+#include "log_export/fields.hpp"
 #include "log_export/formats.hpp"
-#include "log_export/tick_columns.hpp"
 
 namespace fantail::log_export {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "log_export/tick_columns.hpp"
-
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -8,6 +6,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "log_export/fields.hpp"
 
 namespace fantail::log_export {
 namespace {

@@ -5,9 +5,8 @@
 #include <fmt/core.h>
 
 #include "core/flight_plan_fields.hpp"
-#include "flight/column_texts.hpp"
+#include "flight/columns.hpp"
 #include "flight_log/event_text.hpp"
-#include "log_export/event_level.hpp"
 #include "log_export/formats.hpp"
 #include "log_export/ulog_writer.hpp"
 

@@ -5,7 +5,6 @@
 
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
-#include "logs/one_flight.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"
 

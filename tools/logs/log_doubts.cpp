@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "logs/log_doubts.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +9,7 @@
 
 #include "input/messages.hpp"
 #include "logs/interpolator.hpp"
+#include "logs/roll_log.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::logs {

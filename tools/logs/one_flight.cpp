@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "logs/one_flight.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -11,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "logs/flight_file.hpp"
 #include "report/figures.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"

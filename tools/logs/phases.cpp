@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "logs/phases.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <string_view>
@@ -9,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "logs/read_csv.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {

@@ -13,7 +13,6 @@
 
 #include "files/rows.hpp"
 #include "flight/columns.hpp"
-#include "logs/phases.hpp"
 #include "text/error.hpp"
 
 namespace fantail::logs {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "files/load.hpp"
+#include "files/rows.hpp"
 #include "files/sources.hpp"
 #include "flight/flight.hpp"
+#include "flight/table.hpp"
 
 namespace fantail::logs {
 
@@ -45,5 +48,13 @@ struct Needs {
 /// is in another unit by the file's own word (naming it and listing those that are), for nothing that Fantail knows, no
 /// row, control or a launch after control, which is another flight. Messages name file and line.
 [[nodiscard]] flight::Flight read_flight_csv(const files::Loaded& table, const Reading& reading, const Needs& needs);
+
+/// The flight phases that stand as words in a column. One with a word that is no phase is not used, and a note of the
+/// flight says so.
+void read_phases(const flight::Table& table, const files::Rows& rows, std::size_t column, flight::Flight& flight);
+
+/// What the phases of the rows tell of the events. Throws text::Error (bad_data) for a table, called `name`, of more
+/// than one flight.
+void note_phases(flight::Flight& flight, const std::string& name);
 
 }  // namespace fantail::logs

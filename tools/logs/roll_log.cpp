@@ -14,8 +14,6 @@
 #include "input/messages.hpp"
 #include "logs/flight_file.hpp"
 #include "logs/interpolator.hpp"
-#include "logs/log_doubts.hpp"
-#include "logs/one_flight.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"
 

@@ -17,7 +17,7 @@
 
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
-#include "logs/one_flight.hpp"
+#include "logs/flight_file.hpp"
 #include "report/figures.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"

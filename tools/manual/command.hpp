@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-// A command line as it is declared, for whoever describes it: a manual page, and a shell that completes it.
 namespace fantail::manual {
+
+// A command line as it is declared, for whoever describes it: a manual page, and a shell that completes it.
 
 /// What of the file system a value may name.
 enum class Paths : std::uint8_t { none, files, folders };
@@ -51,5 +53,10 @@ struct Command {
   bool needs_command = false;
   std::string notes{};  ///< what the help has below the options: sentences and examples
 };
+
+/// A command as lines that a shell takes as one: broken before options, or where that is not enough between words; each
+/// but the last ends with a backslash, and each but the first is four columns further in. What is quoted stays
+/// together, however long it is.
+[[nodiscard]] std::string command_lines(std::string_view command, std::string_view indent, std::size_t columns);
 
 }  // namespace fantail::manual

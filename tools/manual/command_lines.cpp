@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "manual/command_lines.hpp"
-
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
 #include <vector>
+
+#include "manual/command.hpp"
 
 namespace fantail::manual {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "manual/command_page.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -8,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "manual/command_lines.hpp"
-#include "manual/notes.hpp"
+#include "manual/command.hpp"
+#include "manual/roff.hpp"
 
 namespace fantail::manual {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "manual/markdown.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cctype>

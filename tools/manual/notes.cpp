@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "manual/notes.hpp"
-
 #include <algorithm>
 #include <cstddef>
+
+#include "manual/roff.hpp"
 
 namespace fantail::manual {
 namespace {

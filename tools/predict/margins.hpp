@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/share.hpp"
+#include "campaign/analysis.hpp"
 #include "predict/run.hpp"
 #include "sim/scenario.hpp"
 #include "stability/gain_choice.hpp"

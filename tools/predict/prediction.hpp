@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/share.hpp"
+#include "campaign/analysis.hpp"
 #include "flight/flight.hpp"
 #include "predict/airframe.hpp"
 #include "predict/margins.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/share.hpp"
+#include "campaign/analysis.hpp"
 #include "predict/run.hpp"
 #include "sim/scenario.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "campaign/judged_flight.hpp"
+#include "campaign/flown_run.hpp"
 #include "predict/margins.hpp"
 #include "report/figures.hpp"
 

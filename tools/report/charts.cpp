@@ -11,7 +11,7 @@
 
 #include "flight/phase_names.hpp"
 #include "report/chart_drawer.hpp"
-#include "report/rest.hpp"
+#include "report/hold.hpp"
 #include "report/sections.hpp"
 #include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"

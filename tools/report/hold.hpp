@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "flight/flight.hpp"
 #include "report/extent.hpp"
@@ -56,5 +57,47 @@ class RunningHold {
   std::optional<double> last_settled_s_{};  ///< of this stretch
   double judged_time_s_ = 0.0;
 };
+
+/// How far the roll is from what was asked, its reference R, row by row under control. The law plays no part in what is
+/// measured; where it is known, its settle point counts as well.
+class RunningRest {
+ public:
+  explicit RunningRest(double settling_time_s) : settling_time_s_{settling_time_s} {}
+
+  /// Each row under control, in order. `roll_rad`: from where the reference counts.
+  void add(const flight::Row& row, double roll_rad, const flight::Flight& flight);
+
+  /// Its size, the farthest of: the mean of phi - R over each settled stretch of one reference, and the settle
+  /// points in them. A stretch is half a second or longer where there is one. Empty: nothing settled, or R is not
+  /// known.
+  [[nodiscard]] std::optional<double> rest_error_rad() const;
+  /// Mean of |phi - R| over all time under control that knows both.
+  [[nodiscard]] std::optional<double> mean_error_rad() const;
+
+ private:
+  /// Of one reference, settled.
+  struct Stretch {
+    double begin_s = 0.0;
+    double end_s = 0.0;
+    double sum_rad = 0.0;
+    std::size_t rows = 0;
+  };
+  [[nodiscard]] std::optional<double> farthest_with(const Stretch& stretch) const;
+
+  double settling_time_s_;
+  std::optional<double> reference_rad_{};
+  double settles_at_s_ = 0.0;
+  Stretch stretch_{};                     ///< the present one
+  std::optional<double> farthest_rad_{};  ///< mean of the earlier ones
+  std::optional<double> of_law_rad_{};    ///< the farthest settle point from R
+  double sum_of_errors_rad_ = 0.0;
+  std::size_t rows_ = 0;
+};
+
+/// Where the law of the plan comes to rest: "R + u_d/kp".
+[[nodiscard]] std::string settle_point_name(const flight::Flight& flight);
+
+/// Why it comes to rest there, with this flight's own numbers where they are known.
+[[nodiscard]] std::string settle_point_text(const flight::Flight& flight);
 
 }  // namespace fantail::report

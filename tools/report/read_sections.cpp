@@ -13,7 +13,7 @@
 
 #include "flight/phase_names.hpp"
 #include "report/fields.hpp"
-#include "report/rest.hpp"
+#include "report/hold.hpp"
 #include "report/sections.hpp"
 #include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "report/rest.hpp"
-
 #include <cmath>
+
+#include "report/hold.hpp"
 
 namespace fantail::report {
 namespace {

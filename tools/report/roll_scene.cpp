@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "report/chart_drawer.hpp"
 #include "report/figures.hpp"
-#include "report/roll_truth.hpp"
 #include "report/sections.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

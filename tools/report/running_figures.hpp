@@ -10,7 +10,6 @@
 #include "report/extent.hpp"
 #include "report/figures.hpp"
 #include "report/hold.hpp"
-#include "report/rest.hpp"
 
 namespace fantail::report {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "page/svg_plot.hpp"
-#include "report/rest.hpp"
+#include "report/hold.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "trajectory/columns.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -10,6 +8,7 @@
 
 #include "text/error.hpp"
 #include "text/number.hpp"
+#include "trajectory/series.hpp"
 
 namespace fantail::trajectory {
 namespace {

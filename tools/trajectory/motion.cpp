@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "trajectory/motion.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +7,7 @@
 #include <optional>
 
 #include "sim/units.hpp"
+#include "trajectory/series.hpp"
 
 namespace fantail::trajectory {
 namespace {

@@ -7,10 +7,36 @@
 #include <string>
 #include <vector>
 
+#include "files/quantities.hpp"
+#include "files/rows.hpp"
 #include "flight/table.hpp"
-#include "trajectory/columns.hpp"
 
 namespace fantail::trajectory {
+
+using files::Quantity;
+
+struct FoundColumn {
+  Quantity quantity;
+  std::string name;  ///< as in the file, without the unit
+  files::Found found;
+};
+
+/// The columns of an exported trajectory that mean something here, one for each quantity (files::exported_columns()),
+/// in capitals or not, the unit in parentheses behind the name.
+class Columns {
+ public:
+  /// Throws text::Error (bad_data), with file, line and column: a unit that nobody knows.
+  explicit Columns(const flight::Table& table);
+
+  [[nodiscard]] const FoundColumn* find(Quantity quantity) const;
+  [[nodiscard]] const std::vector<FoundColumn>& all() const { return found_; }
+
+ private:
+  std::vector<FoundColumn> found_;
+};
+
+/// How both programs call it: "Altitude (OpenRocket) or Altitude AGL (RocketPy, altitude)".
+[[nodiscard]] std::string names_of(Quantity quantity);
 
 /// What a table says over time, in SI and radians.
 struct Series {
@@ -39,5 +65,20 @@ struct Series {
 /// beyond what a rocket can have, a rocket that moves in the first row or never moves, or that stands more than 50 m
 /// above or below the launch site.
 [[nodiscard]] Series read_series(const flight::Table& table, const Columns& columns);
+
+/// How the rocket of a series moves in the plane in which it leans, at each row.
+struct Motion {
+  std::vector<double> up_m_s;          ///< over ground
+  std::vector<double> across_m_s;      ///< over ground
+  std::vector<double> along_axis_m_s;  ///< through the air
+  std::vector<double> tilt_rad;        ///< of the axis, from the vertical
+  std::vector<double> felt_m_s2;       ///< along the axis, gravity taken off; empty: it follows from the speeds
+  std::vector<Quantity> read;          ///< from the file
+  std::vector<std::string> derived;    ///< words for a person: "the tilt is that of the path"
+};
+
+/// What is not in the series follows from what is, as parse_trajectory() says; the tilt of the guide stands in for one
+/// that nothing tells. Up to lift-off the rocket is at rest.
+[[nodiscard]] Motion motion_of(const Series& series, double guide_tilt_rad);
 
 }  // namespace fantail::trajectory

@@ -16,8 +16,6 @@
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 #include "text/number.hpp"
-#include "trajectory/columns.hpp"
-#include "trajectory/motion.hpp"
 #include "trajectory/series.hpp"
 
 namespace fantail::trajectory {

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "campaign/judged_flight.hpp"
+#include "campaign/flown_run.hpp"
 #include "predict/run.hpp"
 #include "protocol/plan_block.hpp"
 #include "report/running_figures.hpp"

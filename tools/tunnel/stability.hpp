@@ -9,9 +9,9 @@
 #include "result/answer.hpp"
 #include "result/document.hpp"
 #include "text/layout.hpp"
+#include "tunnel/statistics.hpp"
 #include "tunnel/swing.hpp"
 #include "tunnel/tunnel_log.hpp"
-#include "tunnel/unsteadiness.hpp"
 
 namespace fantail::tunnel {
 

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <vector>
+
+#include "distributions/quantiles.hpp"
 
 namespace fantail::tunnel {
 namespace {
@@ -33,6 +37,8 @@ double correlation_length(std::span<const double> values, const Moments& m) {
   }
   return length;
 }
+
+double root_of_rest(double variance, double taken_off) { return std::sqrt(std::max(variance - taken_off, 0.0)); }
 
 }  // namespace
 
@@ -90,6 +96,50 @@ Line fit_line(std::span<const double> x, std::span<const double> y) {
   line.offset = mean_y - line.slope * mean_x;
   line.r_squared = yy > 0.0 ? xy * xy / (xx * yy) : 1.0;
   return line;
+}
+
+Between between_values(std::span<const double> values, std::span<const double> standard_errors) {
+  double of_measurement = 0.0;
+  for (const double error : standard_errors) {
+    of_measurement += error * error / static_cast<double>(standard_errors.size());
+  }
+  const double seen = moments(values).standard_deviation;
+  const double freedom = static_cast<double>(values.size()) - 1.0;
+  // Values that scatter by less than their errors agree by chance. They bound no further than values that scatter as
+  // expected: else a lucky run, or errors that are stated too large, would prove that nothing varies.
+  const double at_least_expected = std::max(seen * seen, of_measurement);
+  return {
+      .seen = seen,
+      .measurement = std::sqrt(of_measurement),
+      .between = root_of_rest(seen * seen, of_measurement),
+      .low = root_of_rest(freedom * seen * seen / distributions::chi_square_quantile(0.975, freedom), of_measurement),
+      .high = root_of_rest(freedom * at_least_expected / distributions::chi_square_quantile(0.025, freedom),
+                           of_measurement)};
+}
+
+std::optional<Unsteadiness> unsteadiness(const TunnelLog& wind, const SteadySegments& steady, double begin_s,
+                                         double end_s) {
+  constexpr std::size_t fewest_readings = 5;
+  const auto index_of = [&wind](auto place) { return static_cast<std::size_t>(place - wind.time_s.begin()); };
+  std::size_t first = index_of(std::ranges::lower_bound(wind.time_s, begin_s));
+  std::size_t count = index_of(std::ranges::upper_bound(wind.time_s, end_s)) - first;
+  const auto around = std::ranges::find_if(
+      steady.found, [&](const SteadySegment& segment) { return segment.begin_s < end_s && segment.end_s > begin_s; });
+  if (around != steady.found.end()) {
+    first = around->first;
+    count = around->count;
+  }
+  if (count < fewest_readings) {
+    return std::nullopt;
+  }
+  const Moments speed = moments(std::span{wind.wind_speed_m_s}.subspan(first, count));
+  if (speed.mean <= 0.0) {
+    return std::nullopt;
+  }
+  const double rounding_m_s = rounding_deviation(rounding_of(wind.wind_speed_m_s));
+  const double variance = speed.standard_deviation * speed.standard_deviation - rounding_m_s * rounding_m_s;
+  return Unsteadiness{.share = std::sqrt(std::max(variance, 0.0)) / speed.mean,
+                      .rounding_share = rounding_m_s / speed.mean};
 }
 
 }  // namespace fantail::tunnel

@@ -8,7 +8,6 @@
 
 #include "json/value.hpp"
 #include "tunnel/steps.hpp"
-#include "tunnel/steps_pictures.hpp"
 
 namespace fantail::tunnel {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/steps_pictures.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +7,7 @@
 #include "page/chart.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
+#include "tunnel/steps.hpp"
 
 namespace fantail::tunnel {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tunnel/swing_log.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +12,7 @@
 #include "flight_log/flight_log.hpp"
 #include "text/error.hpp"
 #include "tunnel/statistics.hpp"
+#include "tunnel/swing.hpp"
 
 namespace fantail::tunnel {
 namespace {

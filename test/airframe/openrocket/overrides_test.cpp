@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include "airframe/model/masses.hpp"
+#include "airframe/model/body.hpp"
 #include "design_files.hpp"
 
 namespace fantail::airframe::openrocket {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <string>
 
-#include "airframe/model/masses.hpp"
+#include "airframe/model/body.hpp"
 #include "airframe/openrocket/document.hpp"
 #include "design_files.hpp"
 

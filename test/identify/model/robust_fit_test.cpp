@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "identify/model/robust_fit.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "identify/identification.hpp"
+#include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
 #include "identify/model/planted.hpp"
 #include "seed.hpp"

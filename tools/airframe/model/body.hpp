@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "sim/geometry.hpp"
 
@@ -22,5 +23,15 @@ struct BodyForces {
 
 /// Of the body, at a place from the tip of the nose to the tail.
 [[nodiscard]] double radius_m(const sim::Geometry& shape, double position_m);
+
+struct MassSum {
+  double mass_kg = 0.0;
+  double centre_of_gravity_m = 0.0;       ///< from the tip of the nose
+  double transverse_inertia_kg_m2 = 0.0;  ///< about the centre of gravity
+  double roll_inertia_kg_m2 = 0.0;
+};
+
+/// Of parts that are round about the long axis; at least one has a mass.
+[[nodiscard]] MassSum sum_of(const std::vector<sim::Geometry::Mass>& parts);
 
 }  // namespace fantail::airframe::model

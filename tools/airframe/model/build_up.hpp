@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "airframe/model/body.hpp"
 #include "airframe/model/fin_set.hpp"
-#include "airframe/model/masses.hpp"
 #include "sim/vehicle.hpp"
 
 namespace fantail::airframe::model {

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "airframe/model/masses.hpp"
+#include "airframe/model/body.hpp"
 #include "airframe/openrocket/reader.hpp"
 #include "airframe/openrocket/solids.hpp"
 #include "text/error.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "identify/model/robust_fit.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "identify/model/least_squares.hpp"
 #include "identify/model/open_loop.hpp"
 
 namespace fantail::identify::model {

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "identify/model/robust_fit.hpp"
+#include "identify/model/least_squares.hpp"
 #include "identify/model/roll_model.hpp"
 #include "identify/result/frequency_response.hpp"
 #include "result/field.hpp"

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "identify/model/roll_model.hpp"
 #include "identify/result/findings.hpp"
 
 namespace fantail::identify::result {
@@ -40,5 +41,8 @@ struct ResidualNoise {
 /// own: what a gyro adds is gone within 10 ms, what a model lacks (a node, a lag, a canard that hits a wake) is not. No
 /// interval covers such a lack. Residuals below a hundredth of the rate itself are not worth a word.
 [[nodiscard]] std::optional<std::string> misfit(const model::Record& record, const Identification& result);
+
+/// Is the residual of the roll rate white, and has it to do with the canards? A right model leaves neither.
+[[nodiscard]] ResidualTests test_residual(const model::Record& record, const model::Simulation& simulation);
 
 }  // namespace fantail::identify::result

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "identify/result/residual_tests.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
+
+#include "identify/result/residual.hpp"
 
 namespace fantail::identify::result {
 namespace {
