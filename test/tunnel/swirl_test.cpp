@@ -160,7 +160,6 @@ TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {
   EXPECT_NEAR(json["without"]["set_points"][0]["roll_rate_deg_s"].number(), -66.41, 0.005);
   EXPECT_EQ(json["alpha_and_beta"], "the means of the published tunnel steps of Tasha III");
   EXPECT_EQ(json["differences"].size(), 2U);
-  EXPECT_NE(result::html(found).find("\u22122.000 \u00b1"), std::string::npos);
 }
 
 }  // namespace

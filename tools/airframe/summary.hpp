@@ -42,6 +42,11 @@ struct Summary {
 
 [[nodiscard]] Summary summarize(const sim::Vehicle& vehicle);
 
+/// Holds a vehicle that was read from a design file against what that file has stored of it. The sentence of a summary
+/// that has been judged then says where they differ by more than 2 % of mass or 0.2 calibres, what was left out of the
+/// design, or that there was nothing to compare with. Another vehicle's summary stays as it is.
+void compare_with_design(Summary& summary, const sim::Vehicle& vehicle);
+
 /// Is it stable? Undecided where it is marginal, doubtful or not compared with the design that it was read from.
 [[nodiscard]] result::Document answer(const sim::Vehicle& vehicle, const Summary& summary, const result::Made& made);
 /// Every figure in its JSON, for the manual.
@@ -50,10 +55,5 @@ struct Summary {
 /// The rocket from the side, nose to the left, to scale, with its centres of gravity and pressure: an SVG that takes
 /// its colours from the page.
 [[nodiscard]] std::string side_view(const sim::Geometry& shape, const Summary& summary, double width);
-
-/// Holds a vehicle that was read from a design file against what that file has stored of it. The sentence of a summary
-/// that has been judged then says where they differ by more than 2 % of mass or 0.2 calibres, what was left out of the
-/// design, or that there was nothing to compare with. Another vehicle's summary stays as it is.
-void compare_with_design(Summary& summary, const sim::Vehicle& vehicle);
 
 }  // namespace fantail::airframe
