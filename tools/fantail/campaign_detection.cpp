@@ -40,6 +40,7 @@ struct DetectionOptions {
   unsigned threads = 0;
   std::string out;
   bool json = false;
+  Asked asked;
 };
 
 std::string objection_to_kind(const std::string& text) {
@@ -76,7 +77,16 @@ detection::Campaign asked_for(const DetectionOptions& options) {
   return campaign;
 }
 
-void show_one(const DetectionOptions& options, const files::path& folder) {
+/// Another folder for each campaign that cannot go on in one of the others, and for a page of some kinds alone.
+files::path folder_of(const DetectionOptions& options) {
+  std::vector<std::string> changes = options.asked.changes;
+  if (!options.event.empty()) {  // the name of its page says the kind
+    std::erase_if(changes, [](const std::string& change) { return change.starts_with("kind="); });
+  }
+  return results_folder(options.out, "campaign", "detection", changes);
+}
+
+void show_one(const DetectionOptions& options) {
   if (options.kinds.size() != 1) {
     throw UsageError{"--event needs one --kind"};
   }
@@ -88,8 +98,9 @@ void show_one(const DetectionOptions& options, const files::path& folder) {
         fmt::format("--both-well leaves out {} {}: one accelerometer is bad in it", detection::info(kind).name, event)};
   }
   const result::Document shown = detection::event_answer(campaign, kind, event, made_with({}, campaign.seed));
-  deliver(shown,
-          {.folder = folder, .name = fmt::format("{}_{}", detection::info(kind).name, event), .json = options.json});
+  deliver(shown, {.folder = folder_of(options),
+                  .name = fmt::format("{}_{}", detection::info(kind).name, event),
+                  .json = options.json});
 }
 
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {
@@ -101,15 +112,12 @@ detection::Results play(const detection::Campaign& campaign, const files::path& 
   });
 }
 
-void detect(const DetectionOptions& options, Asked asked) {
-  if (!options.event.empty()) {  // its name says the kind
-    std::erase_if(asked.changes, [](const std::string& change) { return change.starts_with("kind="); });
-  }
-  const files::path folder = results_folder(options.out, "campaign", "detection", asked.changes);
+void detect(const DetectionOptions& options) {
   if (!options.event.empty()) {
-    show_one(options, folder);
+    show_one(options);
     return;
   }
+  const files::path folder = folder_of(options);
   detection::Report report{.campaign = asked_for(options), .results = {}};
   report.campaign.drop_empty_kinds();
   if (report.campaign.kinds.empty()) {
@@ -133,7 +141,7 @@ void detect(const DetectionOptions& options, Asked asked) {
           "--false-at-most is asked of events that are no launch, by a plan that is judged, and none is to be played"};
     }
   }
-  report.made = made_with({}, report.campaign.seed, asked.changes);
+  report.made = made_with({}, report.campaign.seed, options.asked.changes);
   report.results = play(report.campaign, folder, options.threads);
   if (report.results.damaged > 0) {
     say(fmt::format("fantail: {} stored parts in {} were damaged, and have been played again\n", report.results.damaged,
@@ -212,7 +220,10 @@ void fill_detection(const Verb& verb) {
       "  fantail campaign detection --plan tasha3_launch2 --events 100000\n"
       "  fantail campaign detection --kind launch --launches 100000 --at-most 0.1\n"
       "  fantail campaign detection --kind shaking --event 1234        what happened in it, with a picture");
-  verb.action([options, verb] { detect(*options, verb.asked()); });
+  verb.action([options, verb] {
+    options->asked = verb.asked();
+    detect(*options);
+  });
 }
 
 }  // namespace fantail::tool

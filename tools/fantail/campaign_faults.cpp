@@ -57,6 +57,11 @@ faults::Campaign asked_for(const FaultsOptions& options) {
   return campaign;
 }
 
+fs::path folder_of(const FaultsOptions& options) {
+  const std::string name = input::name_of_file(options.scenario.scenario);
+  return results_folder(options.out, "faults", name, changes_of(options.scenario));
+}
+
 /// The flights without a fault, of every seed.
 faults::Prepared prepare_shown(const faults::Campaign& campaign, unsigned threads) {
   Progress progress{"flying without faults",
@@ -67,14 +72,14 @@ faults::Prepared prepare_shown(const faults::Campaign& campaign, unsigned thread
   });
 }
 
-void fly_one(const FaultsOptions& options, const std::vector<std::string>& changes, const fs::path& of_campaign) {
+void fly_one(const FaultsOptions& options) {
   const faults::Campaign campaign = asked_for(options);
   const faults::Prepared prepared = prepare_shown(faults::only(campaign, options.cell), options.threads);
   const faults::Alone alone = faults::fly_alone(prepared, options.cell, options.run);
-  const fs::path folder = of_campaign / faults::run_folder(options.cell, options.run);
+  const fs::path folder = folder_of(options) / faults::run_folder(options.cell, options.run);
   faults::write_run(campaign, options.cell, options.run, alone, folder);
   const std::string report = (folder / "report.html").string();
-  const result::Made made = made_with(files_of(options.scenario), alone.run.seed, changes);
+  const result::Made made = made_with(files_of(options.scenario), alone.run.seed, changes_of(options.scenario));
   deliver(faults::answer(campaign, alone, report, made), {.json = options.json});
   if (alone.judged.colour == faults::Colour::red) {
     throw RequirementNotMet{""};
@@ -87,11 +92,12 @@ void list_names() {
   }
 }
 
-void fly_all(const FaultsOptions& options, const std::vector<std::string>& changes, const fs::path& folder) {
+void fly_all(const FaultsOptions& options) {
   const faults::Campaign campaign = asked_for(options);
+  const fs::path folder = folder_of(options);
   const faults::Prepared prepared = prepare_shown(campaign, options.threads);
   const std::vector<fs::path> inputs = files_of(options.scenario);
-  const result::Made made = made_with(inputs, {}, changes);
+  const result::Made made = made_with(inputs, {}, changes_of(options.scenario));
   const faults::Extent& extent = prepared.extent;
   say(fmt::format("{} flights in {} cells\n", extent.flights, extent.cells));
   faults::Result result;
@@ -162,16 +168,15 @@ void fill_faults(const Verb& verb) {
       "                                                      every 10 ms of control, whatever the IMU does\n"
       "  fantail campaign faults tasha3_launch2 --cell imu/dead/controlling --run 7\n"
       "                                                      one of its runs again, with a flight report");
-  verb.action([options, verb] {
+  verb.action([options] {
+    options->every = options->whole ? 1 : options->every;
     if (options->list) {
       list_names();
-      return;
+    } else if (options->cell.empty()) {
+      fly_all(*options);
+    } else {
+      fly_one(*options);
     }
-    options->every = options->whole ? 1 : options->every;
-    const std::vector<std::string> changes = changes_of(options->scenario, verb.asked());
-    const fs::path folder =
-        results_folder(options->out, "faults", input::name_of_file(options->scenario.scenario), changes);
-    options->cell.empty() ? fly_all(*options, changes, folder) : fly_one(*options, changes, folder);
   });
 }
 

@@ -38,9 +38,9 @@ ScenarioOptions in_six_dof(ScenarioOptions options) {
   return options;
 }
 
-void fly(const HardoverOptions& options, const Asked& all) {
+void fly(const HardoverOptions& options) {
   const sim::Scenario scenario = load(in_six_dof(options.scenario));  // first: what is no scenario has no name
-  const std::vector<std::string> changes = changes_of(options.scenario, all);
+  const std::vector<std::string> changes = changes_of(options.scenario);
   hardover::Options asked = options.study;
   if (options.failure == "cut_pulses") {
     asked.failure = hardover::Failure::cut_pulses;
@@ -49,7 +49,7 @@ void fly(const HardoverOptions& options, const Asked& all) {
   const fs::path folder = results_folder(options.out, "hardover", name, changes);
   const std::vector<fs::path> inputs = files_of(options.scenario);
   const result::Made made = made_with(inputs, scenario.seed, changes);
-  const runs::Place place = place_of_flights("hardover", all.command, folder, inputs);
+  const runs::Place place = place_of_flights("hardover", command_of(options.scenario), folder, inputs);
   const runs::Folder kept{place};
   asked.kept = &kept;
   std::optional<Progress> progress;
@@ -102,7 +102,7 @@ void fill_hardover(const Verb& verb) {
       "  fantail campaign hardover tasha3_launch2 --set wind.speed_m_s=6 --step 0.1\n"
       "                                       the same in wind, with more instants\n"
       "  fantail campaign hardover my_rocket.toml --json");
-  verb.action([options, verb] { fly(*options, verb.asked()); });
+  verb.action([options] { fly(*options); });
 }
 
 }  // namespace fantail::tool

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "fantail/declared.hpp"
+#include "fantail/offers.hpp"
 #include "input/messages.hpp"
 #include "text/number.hpp"
 #include "text/quoting.hpp"
@@ -202,10 +203,15 @@ void add_threads_option(const Verb& verb, unsigned& threads) {
   verb.option("--threads", threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
 }
 
-void add_end_option(const Verb& verb, std::optional<double>& seconds) {
-  verb.option("--for", seconds, "End after so many seconds; without it, by Ctrl-C")
-      .range(0.0, 1e9)
-      .value_name("SECONDS");
+void add_end_option(const Verb& verb, std::optional<double>& seconds, const std::string& names) {
+  verb.option(names, seconds, "End after so many seconds; without it, by Ctrl-C").range(0.0, 1e9).value_name("SECONDS");
+}
+
+void add_can_option(const Verb& verb, std::string& interface) {
+  verb.option("--can", interface, "CAN interface, for example vcan0 or can0")
+      .offers(can_interfaces)
+      .required()
+      .value_name("IF");
 }
 
 std::string objection_to_time(const std::string& text) {

@@ -104,8 +104,10 @@ void read_command_line(const std::string& name, const std::string& meaning, void
 
 /// --threads.
 void add_threads_option(const Verb& verb, unsigned& threads);
-/// --for.
-void add_end_option(const Verb& verb, std::optional<double>& seconds);
+/// --for, and further names.
+void add_end_option(const Verb& verb, std::optional<double>& seconds, const std::string& names = "--for");
+/// --can.
+void add_can_option(const Verb& verb, std::string& interface);
 
 /// Both ends included. The library's own range would take "nan".
 [[nodiscard]] Objection within(double low, double high);

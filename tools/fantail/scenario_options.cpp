@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -43,6 +44,7 @@ std::uint32_t hash(std::string_view text) {
 }  // namespace
 
 void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
+  options.verb = verb;
   auto scenario =
       verb.option("SCENARIO", options.scenario,
                   "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
@@ -64,14 +66,18 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
       .belongs_to_command();
 }
 
-std::vector<std::string> changes_of(const ScenarioOptions& options, const Asked& asked) {
+std::vector<std::string> changes_of(const ScenarioOptions& options) {
   std::vector<std::string> changes = options.changes;
   if (!options.seed.empty()) {
     changes.push_back("seed=" + options.seed);
   }
-  changes.insert(changes.end(), asked.changes.begin(), asked.changes.end());
+  for (std::string& change : options.verb->asked().changes) {
+    changes.push_back(std::move(change));
+  }
   return changes;
 }
+
+std::string command_of(const ScenarioOptions& options) { return options.verb->asked().command; }
 
 std::string variant_name(std::string_view scenario, std::span<const std::string> changes) {
   constexpr std::size_t longest = 100;  // a file system takes 255 bytes, and a person reads less
@@ -105,7 +111,7 @@ sim::Scenario load(const ScenarioOptions& options) {
       say("fantail: warning: " + warning + "\n");
     }
   }
-  scenario.changed_values = changes_of(options).size();
+  scenario.changed_values = options.changes.size() + (options.seed.empty() ? 0 : 1);
   scenario.seed = parse_seed(options.seed).value_or(scenario.seed);
   return scenario;
 }

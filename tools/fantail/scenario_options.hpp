@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,14 +18,17 @@ struct ScenarioOptions {
   std::string scenario;
   std::string seed;
   std::vector<std::string> changes;
+  std::optional<Verb> verb{};  ///< whose options they are
 };
 
 /// SCENARIO, --seed and --set. A scenario that is already named is the default.
 void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 
-/// What the command line changes of the scenario, and of what else is asked: "controller.canard_limit_deg=9", "seed=7",
-/// "swirl=-2". Empty: nothing.
-[[nodiscard]] std::vector<std::string> changes_of(const ScenarioOptions& options, const Asked& asked = {});
+/// What the command line changes of the scenario, and what else is asked of it: "controller.canard_limit_deg=9",
+/// "seed=7", "swirl=-2". Empty: nothing.
+[[nodiscard]] std::vector<std::string> changes_of(const ScenarioOptions& options);
+/// The command that makes the same again, without where its results go.
+[[nodiscard]] std::string command_of(const ScenarioOptions& options);
 
 /// A name for the results of a changed scenario, so that they never replace those of the unchanged one:
 /// "tasha3_launch1+controller.canard_limit_deg=9+seed=7". It can be the name of a file. Where characters had to be

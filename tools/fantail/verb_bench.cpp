@@ -10,10 +10,7 @@
 namespace fantail::tool {
 
 void add_bench_options(const Verb& verb, BenchOptions& options, const std::string& json_meaning) {
-  verb.option("--can", options.interface, "CAN interface, for example vcan0 or can0")
-      .offers(can_interfaces)
-      .required()
-      .value_name("IF");
+  add_can_option(verb, options.interface);
   verb.option("--wait", options.wait_s, "Wait so long for the avionics to speak and the rocket to be at rest")
       .range(0.0, 3600.0)
       .value_name("SECONDS");

@@ -90,12 +90,17 @@ campaign::Campaign asked_for(const CampaignOptions& options) {
 }
 
 /// What makes the runs others than those of the scenario as it stands; the question does only when it stops them.
-std::vector<std::string> changes_of(const CampaignOptions& options, const Asked& asked) {
-  std::vector<std::string> all = changes_of(options.scenario, asked);
+std::vector<std::string> changes_of(const CampaignOptions& options) {
+  std::vector<std::string> all = changes_of(options.scenario);
   if (const auto stop = asked_for(options).stop) {
     all.push_back("until=" + stop->text());
   }
   return all;
+}
+
+fs::path folder_of(const CampaignOptions& options) {
+  const std::string name = input::name_of_file(options.scenario.scenario);
+  return results_folder(options.out, "campaign", name, changes_of(options));
 }
 
 campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& folder, unsigned threads) {
@@ -120,13 +125,11 @@ result::Document answer_of_shard(const campaign::Shard& shard, std::size_t runs,
           .made = made};
 }
 
-void fly_campaign(const CampaignOptions& options, const Asked& asked) {
+void fly_campaign(const CampaignOptions& options) {
   const campaign::Campaign campaign = asked_for(options);
-  const std::vector<std::string> changes = changes_of(options, asked);
-  const fs::path folder =
-      results_folder(options.out, "campaign", input::name_of_file(options.scenario.scenario), changes);
+  const fs::path folder = folder_of(options);
   const std::vector<fs::path> inputs = files_of(options.scenario);
-  const result::Made made = made_with(inputs, campaign.seed, changes);
+  const result::Made made = made_with(inputs, campaign.seed, changes_of(options));
   campaign::FlownCampaign flown = fly(campaign, folder, options.threads);
   const std::string runs = (folder / campaign::runs_name).string();
   if (!flown.remark.empty()) {
@@ -223,7 +226,7 @@ void fill(const Verb& verb) {
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
   fill_hardover(verb.verb("hardover", "What one canard that fails does to the flight"));
   fill_detection(verb.verb("detection", "How often an armed rocket believes that it flies, or misses its launch"));
-  verb.action([options, verb] { fly_campaign(*options, verb.asked()); });
+  verb.action([options] { fly_campaign(*options); });
 }
 
 const VerbCode code{"campaign", fill};

@@ -113,8 +113,8 @@ std::vector<std::string> take_trajectory(const FlyOptions& options, Task& task) 
   return std::move(trajectory.notes);
 }
 
-Task task_of(const FlyOptions& options, const Asked& asked) {
-  Task task{.scenario = load(options.scenario), .changes = changes_of(options.scenario, asked)};
+Task task_of(const FlyOptions& options) {
+  Task task{.scenario = load(options.scenario), .changes = changes_of(options.scenario)};
   task.notes = take_trajectory(options, task);
   task.made_from = files_of(options.scenario);
   task.made_from.emplace_back(options.trajectory);
@@ -123,8 +123,8 @@ Task task_of(const FlyOptions& options, const Asked& asked) {
 }
 
 /// A run of a campaign: the folder of its campaign.json says all about it.
-Task campaign_task(const FlyOptions& options, const Asked& asked) {
-  if (!changes_of(options.scenario, asked).empty()) {
+Task campaign_task(const FlyOptions& options) {
+  if (!changes_of(options.scenario).empty()) {
     throw UsageError{
         "a run of a campaign is flown as it was: --set, --seed and --trajectory do not go with --campaign"};
   }
@@ -146,12 +146,11 @@ Task campaign_task(const FlyOptions& options, const Asked& asked) {
           .made_from = {folder}};
 }
 
-void fly_and_report(const FlyOptions& options, const Asked& asked) {
+void fly_and_report(const FlyOptions& options) {
   if (options.page.wanted() && !options.realtime) {
     throw UsageError{"--page shows a flight while it is flown, by the clock: add --realtime"};
   }
-  auto [scenario, changes, notes, usual_folder, made_from] =
-      options.run ? campaign_task(options, asked) : task_of(options, asked);
+  auto [scenario, changes, notes, usual_folder, made_from] = options.run ? campaign_task(options) : task_of(options);
   check_faults(options, scenario);
   LcmOutput lcm{options.lcm};
   const std::string command =
@@ -242,7 +241,7 @@ void fill(const Verb& verb) {
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
       "                                                      by the clock, for fantail watch in another terminal\n"
       "  fantail fly --realtime --page                       by the clock, on a page for browsers");
-  verb.action([options, verb] { fly_and_report(*options, verb.asked()); });
+  verb.action([options] { fly_and_report(*options); });
 }
 
 const VerbCode code{"fly", fill};

@@ -150,15 +150,10 @@ void run(const GatewayOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<GatewayOptions>();
-  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0")
-      .offers(can_interfaces)
-      .required()
-      .value_name("IF");
+  add_can_option(verb, options->interface);
   add_lcm_option(verb, options->url, "Where the messages go");
   add_page_options(verb, options->page);
-  verb.option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      .range(0.0, 1e9)
-      .value_name("SECONDS");
+  add_end_option(verb, options->seconds, "--for,--seconds");
   verb.examples(
       "Examples:\n"
       "  fantail gateway --can can0 --lcm 'udpm://239.255.76.67:7667?ttl=1'    for everyone on this network\n"

@@ -193,10 +193,7 @@ void run_node(const NodeOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<NodeOptions>();
   add_scenario_options(verb, options->scenario);
-  verb.option("--can", options->interface, "CAN interface, for example vcan0 or can0")
-      .offers(can_interfaces)
-      .required()
-      .value_name("IF");
+  add_can_option(verb, options->interface);
   verb.option("--flash", options->flash,
               "What the board keeps when it is switched off: plan, power-up count, flights "
               "[out/SCENARIO/flash.bin]")

@@ -82,14 +82,14 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
-predict::Options prediction_options(const PredictOptions& options, const Asked& asked) {
+predict::Options prediction_options(const PredictOptions& options) {
   return {.runs = options.runs,
           .threads = options.threads,
           .damping = *parse_damping_factor(options.damping_factor),
           .other_vehicle = options.other_vehicle,
           .servo_lag_s = options.servo_lag_s,
           .servo_delay_s = options.servo_delay_s,
-          .request = {.changes = changes_of(options.scenario, asked), .command = asked.command}};
+          .request = {.changes = changes_of(options.scenario), .command = command_of(options.scenario)}};
 }
 
 predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict::TunnelResult& tunnel,
@@ -131,12 +131,12 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
           {.json = options.json, .last_line = fmt::format("  report   {}", (folder / "report.html").string())});
 }
 
-void predict_launch(const PredictOptions& options, const Asked& asked) {
+void predict_launch(const PredictOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   predict::require_launch(scenario);
   const predict::TunnelResult tunnel =
       predict::read_tunnel_result(tunnel_file(scenario, options), in_radians(options.swirl_deg));
-  const predict::Options question = prediction_options(options, asked);
+  const predict::Options question = prediction_options(options);
   const std::filesystem::path folder = results_folder(options.out, "predict", scenario.name, question.request.changes);
   if (options.run) {
     const std::string run = options.out.empty() ? fmt::format("run_{}", *options.run) : "";
@@ -144,7 +144,7 @@ void predict_launch(const PredictOptions& options, const Asked& asked) {
     return;
   }
   const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
-  const runs::Place place = place_of_flights("predict", asked.command, folder, inputs);
+  const runs::Place place = place_of_flights("predict", question.request.command, folder, inputs);
   const runs::Folder kept{place};
   const result::Made made = made_with(inputs, scenario.seed, question.request.changes);
   const predict::Prediction prediction = fly_the_spread(scenario, tunnel, question, place, kept);
@@ -230,7 +230,7 @@ void fill(const Verb& verb) {
       "  fantail predict my_rocket.toml --tunnel out/tunnel/steps/steps.csv --swirl -2 --servo-lag 0.018 --json\n"
       "                                                      your own rocket, after its tunnel run and its bench\n"
       "  fantail predict tasha3_launch2 --run 17             the run of row 17 again, with its flight report");
-  verb.action([options, verb] { predict_launch(*options, verb.asked()); });
+  verb.action([options] { predict_launch(*options); });
 }
 
 const VerbCode code{"predict", fill};

@@ -44,7 +44,7 @@ core::OffsetRejection rejection(const std::string& word) {
                               : core::OffsetRejection::observer;
 }
 
-tune::Request request(const TuneOptions& options, const Asked& asked) {
+tune::Request request(const TuneOptions& options) {
   return {.rejection = rejection(options.rejection),
           .schedule = options.schedule,
           .phase_margin_rad = text::radians(options.margin_deg),
@@ -52,7 +52,7 @@ tune::Request request(const TuneOptions& options, const Asked& asked) {
           .spread = options.spread,
           .flights = options.flights,
           .threads = options.threads,
-          .command = asked.command,
+          .command = command_of(options.scenario),
           .version = FANTAIL_VERSION};
 }
 
@@ -124,17 +124,17 @@ std::string how_to_fly(const TuneOptions& options, const std::filesystem::path& 
                      text::toml_text(whole.lexically_relative(folder).generic_string()));
 }
 
-void tune_scenario(const TuneOptions& options, const Asked& asked) {
+void tune_scenario(const TuneOptions& options) {
   const sim::Scenario scenario = load(options.scenario);
   const std::filesystem::path file = plan_file(options);
   refuse_to_replace(file, options);
-  const std::vector<std::string> changes = changes_of(options.scenario, asked);
+  const std::vector<std::string> changes = changes_of(options.scenario);
   const std::filesystem::path folder = results_folder(options.out, "tune", scenario.name, changes);
-  const runs::Place place = place_of_flights("tune", asked.command, folder, files_of(options.scenario));
+  const runs::Place place = place_of_flights("tune", command_of(options.scenario), folder, files_of(options.scenario));
   const runs::Folder kept{place};
   const std::vector<std::filesystem::path> inputs = files_of(options.scenario);
   const result::Made made = made_with(inputs, scenario.seed, changes);
-  const tune::Tuning tuning = tuned(scenario, request(options, asked), place, kept);
+  const tune::Tuning tuning = tuned(scenario, request(options), place, kept);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
   deliver(tune::answer(tuning, plan_name, made),
           {.folder = folder,
@@ -203,7 +203,7 @@ void fill(const Verb& verb) {
       "  fantail tune my_rocket/scenario.toml --rejection observer --schedule --margin 50 --spread 2\n"
       "  fantail tune tasha3_launch1                          exit code 1: more offset than its 6 degrees can balance\n"
       "  fantail tune tasha3_launch1 --set controller.canard_limit_deg=9");
-  verb.action([options, verb] { tune_scenario(*options, verb.asked()); });
+  verb.action([options] { tune_scenario(*options); });
 }
 
 const VerbCode code{"tune", fill};

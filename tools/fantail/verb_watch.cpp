@@ -89,9 +89,7 @@ void watch(const WatchOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<WatchOptions>();
   add_lcm_option(verb, options->url, "Where the messages come from").required();
-  verb.option("--for,--seconds", options->seconds, "End after so many seconds; without it, by Ctrl-C")
-      .range(0.0, 1e9)
-      .value_name("SECONDS");
+  add_end_option(verb, options->seconds, "--for,--seconds");
   verb.flag("--json", options->json, "One object a second, one a line");
   add_page_options(verb, options->page);
   verb.examples(
