@@ -11,13 +11,12 @@
 namespace fantail::python {
 
 // What each file adds to the module.
-void bind_analysis(nanobind::module_& m);
 void bind_autopilot(nanobind::module_& m);
-void bind_campaigns(nanobind::module_& m);
 void bind_scenarios(nanobind::module_& m);
 void bind_flights(nanobind::module_& m);
 void bind_logs(nanobind::module_& m);
 void bind_plans(nanobind::module_& m);
+void bind_verbs(nanobind::module_& m);
 
 /// Numbers that numpy reads where they lie. Nobody writes to them: several readers have the same ones.
 template <typename T, typename Kept>

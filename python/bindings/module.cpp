@@ -39,6 +39,5 @@ NB_MODULE(_core, m) {
   fantail::python::bind_flights(m);
   fantail::python::bind_logs(m);
   fantail::python::bind_autopilot(m);
-  fantail::python::bind_analysis(m);
-  fantail::python::bind_campaigns(m);
+  fantail::python::bind_verbs(m);
 }

@@ -1,47 +1,49 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-import json
-import warnings
+import csv
+import functools
+import gzip
+import os
 from collections.abc import Sequence
 from typing import Any, Optional
 
 import numpy as np
 
-from . import _arguments, _changes, _core
+from . import _arguments, _changes, _core, _verbs
 from ._log import Path
 from ._scenario import Name
+
+_TYPES = {"run": np.uint64, "seed": np.uint64, "outcome": str, "note": str}
 
 
 class Campaign:
     """The runs of a campaign, one value a run in every column; those of a shard, where one was flown."""
 
-    def __init__(self, core: Any, folder: str) -> None:
-        self._core = core
+    def __init__(self, said: dict[str, Any], folder: str) -> None:
         #: The folder with runs.csv.gz, campaign.json and, of a whole campaign, summary.json, campaign.html and the flight
         #: reports of its worst runs.
         self.folder = folder
         #: summary.json as a dict; None of a shard.
-        self.summary: Optional[dict[str, Any]] = None if core.summary is None else json.loads(core.summary)
+        self.summary: Optional[dict[str, Any]] = None if "shard" in said else said
+        with gzip.open(os.path.join(folder, "runs.csv.gz"), "rt", encoding="utf-8", newline="") as table:
+            names, *self._rows = csv.reader(table)
+        self.columns = names[:names.index("note") + 1]  # then the check of its row
 
     @property
     def quantities(self) -> list[str]:
         """What was drawn: the names of its columns."""
-        return self._core.quantities
-
-    @property
-    def columns(self) -> list[str]:
-        return ["run", "seed", *self._core.quantities, "outcome", *self._core.figures, "note"]
+        return self.columns[self.columns.index("seed") + 1:self.columns.index("outcome")]
 
     def __len__(self) -> int:
-        return len(self._core)
+        return len(self._rows)
 
     def __getitem__(self, name: str) -> np.ndarray:
         """A column, as in runs.csv.gz, that nobody can write to; NaN where a run has no such figure."""
         if name not in self.columns:
             raise KeyError(_changes.unknown(name, self.columns))
-        of_its_own = {"run": self._core.runs, "seed": self._core.seeds, "outcome": self._core.outcomes, "note": self._core.notes}
-        values = np.asarray(of_its_own[name]() if name in of_its_own else self._core.numbers(name))
+        place, kind = self.columns.index(name), _TYPES.get(name, float)
+        values = np.array([row[place] if kind is str else kind(row[place] or "nan") for row in self._rows], dtype=kind)
         values.setflags(write=False)
         return values
 
@@ -56,38 +58,15 @@ class Campaign:
         return pandas.DataFrame({name: self[name] for name in self.columns})
 
 
-def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Path, runs: int = 1000,  # noqa: A002
-             seed: Optional[int] = None, sampling: str = "independent", share: str = "outcome=held",
-             at_least_percent: Optional[float] = None, until_within_percent: Optional[float] = None,
-             until_decided: bool = False, shard: tuple[int, int] = (1, 1), threads: int = 0) -> Campaign:
-    """Flies a scenario `runs` times over what its tables [[spread]] say is not known, on `threads` threads (0: all).
+@functools.wraps(_verbs.functions["campaign"])
+def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Path, **options: Any) -> Campaign:  # noqa: A002
+    said = _verbs.functions["campaign"](scenario, set, out=out, **options)
+    return Campaign(said, _arguments.folder("out", out))
 
-    What `fantail campaign` does, with the same files in the folder `out`; the arguments are those of its options. A call
-    that was interrupted goes on when it is made again. `shard`: one part of so many, (3, 8). Raises ValueError.
-    """
-    for name, value, least, most in (("runs", runs, 1, 100_000_000), ("seed", seed, 0, 2**64 - 1),
-                                     ("at_least_percent", at_least_percent, 0.0, 100.0),
-                                     ("until_within_percent", until_within_percent, 0.1, 50.0),
-                                     ("threads", threads, 0, 1024)):
-        _arguments.in_range(name, value, least, most)
-    out = _arguments.folder("out", out)
-    if until_decided and at_least_percent is None:
-        raise ValueError("until_decided needs at_least_percent")
-    if not (isinstance(shard, (tuple, list)) and len(shard) == 2 and all(isinstance(each, int) for each in shard)
-            and 1 <= shard[0] <= shard[1]):
-        raise ValueError(f"shard = {shard!r}; allowed: (number, of), from (1, of) to (of, of)")
-    request = _core.CampaignRequest()
-    for name, value in {"scenario": _arguments.path("scenario", scenario), "changes": _changes.words(set), "runs": runs,
-                        "seed": seed, "sampling": sampling, "share": _arguments.utf8("share", share),
-                        "at_least": None if at_least_percent is None else at_least_percent / 100.0,
-                        "until_within": None if until_within_percent is None else until_within_percent / 100.0,
-                        "until_decided": until_decided, "shard": shard, "threads": threads,
-                        "out": out}.items():
-        setattr(request, name, value)
-    flown = _core.fly_campaign(request)
-    if flown.remark:
-        warnings.warn(flown.remark, stacklevel=2)
-    return Campaign(flown, out)
+
+campaign.__doc__ = (campaign.__doc__ or "").replace(
+    "What `fantail campaign --json` says, as a dict. Files are kept where `out` names a folder.",
+    "Returns the runs, with what `fantail campaign --json` says as `summary`. Its files are kept in the folder `out`.")
 
 
 def merge_campaign(shards: Sequence[Path], out: Path) -> int:

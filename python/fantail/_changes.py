@@ -18,7 +18,7 @@ Changes = Mapping[str, Value]
 _WORD = re.compile(r"(?!(true|false|inf|nan)$)[A-Za-z_./~][\w./~ +-]*(?<! )")
 
 
-def _text(name: str, value: Any, *, in_list: bool = False) -> str:
+def text(name: str, value: Any, *, in_list: bool = False) -> str:
     if isinstance(value, str):
         _arguments.utf8(name, value)
         return value if _WORD.fullmatch(value) and not in_list else json.dumps(value, ensure_ascii=False)
@@ -33,7 +33,7 @@ def _text(name: str, value: Any, *, in_list: bool = False) -> str:
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, (list, tuple)) and not in_list:
-        return "[" + ", ".join(_text(name, each, in_list=True) for each in value) + "]"
+        return "[" + ", ".join(text(name, each, in_list=True) for each in value) + "]"
     raise TypeError(f"{name}: {type(value).__name__}; allowed: a number, a bool, a str, or a list of one of these")
 
 
@@ -45,4 +45,4 @@ def unknown(name: object, known: Iterable[str]) -> str:
 
 def words(changes: Changes | None) -> list[str]:
     """Each as `section.key=value`. Numbers keep every bit."""
-    return [f"{_arguments.utf8('set', str(name))}={_text(name, value)}" for name, value in (changes or {}).items()]
+    return [f"{_arguments.utf8('set', str(name))}={text(name, value)}" for name, value in (changes or {}).items()]

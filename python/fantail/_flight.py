@@ -4,6 +4,9 @@ from __future__ import annotations
 import functools
 import json
 import os
+import shutil
+import tempfile
+import weakref
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Optional, Union
 
@@ -97,6 +100,15 @@ class Flight(Mapping):
     def write(self, folder: Union[str, os.PathLike[str]]) -> None:
         """Writes the files of `fantail fly` (flight.csv, summary.json, report.html, flight.ftl ...), all or none."""
         self._core.write(_arguments.folder("folder", folder))
+
+    @functools.cached_property
+    def _folder(self) -> str:
+        """With its files, for the verbs; it is gone with the flight."""
+        place = tempfile.mkdtemp()
+        weakref.finalize(self, shutil.rmtree, place, True)
+        folder = os.path.join(place, self.scenario)
+        self.write(folder)
+        return folder
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame of all columns. Needs pandas, which fantail does not install."""

@@ -52,10 +52,10 @@ def test_shards_that_are_merged_are_the_whole(tmp_path):
 
 
 @pytest.mark.parametrize("wrong, said", [
-    ({"runs": 0}, "runs = 0; allowed: 1 to 100000000"), ({"sampling": "halton"}, 'sampling = "halton"; allowed: '),
-    ({"share": "held"}, '"held" is not a question; allowed: outcome=held'), ({"shard": (3, 2)}, "shard = (3, 2); allowed"),
-    ({"runs": 1.5}, "runs = 1.5; allowed: a whole number, 1 to "), ({"at_least_percent": "9"}, "at_least_percent = '9'; allowed: a number"),
-    ({"until_decided": True}, "until_decided needs at_least_percent")])
+    ({"runs": 0}, '--runs: "0": allowed: 1 to 1e+08'), ({"sampling": "halton"}, 'sampling = "halton"; allowed: '),
+    ({"share": "held"}, '"held" is not a question; allowed: outcome=held'), ({"shard": (3, 2)}, '"3/2" is not a shard; allowed'),
+    ({"runs": 1.5}, "--runs"), ({"at_least_percent": "many"}, "--at-least"),
+    ({"until_decided": True}, "--until-decided requires --at-least")])
 def test_what_makes_no_sense_is_refused(wrong, said, tmp_path):
     with pytest.raises(ValueError) as refused:
         fantail.campaign("tasha3_launch2", **{"runs": 10, "out": tmp_path / "out", **wrong})
