@@ -13,52 +13,6 @@
 namespace fantail::campaign {
 namespace {
 
-// Of n runs that all had it: n ln p > ln(0.05 / (n + 1)).
-TEST(ConfidenceSequence, OfRunsThatAllHadItHasItsClosedForm) {
-  for (const std::uint64_t runs : {1U, 10U, 1'000U, 1'000'000U}) {
-    const auto n = static_cast<double>(runs);
-    const double low = std::exp(std::log(0.05 / (n + 1.0)) / n);
-    const Bounds all = confidence_sequence(runs, runs);
-    EXPECT_NEAR(all.low, low, 1e-12);
-    EXPECT_EQ(all.high, 1.0);
-    const Bounds none = confidence_sequence(0, runs);
-    EXPECT_NEAR(none.high, 1.0 - low, 1e-12);
-    EXPECT_EQ(none.low, 0.0);
-  }
-  EXPECT_EQ(confidence_sequence(0, 0).low, 0.0);
-  EXPECT_EQ(confidence_sequence(0, 0).high, 1.0);
-}
-
-// 200 campaigns, each looked at after every run: 5 % may miss, 10 of them; 23 or more would be a chance of
-// 1e-4.
-TEST(ConfidenceSequence, MissesTheTrueShareInNoMoreThanOneCampaignOfTwentyHoweverOftenItIsLookedAt) {
-  constexpr int campaigns = 200;
-  constexpr std::uint64_t runs = 500;
-  for (const double share : {0.5, 0.95}) {
-    const std::uint32_t seed = test::seed(1);
-    int missed = 0;
-    for (int campaign = 0; campaign < campaigns; ++campaign) {
-      sim::Random random{seed, static_cast<std::uint64_t>(campaign)};
-      std::uint64_t count = 0;
-      bool misses = false;
-      for (std::uint64_t run = 1; run <= runs && !misses; ++run) {
-        count += random.uniform() < share ? 1 : 0;
-        const Bounds bounds = confidence_sequence(count, run);
-        misses = share < bounds.low || share > bounds.high;
-      }
-      missed += misses ? 1 : 0;
-    }
-    EXPECT_LT(missed, 23) << share;
-  }
-}
-
-TEST(ConfidenceSequence, GetsNarrow) {
-  const Bounds bounds = confidence_sequence(9'000, 10'000);
-  EXPECT_LT(bounds.high - bounds.low, 0.03);
-  EXPECT_LT(bounds.low, 0.9);
-  EXPECT_GT(bounds.high, 0.9);
-}
-
 /// Even points, one list a quantity: multiples of roots that no whole numbers relate, without what is before the point.
 std::vector<std::vector<double>> even_points(std::uint64_t runs) {
   std::vector<std::vector<double>> all;

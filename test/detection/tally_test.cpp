@@ -1,38 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "detection/tally.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "runs/row_text.hpp"
 
 namespace fantail::detection {
 namespace {
-
-TEST(Tally, TheBoundOfNoneIsThreeOverTheNumber) {
-  EXPECT_NEAR(upper_bound_95(0, 100'000), 1.0 - std::pow(0.05, 1e-5), 1e-15);
-  EXPECT_NEAR(upper_bound_95(0, 1'000'000) * 1e6, 2.9957, 1e-3);
-  EXPECT_EQ(upper_bound_95(0, 0), 1.0);
-  EXPECT_EQ(upper_bound_95(7, 7), 1.0);
-}
-
-/// The probability of at most `count`.
-double binomial(int count, int of, double p) {
-  double sum = 0.0;
-  for (int k = 0; k <= count; ++k) {
-    sum += std::exp(std::lgamma(of + 1.0) - std::lgamma(k + 1.0) - std::lgamma(of - k + 1.0) + k * std::log(p) +
-                    (of - k) * std::log1p(-p));
-  }
-  return sum;
-}
-
-TEST(Tally, AtItsBoundSoFewComeInOneOfTwentyCampaigns) {
-  for (const auto& [count, of] : {std::pair{1, 10}, {1, 1000}, {5, 20}, {19, 20}, {37, 5000}, {400, 500}}) {
-    const double bound = upper_bound_95(static_cast<std::uint64_t>(count), static_cast<std::uint64_t>(of));
-    EXPECT_NEAR(binomial(count, of, bound), 0.05, 1e-9) << count << " of " << of;
-  }
-}
 
 TEST(Tally, APointOfAHistogramHasItsShareAtOrBelowIt) {
   Histogram histogram;

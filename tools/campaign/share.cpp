@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "campaign/analysis.hpp"
-#include "distributions/quantiles.hpp"
+#include "distributions/shares.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -19,20 +18,13 @@ double point(const std::vector<double>& sorted, double share_below) {
 }  // namespace
 
 Share share(std::size_t count, std::size_t of) {
-  if (of == 0) {
-    return {};
-  }
-  constexpr double z = distributions::normal_975;
-  const auto n = static_cast<double>(of);
-  const double p = static_cast<double>(count) / n;
-  const double scale = 1.0 / (1.0 + z * z / n);
-  const double centre = scale * (p + 0.5 * z * z / n);
-  const double half = scale * z * std::sqrt(p * (1.0 - p) / n + 0.25 * z * z / (n * n));
-  return {.count = count,
-          .of = of,
-          .value = p,
-          .low = count == 0 ? 0.0 : std::max(0.0, centre - half),
-          .high = count == of ? 1.0 : std::min(1.0, centre + half)};
+  const auto [low, high] = distributions::wilson(count, of);
+  return of == 0 ? Share{}
+                 : Share{.count = count,
+                         .of = of,
+                         .value = static_cast<double>(count) / static_cast<double>(of),
+                         .low = low,
+                         .high = high};
 }
 
 Quantiles quantiles(std::vector<double> values) {

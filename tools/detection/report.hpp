@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "detection/campaign.hpp"
+#include "distributions/shares.hpp"
 #include "page/chart.hpp"
 #include "result/answer.hpp"
 #include "result/document.hpp"
 #include "text/layout.hpp"
 
 namespace fantail::detection {
+
+using distributions::upper_bound_95;
 
 struct Report {
   Campaign campaign;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "detection/shapes.hpp"
-#include "distributions/quantiles.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::detection {
@@ -143,19 +142,6 @@ void Tally::add(const Tally& later) {
       sum.tilted_by_still_s.add(more.tilted_by_still_s);
     }
   }
-}
-
-double upper_bound_95(std::uint64_t count, std::uint64_t of) {
-  if (count >= of) {
-    return 1.0;
-  }
-  const auto n = static_cast<double>(of);
-  if (count == 0) {
-    return -std::expm1(std::log(0.05) / n);
-  }
-  // At the bound, at most so many come with a probability of 5 %.
-  const auto k = static_cast<double>(count);
-  return distributions::beta_quantile(0.95, k + 1.0, n - k);
 }
 
 }  // namespace fantail::detection

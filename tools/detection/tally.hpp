@@ -103,8 +103,4 @@ struct Tally {
 };
 inline void fields(runs::RowText& text, Tally& tally) { text(tally.of_rule); }
 
-/// What is known of a share: the largest that the count leaves possible with 95 % (Clopper and Pearson, one-sided):
-/// with it so few would come in one of twenty campaigns. 1 without events, or when all did.
-[[nodiscard]] double upper_bound_95(std::uint64_t count, std::uint64_t of);
-
 }  // namespace fantail::detection
