@@ -45,13 +45,13 @@ void check_record(const Record& record, std::size_t nodes, Start start) {
 }
 
 // The fit that a number of nodes is judged by, and what the searches share.
-struct Question {
+struct Fitting {
   const Record& record;
   const Airframe& airframe;
   Options& options;
 };
 
-RollModel open_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+RollModel open_loop_model(const Fitting& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   const auto& [record, airframe, options] = q;
   if (options.method == Method::grid || options.with_error_map) {
     GridResult found = search_open_loop_grid(record, airframe, nodes, options.start, options.grid);
@@ -63,8 +63,8 @@ RollModel open_loop_model(const Question& q, const NodeTimes& nodes, std::option
   return fit_open_loop(record, airframe, nodes, options.start, options.grid);
 }
 
-// Where the servo is fitted, what was found goes into the question: all else goes on with it.
-RollModel closed_loop_model(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+// Where the servo is fitted, what was found goes into the fitting: all else goes on with it.
+RollModel closed_loop_model(const Fitting& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   const auto& [record, airframe, options] = q;
   closed_loop::Control& control = *options.closed_loop;
   const bool on_grid = options.method == Method::grid || options.with_error_map;
@@ -95,13 +95,13 @@ RollModel closed_loop_model(const Question& q, const NodeTimes& nodes, std::opti
   return std::move(found->model);
 }
 
-RollModel model_with(const Question& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
+RollModel model_with(const Fitting& q, const NodeTimes& nodes, std::optional<ErrorMap>& errors) {
   check_nodes(q.record, nodes);
   check_record(q.record, nodes.size(), q.options.start);
   return q.options.closed_loop ? closed_loop_model(q, nodes, errors) : open_loop_model(q, nodes, errors);
 }
 
-Simulation simulate(const Question& q, const RollModel& model) {
+Simulation simulate(const Fitting& q, const RollModel& model) {
   return q.options.closed_loop ? closed_loop::simulate(q.record, q.airframe, *q.options.closed_loop, model)
                                : simulate_open_loop(q.record, q.airframe, model);
 }
@@ -119,7 +119,7 @@ std::size_t fewest_sufficient(const std::vector<NodeTrial>& trials) {
   return first->intervals;
 }
 
-NodeTimes choose_nodes(const Question& q, std::vector<NodeTrial>& trials) {
+NodeTimes choose_nodes(const Fitting& q, std::vector<NodeTrial>& trials) {
   if (const auto* times = std::get_if<NodeTimes>(&q.options.nodes)) {
     return *times;
   }
@@ -128,13 +128,13 @@ NodeTimes choose_nodes(const Question& q, std::vector<NodeTrial>& trials) {
   }
   Options quick = q.options;
   quick.with_error_map = false;
-  const Question trial_question{q.record, q.airframe, quick};
+  const Fitting trial_fitting{q.record, q.airframe, quick};
   for (std::size_t n = 1; n <= std::get<AutomaticNodes>(q.options.nodes).most; ++n) {
     std::optional<ErrorMap> ignored;
-    const RollModel model = model_with(trial_question, even_nodes(q.record, n), ignored);
+    const RollModel model = model_with(trial_fitting, even_nodes(q.record, n), ignored);
     trials.push_back({.intervals = n,
                       .model = model,
-                      .mean_abs_angle_error_rad = simulate(trial_question, model).mean_abs_angle_error_rad});
+                      .mean_abs_angle_error_rad = simulate(trial_fitting, model).mean_abs_angle_error_rad});
   }
   return even_nodes(q.record, fewest_sufficient(trials));
 }
@@ -152,7 +152,7 @@ void remark_on_edges(Identification& result, const Grid& grid) {
   }
 }
 
-Uncertainty uncertainty(const Question& q, const RollModel& model, const Simulation& simulation) {
+Uncertainty uncertainty(const Fitting& q, const RollModel& model, const Simulation& simulation) {
   return q.options.closed_loop
              ? closed_loop_uncertainty(q.record, q.airframe, *q.options.closed_loop, model, simulation, q.options.start)
              : open_loop_uncertainty(q.record, q.airframe, model, simulation, q.options.start);
@@ -160,7 +160,7 @@ Uncertainty uncertainty(const Question& q, const RollModel& model, const Simulat
 
 // A grid's winner is a rounded answer. Noise is judged around the answer without rounding, and what is stated reaches
 // from there to the grid's point.
-Uncertainty uncertainty_with_grid(const Question& q, const RollModel& on_grid) {
+Uncertainty uncertainty_with_grid(const Fitting& q, const RollModel& on_grid) {
   const auto& [record, airframe, options] = q;
   const NodeTimes& nodes = on_grid.node_time_s;
   Options exactly = options;
@@ -173,7 +173,7 @@ Uncertainty uncertainty_with_grid(const Question& q, const RollModel& on_grid) {
   } else {
     refined = fit_open_loop(record, airframe, nodes, options.start, options.grid);
   }
-  const Question again{record, airframe, exactly};
+  const Fitting again{record, airframe, exactly};
   Uncertainty result = uncertainty(again, refined, simulate(again, refined));
   const std::vector<double> rounded = on_grid.numbers();
   const std::vector<double> exact = refined.numbers();
@@ -190,7 +190,7 @@ Uncertainty uncertainty_with_grid(const Question& q, const RollModel& on_grid) {
 }
 
 // Chooses between nodes as least squares would, then takes the weight from what lies far off.
-void add_robust_fit(const Question& q, Identification& result) {
+void add_robust_fit(const Fitting& q, Identification& result) {
   result.robust = fit_open_loop_robustly(q.record, q.airframe, result.model.node_time_s, q.options.grid);
   result.model = result.robust->model;
   result.simulation = simulate(q, result.model);
@@ -204,26 +204,26 @@ void add_robust_fit(const Question& q, Identification& result) {
 
 Identification identify(const Record& record, const Airframe& airframe, const Options& options) {
   Options own = options;
-  const Question question{record, airframe, own};
+  const Fitting fitting{record, airframe, own};
   Identification result;
   result.method = options.method;
   result.loop = options.closed_loop ? Loop::closed : Loop::open;
   result.samples = record.size();
   result.seconds = record.time_s.back() - record.time_s.front();
-  const NodeTimes nodes = choose_nodes(question, result.node_trials);
-  result.model = model_with(question, nodes, result.error_map);
-  result.simulation = simulate(question, result.model);
+  const NodeTimes nodes = choose_nodes(fitting, result.node_trials);
+  result.model = model_with(fitting, nodes, result.error_map);
+  result.simulation = simulate(fitting, result.model);
   if (own.closed_loop && own.closed_loop->servo_is_fitted) {
     result.servo = Servo{.lag_s = own.closed_loop->servo_lag_s, .play_rad = own.closed_loop->servo_play_rad};
   }
   remark_on_edges(result, options.grid);
   if (options.loss == Loss::huber) {
-    add_robust_fit(question, result);
+    add_robust_fit(fitting, result);
     return result;
   }
   if (options.with_uncertainty) {
-    result.uncertainty = options.method == Method::grid ? uncertainty_with_grid(question, result.model)
-                                                        : uncertainty(question, result.model, result.simulation);
+    result.uncertainty = options.method == Method::grid ? uncertainty_with_grid(fitting, result.model)
+                                                        : uncertainty(fitting, result.model, result.simulation);
   }
   return result;
 }
