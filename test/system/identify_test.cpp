@@ -47,7 +47,7 @@ TEST_F(IdentifiedFlight, GivesWhatItWasFlownWith) {
   EXPECT_NEAR(response["lines"][3]["gain_per_s"].number() / response["lines"][3]["model_gain_per_s"].number(), 1.0,
               0.02);
   const auto& inputs = json["made"]["inputs"];
-  ASSERT_EQ(inputs.size(), 3U) << "all that is read of the folder";
+  ASSERT_EQ(inputs.size(), 4U) << "all that is read of the folder, and the vehicle";
   EXPECT_EQ(inputs[0]["file"], "tasha3_launch2/flight.csv");
   EXPECT_EQ(inputs[1]["sha256"], json::parse(content(*folder_ / "out/tasha3_launch2/summary.json"))["log_sha256"]);
   EXPECT_EQ(inputs[2]["file"], "tasha3_launch2/summary.json");
