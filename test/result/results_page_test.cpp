@@ -12,6 +12,7 @@
 #include "airframe/summary.hpp"
 #include "campaign/results.hpp"
 #include "detection/report.hpp"
+#include "fantail/compare_results.hpp"
 #include "faults/results.hpp"
 #include "hardover/study.hpp"
 #include "identify/result/answer.hpp"
@@ -59,6 +60,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
       {"campaign detection", detection::listed_fields()},
       {"campaign faults", faults::listed_fields()},
       {"campaign hardover", hardover::listed_fields()},
+      {"compare, report of two flights", tool::listed_comparison()},
       {"fly, report", report::listed_fields()},
       {"identify", identify::result::listed_fields()},
       {"listen", listen::listed_fields()},

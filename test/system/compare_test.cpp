@@ -95,8 +95,8 @@ TEST(Compare, ASimulatedFlightHasItsTruthBesideIt) {
   const Words words{"compare", "flight", "flight", "--b", "true", "--window", "control", "--require-angle", "1"};
   const Outcome outcome = fantail(words, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("B  flight (true)"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("window control"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("  B        flight (true)\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("  window   control\n"), std::string::npos) << outcome.out;
   EXPECT_NE(content(folder / "out/compare/compare.html").find("Close enough"), std::string::npos);
 }
 

@@ -1,29 +1,240 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/compare_results.hpp"
 
-#include <array>
-#include <iterator>
+#include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include "fantail/deliver.hpp"
-#include "fantail/terminal.hpp"
-#include "json/value.hpp"
 #include "text/degrees.hpp"
-#include "text/layout.hpp"
-#include "text/output_folder.hpp"
-#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {
 
-using json::rounded;
+using page::Role;
+using result::Cell;
+using result::Picture;
 using text::degrees;
+using text::in_degrees;
+namespace u = result::units;
+using R = CompareResults;
 
 std::string too_large(std::string_view what, double mean_rad, double required_rad, std::string_view unit) {
   return fmt::format("mean {} difference {:.3g} {} is larger than the {:.3g} {} required", what, degrees(mean_rad),
                      unit, degrees(required_rad), unit);
+}
+
+/// Differences have any size.
+std::string three_digits(double shown) { return fmt::format("{:.3g}", shown); }
+
+template <auto of, auto which>
+Cell difference(const R& r) {
+  return r.comparison.*of.*which;
+}
+using C = logs::Comparison;
+using D = logs::Difference;
+using result::Worse;
+
+constexpr auto comparison_fields = result::fields<R>({
+    {"mean_abs_angle_difference", "angle, mean difference", u::deg, 3, difference<&C::angle, &D::mean_abs>,
+     "mean absolute difference of the roll angles", Worse::neither, three_digits},
+    {"rms_angle_difference", "angle, rms", u::deg, 3, difference<&C::angle, &D::rms>, "root mean square of it",
+     Worse::neither, three_digits},
+    {"max_abs_angle_difference", "angle, largest", u::deg, 3, difference<&C::angle, &D::max_abs>, "largest one",
+     Worse::neither, three_digits},
+    {"max_angle_difference_at", "at", u::s, 3, difference<&C::angle, &D::max_at_s>, "when that was, on A's clock"},
+    {"mean_abs_rate_difference", "rate, mean difference", u::deg_s, 3, difference<&C::rate, &D::mean_abs>,
+     "the same of the roll rates", Worse::neither, three_digits},
+    {"rms_rate_difference", "rate, rms", u::deg_s, 3, difference<&C::rate, &D::rms>, "likewise", Worse::neither,
+     three_digits},
+    {"max_abs_rate_difference", "rate, largest", u::deg_s, 3, difference<&C::rate, &D::max_abs>, "likewise",
+     Worse::neither, three_digits},
+    {"max_rate_difference_at", "at", u::s, 3, difference<&C::rate, &D::max_at_s>, "likewise"},
+    {"samples", "samples", u::none, 0, [](const R& r) { return Cell{std::uint64_t{r.comparison.time_s.size()}}; },
+     "samples of A that were compared"},
+    {"from", "from", u::s, 3, [](const R& r) { return Cell{r.comparison.time_s.front()}; },
+     "the first of them, on A's clock"},
+    {"to", "to", u::s, 3, [](const R& r) { return Cell{r.comparison.time_s.back()}; }, "the last"},
+    {"seconds", "length in seconds", u::none, 3,
+     [](const R& r) { return Cell{r.comparison.time_s.back() - r.comparison.time_s.front()}; },
+     "seconds from the first to the last"},
+    {"shift", "B's clock at A's zero", u::s, 4, [](const R& r) { return Cell{r.comparison.shift_s}; },
+     "what B's clock shows at A's zero"},
+    {"offset", "added to B's angles", u::deg, 3, [](const R& r) { return Cell{r.comparison.offset_rad}; },
+     "what was added to B's roll angles"},
+    {"requirement_met", "requirement met", u::none, 0,
+     [](const R& r) { return r.required() ? Cell{r.objections().empty()} : Cell{}; },
+     "whether both means are no larger than required; null without a requirement"},
+});
+
+struct Sample {
+  double time_s;
+  double a_angle_rad;
+  double b_angle_rad;
+  double angle_difference_rad;
+  double a_rate_rad_s;
+  double b_rate_rad_s;
+  double rate_difference_rad_s;
+};
+constexpr auto sample_fields = result::fields<Sample>({
+    {"time", "time", u::s, 3, &Sample::time_s, "time on A's clock"},
+    {"a_roll_angle", "roll angle of A", u::deg, 2, &Sample::a_angle_rad, "roll angle of A"},
+    {"b_roll_angle", "roll angle of B", u::deg, 2, &Sample::b_angle_rad, "roll angle of B"},
+    {"roll_angle_difference", "difference", u::deg, 2, &Sample::angle_difference_rad, "A minus B"},
+    {"a_roll_rate", "roll rate of A", u::deg_s, 2, &Sample::a_rate_rad_s, "roll rate of A"},
+    {"b_roll_rate", "roll rate of B", u::deg_s, 2, &Sample::b_rate_rad_s, "roll rate of B"},
+    {"roll_rate_difference", "difference", u::deg_s, 2, &Sample::rate_difference_rad_s, "A minus B"},
+});
+
+result::Table samples(const C& c) {
+  std::vector<Sample> all;
+  all.reserve(c.time_s.size());
+  for (std::size_t i = 0; i < c.time_s.size(); ++i) {
+    all.push_back({c.time_s[i], c.a_angle_rad[i], c.b_angle_rad[i], c.angle_difference_rad[i], c.a_rate_rad_s[i],
+                   c.b_rate_rad_s[i], c.rate_difference_rad_s[i]});
+  }
+  return result::table("differences", all, sample_fields);
+}
+
+page::Series curve(std::string name, Role role, const std::vector<double>& time_s, std::vector<double> values) {
+  return {.name = std::move(name), .role = role, .x = time_s, .y = std::move(values)};
+}
+
+Picture over_time(std::string_view what, std::string_view unit, double height, std::vector<page::Series> series,
+                  const page::Range& stretch) {
+  return {{.label = fmt::format("{} over time", what),
+           .x_label = "time on A's clock / s",
+           .y_label = fmt::format("{} / {}", what, unit),
+           .height = height,
+           .series = std::move(series),
+           .x_range = stretch,
+           .sampled = true,
+           .least_left = 48.0}};
+}
+
+constexpr double tall = 280.0, flat = 190.0;
+
+result::Section motion(std::string heading, std::string_view what, std::string_view unit, const C& c,
+                       const std::vector<double>& of_a, const std::vector<double>& of_b,
+                       const std::vector<double>& difference) {
+  return {std::move(heading),
+          {over_time(what, unit, tall,
+                     {curve("A", Role::measured, c.time_s, in_degrees(of_a)),
+                      curve("B", Role::model, c.time_s, in_degrees(of_b))},
+                     {c.time_s.front(), c.time_s.back()}),
+           over_time("A minus B", unit, flat, {curve("", Role::measured, c.time_s, in_degrees(difference))},
+                     {c.time_s.front(), c.time_s.back()})},
+          result::Readers::files};
+}
+
+/// The means, and the largest, with what stands beside them.
+result::Figures figures(const R& r) {
+  const result::Figures all = result::figures("", r, comparison_fields);
+  result::Figures some = result::only(all, {"mean_abs_angle_difference", "max_abs_angle_difference",
+                                            "mean_abs_rate_difference", "max_abs_rate_difference", "samples"});
+  some["mean_abs_angle_difference"].remark = fmt::format("rms {} deg", three_digits(degrees(r.comparison.angle.rms)));
+  some["mean_abs_rate_difference"].remark = fmt::format("rms {} deg/s", three_digits(degrees(r.comparison.rate.rms)));
+  some["max_abs_angle_difference"].remark = fmt::format("at {:.3f} s", r.comparison.angle.max_at_s);
+  some["max_abs_rate_difference"].remark = fmt::format("at {:.3f} s", r.comparison.rate.max_at_s);
+  some["samples"].remark =
+      fmt::format("{:.3f} s to {:.3f} s of A", r.comparison.time_s.front(), r.comparison.time_s.back());
+  return some;
+}
+
+std::string how(const R& r) {
+  const C& c = r.comparison;
+  std::string text = c.shift_s == 0.0 ? "Both logs are compared by their own clocks"
+                                      : fmt::format("B's clock shows {:+.4f} s at A's zero", c.shift_s);
+  text += r.shift_found ? ", which makes the roll rates agree best. " : c.shift_s != 0.0 ? ", as stated. " : ". ";
+  if (c.offset_rad != 0.0) {
+    text += fmt::format("B's roll angles are moved by {:+.3g} deg, so that both begin alike. ", degrees(c.offset_rad));
+  }
+  return text +
+         "For the differences B is read at A's times, in a straight line between two samples. Every sample that was "
+         "compared is in differences.csv, every figure in compare.json.";
+}
+
+result::Verdict verdict_of(const R& r) {
+  using enum result::Answer;
+  const C& c = r.comparison;
+  const std::string apart =
+      fmt::format("The roll angles differ by {:.3g} deg in the mean and {:.3g} deg at most, the rates by {:.3g} deg/s.",
+                  degrees(c.angle.mean_abs), degrees(c.angle.max_abs), degrees(c.rate.mean_abs));
+  if (!r.required()) {
+    return {.answer = none, .heading = "Compared", .sentence = apart};
+  }
+  std::string objections;
+  for (const std::string& objection : r.objections()) {
+    objections += (objections.empty() ? " The " : "; the ") + objection;
+  }
+  return {.answer = objections.empty() ? yes : no,
+          .heading = objections.empty() ? "Close enough"
+                     : r.is_known()     ? "Too far apart"
+                                        : "Too little to compare",
+          .sentence =
+              apart + (objections.empty() ? " The mean differences are no larger than required." : objections + ".")};
+}
+
+struct Quantity {
+  std::string_view heading;
+  std::string_view what;
+  std::string_view unit;
+  std::vector<double> logs::RollLog::* values;
+  double scale;
+};
+
+// A log that does not have the quantity is left out; so is the plot when none has it.
+std::optional<result::Section> section_of(const Quantity& quantity, const CompareResults& results,
+                                          const logs::RollLog& a, const logs::RollLog& b) {
+  const page::Range stretch{results.comparison.time_s.front(), results.comparison.time_s.back()};
+  std::vector<page::Series> series;
+  const auto add = [&](const char* name, Role role, const logs::RollLog& log, double shift_s) {
+    page::Series one = curve(name, role, log.time_s, log.*quantity.values);
+    bool known = false;
+    for (std::size_t i = 0; i < one.y.size(); ++i) {
+      one.x[i] -= shift_s;
+      one.y[i] *= quantity.scale;
+      known = known || (std::isfinite(one.y[i]) && one.x[i] >= stretch.low && one.x[i] <= stretch.high);
+    }
+    if (known) {
+      series.push_back(std::move(one));
+    }
+  };
+  add("A", Role::measured, a, 0.0);
+  add("B", Role::model, b, results.comparison.shift_s);
+  if (series.empty()) {
+    return {};
+  }
+  result::Section section{std::string{quantity.heading}, {}, result::Readers::files};
+  const std::string missing = series.front().name == "A" ? "B" : "A";
+  const bool alone = series.size() == 1;
+  section.blocks.emplace_back(over_time(quantity.what, quantity.unit, tall, std::move(series), stretch));
+  if (alone) {
+    section.blocks.emplace_back(fmt::format("Log {} does not have it.", missing));
+  }
+  return section;
+}
+
+result::Document document_of(const R& r, const result::Made& made, std::vector<result::Section> more) {
+  const C& c = r.comparison;
+  result::Document document{
+      .verdict = verdict_of(r),
+      .facts = {{"a", "A", r.a},
+                {"b", "B", r.b},
+                {"window", "window", json::text_or_null(r.window)},
+                {"version", "", made.version}},
+      .sections = {{"Absolute differences", {figures(r)}},
+                   motion("Roll angle", "roll angle", "deg", c, c.a_angle_rad, c.b_angle_rad, c.angle_difference_rad),
+                   motion("Roll rate", "roll rate", "deg/s", c, c.a_rate_rad_s, c.b_rate_rad_s,
+                          c.rate_difference_rad_s)},
+      .spreadsheets = {samples(c)},
+      .made = made};
+  for (result::Section& section : more) {
+    document.sections.push_back(std::move(section));
+  }
+  document.sections.push_back({"How they were compared", {how(r), result::Sentences{"notes", r.warnings}}});
+  document.sections.push_back({"For programs", {result::figures("", r, comparison_fields)}, result::Readers::programs});
+  return document;
 }
 
 }  // namespace
@@ -53,95 +264,36 @@ std::vector<std::string> CompareResults::objections() const {
   return sentences;
 }
 
-std::string compare_text(const CompareResults& results) {
-  const logs::Comparison& c = results.comparison;
-  std::string text = fmt::format("A  {}\nB  {}\n\n", text::printable(results.a), text::printable(results.b));
-  text += fmt::format("{} samples, {:.3f} s to {:.3f} s of A{}\n", c.time_s.size(), c.time_s.front(), c.time_s.back(),
-                      results.window.empty() ? "" : ", window " + results.window);
-  text += fmt::format("B's clock shows {:+.4f} s at A's zero ({})\n", c.shift_s + 0.0,
-                      results.shift_found ? "found from the roll rates"
-                      : c.shift_s == 0.0  ? "the clocks as they are"
-                                          : "as stated");
-  if (c.offset_rad != 0.0) {
-    text += fmt::format("B's angles moved by {:+.3g} deg, so that both begin alike\n", degrees(c.offset_rad));
-  }
-  text::Table table{{{.name = "absolute difference"},
-                     {.name = "mean"},
-                     {.name = "rms", .goes_as = 1},
-                     {.name = "largest"},
-                     {.name = "at", .goes_as = 2}}};
-  const auto right = [](std::string_view word) { return fmt::format("{:>10}", word); };
-  table.row({fmt::format("{:<24}", "absolute difference"), right("mean"), right("rms"), right("largest"),
-             fmt::format("{:>12}", "at")});
-  const auto row = [&](std::string_view label, const logs::Difference& d) {
-    const auto figure = [&](double radians) { return right(fmt::format("{:.3g}", degrees(radians))); };
-    table.row({fmt::format("{:<24}", label), figure(d.mean_abs), figure(d.rms), figure(d.max_abs),
-               fmt::format("{:>10.3f} s", d.max_at_s)});
-  };
-  row("  roll angle / deg", c.angle);
-  row("  roll rate / (deg/s)", c.rate);
-  text += "\n" + table.text(output_columns());
-  for (const std::string& sentence : results.warnings) {
-    text += "\nNote: " + sentence;
-  }
-  return text + (results.warnings.empty() ? "" : "\n");
+std::vector<result::Listed> listed_comparison() {
+  return {result::listed("", comparison_fields), result::listed("differences.csv", sample_fields)};
 }
 
-std::string compare_json(const CompareResults& results) {
-  using Json = json::Value;
-  const logs::Comparison& c = results.comparison;
-  Json json = {{"a", results.a},
-               {"b", results.b},
-               {"window", results.window.empty() ? Json{} : Json(results.window)},
-               {"mean_abs_angle_difference_deg", rounded(degrees(c.angle.mean_abs))},
-               {"rms_angle_difference_deg", rounded(degrees(c.angle.rms))},
-               {"max_abs_angle_difference_deg", rounded(degrees(c.angle.max_abs))},
-               {"max_angle_difference_at_s", rounded(c.angle.max_at_s)},
-               {"mean_abs_rate_difference_deg_s", rounded(degrees(c.rate.mean_abs))},
-               {"rms_rate_difference_deg_s", rounded(degrees(c.rate.rms))},
-               {"max_abs_rate_difference_deg_s", rounded(degrees(c.rate.max_abs))},
-               {"max_rate_difference_at_s", rounded(c.rate.max_at_s)},
-               {"samples", c.time_s.size()},
-               {"from_s", rounded(c.time_s.front())},
-               {"to_s", rounded(c.time_s.back())},
-               {"seconds", rounded(c.time_s.back() - c.time_s.front())},
-               {"shift_s", rounded(c.shift_s)},
-               {"offset_deg", rounded(degrees(c.offset_rad))},
-               {"requirement_met", results.required() ? Json(results.objections().empty()) : Json{}},
-               {"notes", results.warnings},
-               {"version", FANTAIL_VERSION}};
-  const auto answer = !results.required()            ? result::Answer::none
-                      : results.objections().empty() ? result::Answer::yes
-                                                     : result::Answer::no;
-  result::put_answer(
-      json, answer,
-      fmt::format("The roll angles differ by {:.3g} deg in the mean and {:.3g} deg at most, the rates by {:.3g} deg/s.",
-                  degrees(c.angle.mean_abs), degrees(c.angle.max_abs), degrees(c.rate.mean_abs)),
-      made_with(results.logs));
-  return json.pretty();
+result::Document comparison(const CompareResults& results, const result::Made& made) {
+  result::Document document = document_of(results, made, {});
+  document.kind = "comparison of two logs";
+  document.title = "A against B";
+  document.subtitle = fmt::format("{} against {}", results.a, results.b);
+  return document;
 }
 
-std::string compare_csv(const logs::Comparison& c) {
-  fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out),
-                 "time_s,a_roll_angle_deg,b_roll_angle_deg,roll_angle_difference_deg,"
-                 "a_roll_rate_deg_s,b_roll_rate_deg_s,roll_rate_difference_deg_s\n");
-  for (std::size_t i = 0; i < c.time_s.size(); ++i) {
-    fmt::format_to(std::back_inserter(out), "{:.6f}", rounded(c.time_s[i]));
-    for (const double value : {c.a_angle_rad[i], c.b_angle_rad[i], c.angle_difference_rad[i], c.a_rate_rad_s[i],
-                               c.b_rate_rad_s[i], c.rate_difference_rad_s[i]}) {
-      fmt::format_to(std::back_inserter(out), ",{:.6f}", rounded(degrees(value)));
+result::Document overlay(const CompareResults& results, const logs::RollLog& a, const logs::RollLog& b,
+                         const result::Made& made) {
+  std::vector<result::Section> more;
+  const double per_radian = degrees(1.0);
+  for (const Quantity& quantity :
+       {Quantity{"Roll command", "roll command", "deg", &logs::RollLog::command_rad, per_radian},
+        Quantity{"Canards", "mean of the encoders", "deg", &logs::RollLog::canard_rad, per_radian},
+        Quantity{"Speed, as the avionics estimated it", "speed", "m/s", &logs::RollLog::speed_m_s, 1.0},
+        Quantity{"Height", "height", "m", &logs::RollLog::height_m, 1.0}}) {
+    if (auto section = section_of(quantity, results, a, b)) {
+      more.push_back(std::move(*section));
     }
-    out.push_back('\n');
   }
-  return fmt::to_string(out);
-}
-
-void write_compare_results(const CompareResults& results, const std::filesystem::path& folder) {
-  const std::array<text::NamedFile, 3> files{{{"compare.html", compare_html(results)},
-                                              {"compare.json", compare_json(results)},
-                                              {"differences.csv", compare_csv(results.comparison)}}};
-  text::OutputFolder{folder, results.logs}.write(files);
+  result::Document document = document_of(results, made, std::move(more));
+  document.kind = "report of two flights";
+  document.title = "A and B";
+  document.subtitle = fmt::format("A, the broad lines: {}. B, the fine lines: {}", results.a, results.b);
+  return document;
 }
 
 }  // namespace fantail::tool

@@ -8,6 +8,7 @@
 
 #include "logs/compare.hpp"
 #include "logs/roll_log.hpp"
+#include "result/document.hpp"
 
 namespace fantail::tool {
 
@@ -33,15 +34,11 @@ struct CompareResults {
   [[nodiscard]] std::vector<std::string> objections() const;
 };
 
-[[nodiscard]] std::string compare_text(const CompareResults& results);
-[[nodiscard]] std::string compare_json(const CompareResults& results);
-[[nodiscard]] std::string compare_html(const CompareResults& results);
-/// A page with two flights on A's clock: what compare_html() draws, and command, canards, speed and height as far as
-/// both logs have them.
-[[nodiscard]] std::string overlay_html(const CompareResults& results, const logs::RollLog& a, const logs::RollLog& b);
-[[nodiscard]] std::string compare_csv(const logs::Comparison& comparison);
-
-/// compare.html, compare.json and differences.csv, all or none, and over neither of the logs.
-void write_compare_results(const CompareResults& results, const std::filesystem::path& folder);
+/// Yes: the mean differences are no larger than required; none where nothing is. With differences.csv.
+[[nodiscard]] result::Document comparison(const CompareResults& results, const result::Made& made);
+/// The same of two flights on A's clock: also command, canards, speed and height as far as both logs have them.
+[[nodiscard]] result::Document overlay(const CompareResults& results, const logs::RollLog& a, const logs::RollLog& b,
+                                       const result::Made& made);
+[[nodiscard]] std::vector<result::Listed> listed_comparison();
 
 }  // namespace fantail::tool

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/deliver.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
@@ -37,7 +38,11 @@ void add_input(result::Made& made, const fs::path& file, const fs::path& name) {
   }
   try {
     const std::string bytes = text::read_input(file);
-    made.inputs.push_back({name.string(), text::sha256(std::as_bytes(std::span{bytes}))});
+    const result::Made::Input one{name.string(), text::sha256(std::as_bytes(std::span{bytes}))};
+    const auto is_same = [&](const auto& other) { return other.file == one.file && other.sha256 == one.sha256; };
+    if (std::ranges::none_of(made.inputs, is_same)) {  // a flight may be held against itself
+      made.inputs.push_back(one);
+    }
   } catch (const std::runtime_error&) {
     return;  // a result without a hash is worth more than none
   }

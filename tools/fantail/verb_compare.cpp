@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include "fantail/compare_results.hpp"
+#include "fantail/deliver.hpp"
 #include "fantail/log_options.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
-#include "fantail/terminal.hpp"
 #include "identify/choices.hpp"
 #include "logs/compare.hpp"
 #include "logs/roll_log.hpp"
@@ -75,6 +75,7 @@ void compare_logs(const CompareVerbOptions& options) {
     throw UsageError{"--save-columns: there is nothing to keep without --a-columns or --b-columns"};
   }
   Chapters chapters{"compare", 3, "reading " + options.a.path};
+  const result::Made made = made_with({options.a.path, options.b.path});
   const logs::RollLog a = read(options.a, "--a-");
   chapters.next("reading " + options.b.path);
   const logs::RollLog b = read(options.b, "--b-");
@@ -95,15 +96,12 @@ void compare_logs(const CompareVerbOptions& options) {
   results.comparison = logs::compare(a, b, question(options, a));
   results.take_warnings(a, b);
   give_up_if_interrupted();
-  const std::filesystem::path folder{options.out};
-  write_compare_results(results, folder);
-  chapters.end();
-  if (options.json) {
-    fmt::print("{}", compare_json(results));
-  } else {
-    show("{}\n  page  {}\n  data  {}\n", compare_text(results), (folder / "compare.html").string(),
-         (folder / "differences.csv").string());
-  }
+  deliver(comparison(results, made), {.folder = options.out,
+                                      .name = "compare",
+                                      .inputs = results.logs,
+                                      .json = options.json,
+                                      .shown_files = {"page", "differences"},
+                                      .when_written = [&chapters] { chapters.end(); }});
   if (const std::vector<std::string> objections = results.objections(); !objections.empty()) {
     throw RequirementNotMet{fmt::format("{}", fmt::join(objections, "; "))};
   }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -58,6 +57,7 @@ void report_one(const ReportOptions& options) {
 
 void report_two(const ReportOptions& options) {
   Chapters chapters{"report", 3, "reading " + options.a};
+  const result::Made made = made_with({options.a, options.b});
   const logs::RollLog a = logs::read_roll_log(options.a, {.options = ""}, {});
   chapters.next("reading " + options.b);
   const logs::RollLog b = logs::read_roll_log(options.b, {.options = ""}, {});
@@ -78,17 +78,13 @@ void report_two(const ReportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? default_folder(name_of_log(options.a) + "_and_" + name_of_log(options.b))
                                            : std::filesystem::path{options.out};
-  text::OutputFolder{folder, results.logs}.write(
-      std::array<text::NamedFile, 3>{{{"report.html", overlay_html(results, a, b)},
-                                      {"compare.json", compare_json(results)},
-                                      {"differences.csv", compare_csv(results.comparison)}}});
-  chapters.end();
-  if (options.json) {
-    fmt::print("{}", compare_json(results));
-  } else {
-    show("{0}\n  report  {1}/report.html\n  data    {1}/differences.csv\n", compare_text(results),
-         text::printable(folder.string()));
-  }
+  deliver(overlay(results, a, b, made), {.folder = folder,
+                                         .name = "compare",
+                                         .page = "report",
+                                         .inputs = results.logs,
+                                         .json = options.json,
+                                         .shown_files = {"page", "differences"},
+                                         .when_written = [&chapters] { chapters.end(); }});
 }
 
 void fill(const Verb& verb) {
