@@ -108,22 +108,6 @@ TEST_F(RollLogFile, OfASimulatedFlightMayBeTheTruth) {
   expect_bad(head + rows(3), {"no column true_roll_angle_deg", "did you mean roll_angle_deg?"}, {.truth = true});
 }
 
-TEST_F(RollLogFile, TimeThatGoesBackIsRefusedWithBothLines) {
-  expect_bad(head + "0.1,1,0,0,22\n\n0.3,1,0,0,22\n0.2,1,0,0,22\n",
-             {"log.csv:5: time_s is 0.2 after 0.3 in line 4: time must increase"});
-}
-
-TEST_F(RollLogFile, ARowThatIsRepeatedCountsOnce) {
-  const RollLog log = read(head + "0,1,0,5,22\n0,1,0,5,22\n1,1,0,5,22\n1,1,0,5,22\n1,1,0,5,22\n");
-  EXPECT_EQ(log.time_s, (std::vector{0.0, 1.0}));
-  ASSERT_FALSE(log.warnings.empty());
-  EXPECT_NE(log.warnings[0].find("3 of 5 rows repeat"), std::string::npos) << log.warnings[0];
-}
-
-TEST_F(RollLogFile, TwoDifferentRowsWithOneTimeAreRefused) {
-  expect_bad(head + "0,1,0,5,22\n0,1,0,5.5,22\n1,1,0,5,22\n", {"log.csv:3: time_s is 0 as in line 2", "canard_deg"});
-}
-
 TEST_F(RollLogFile, AFewRowsWithoutNumbersAreLeftOutAndCounted) {
   const RollLog log = read(head + rows(100) + "1,nan,0,5,22\n1.5,1,0,5,22\n");
   EXPECT_EQ(log.time_s.size(), 101U);
@@ -132,12 +116,6 @@ TEST_F(RollLogFile, AFewRowsWithoutNumbersAreLeftOutAndCounted) {
                                  "\"nan\"); they are left out"),
             std::string::npos)
       << log.warnings[0];
-}
-
-TEST_F(RollLogFile, MoreThanOnePercentOfSuchRowsIsRefused) {
-  EXPECT_NO_THROW((void)read(head + rows(99) + "1,1,0,,22\n"));
-  expect_bad(head + rows(98) + "1,1,0,,22\n", {"log.csv: 1 of 99 rows", "line 100, canard_deg \"\"", "1 %"});
-  expect_bad(head + "a,1,0,0,22\n", {"log.csv: 1 of 1 rows"});
 }
 
 TEST_F(RollLogFile, CellsThatNobodyNeedsMayBeEmpty) {

@@ -24,16 +24,25 @@ TEST(IdentifyForeignLog, ReadsAnotherLoggersNamesAndUnits) {
            std::to_string(r.rate_deg_s / degrees) + "," + std::to_string(r.canard_deg / degrees) + "\r\n";
   }
   folder.write("run.csv", log);
-  const auto json = identified(folder, {"identify", "run.csv", "--column", "time_s=t", "--column", "roll_angle_deg=phi",
-                                        "--column", "roll_rate_deg_s=p", "--column", "canard_deg=fin", "--units", "rad",
-                                        "--speed", "22", "--inertia", "0.00393", "--area", "5.0265e-5", "--json"});
-  EXPECT_EQ(json["window"], "all");
-  EXPECT_NEAR(json["alpha_m2"].number(), 20.0, 0.1);
-  EXPECT_NEAR(json["beta_m"].number(), 9.0, 0.05);
-  EXPECT_NEAR(json["disturbance_deg"][0].number(), -5.0, 0.02);
-  const std::string remarks = json["remarks"].dump();
-  EXPECT_NE(remarks.find("No unit was stated for t; it is read in s."), std::string::npos) << remarks;
-  EXPECT_EQ(remarks.find("stated for phi"), std::string::npos) << "--units states it: " << remarks;
+  const std::vector<std::string> older{
+      "--column",       "time_s=t", "--column", "roll_angle_deg=phi", "--column", "roll_rate_deg_s=p", "--column",
+      "canard_deg=fin", "--units",  "rad"};
+  const std::vector<std::string> newer{"--columns", "rad,time_s=t,roll_angle_deg=phi,roll_rate=p:rad/s,canard_deg=fin"};
+  for (const std::vector<std::string>& columns : {older, newer}) {
+    std::vector<std::string> words{"identify", "run.csv"};
+    words.insert(words.end(), columns.begin(), columns.end());
+    for (const char* word : {"--speed", "22", "--inertia", "0.00393", "--area", "5.0265e-5", "--json"}) {
+      words.emplace_back(word);
+    }
+    const auto json = identified(folder, words);
+    EXPECT_EQ(json["window"], "all");
+    EXPECT_NEAR(json["alpha_m2"].number(), 20.0, 0.1);
+    EXPECT_NEAR(json["beta_m"].number(), 9.0, 0.05);
+    EXPECT_NEAR(json["disturbance_deg"][0].number(), -5.0, 0.02);
+    const std::string remarks = json["remarks"].dump();
+    EXPECT_NE(remarks.find("No unit was stated for t; it is read in s."), std::string::npos) << remarks;
+    EXPECT_EQ(remarks.find("stated for phi"), std::string::npos) << "rad states it: " << remarks;
+  }
   EXPECT_FALSE(content(folder / "out/identify/run/report.html").empty());
 }
 

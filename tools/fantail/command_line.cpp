@@ -102,7 +102,7 @@ Option& Option::separated_by(char separator) {
 }
 
 Option& Option::hidden() {
-  option_->group("");
+  declared(option_).hidden = true;
   return *this;
 }
 

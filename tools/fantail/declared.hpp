@@ -21,6 +21,7 @@ struct Declared {
   std::vector<std::string> usual{};
   bool changes_result = false;
   bool belongs_to_command = false;
+  bool hidden = false;
 };
 
 /// Of the program whose command line is read.

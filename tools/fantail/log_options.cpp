@@ -37,6 +37,14 @@ std::string without_angle_unit(std::string_view said, std::string& unit) {
   return rest;
 }
 
+void add_older_option(const Verb& verb, const std::string& dashes, ColumnOptions& columns) {
+  verb.option(dashes + "column", columns.names, "")
+      .check(objection_to_column)
+      .value_name("OURS=THEIRS")
+      .one_word_each_time()
+      .hidden();
+}
+
 }  // namespace
 
 void add_columns_option(const Verb& verb, const std::string& dashes, ColumnOptions& columns) {
@@ -45,12 +53,14 @@ void add_columns_option(const Verb& verb, const std::string& dashes, ColumnOptio
           "Another logger's columns and units, as time=t:ms,roll_rate=p:rad/s,canard=-u:deg; rad alone: every angle "
           "and rate without a unit")
       .value_name("QUANTITY=COLUMN:UNIT,...");
-  verb.option(dashes + "column", columns.names, "")
-      .check(objection_to_column)
-      .value_name("OURS=THEIRS")
-      .one_word_each_time()
-      .hidden();
+  add_older_option(verb, dashes, columns);
   verb.option(dashes + "units", columns.units, "").one_of({"deg", "rad"}).value_name("deg|rad").hidden();
+}
+
+void add_tunnel_columns_option(const Verb& verb, ColumnOptions& columns) {
+  verb.option("--columns", columns.said, "Another logger's columns and units, as time=t:ms,wind_speed=v:km/h,fan=n")
+      .value_name("QUANTITY=COLUMN:UNIT,...");
+  add_older_option(verb, "--", columns);
 }
 
 void add_save_columns_option(const Verb& verb, bool& save) {
@@ -65,12 +75,10 @@ files::Sources sources(const ColumnOptions& columns, const std::string& dashes,
     std::erase_if(all, [&](const files::Source& before) { return before.quantity == source.quantity; });
     all.push_back(source);
   }
-  std::string unit;
-  const std::string said = without_angle_unit(columns.said, unit);
-  if (said.empty()) {
+  if (columns.said.empty()) {
     return all;
   }
-  const files::Sources stated = files::parse_columns(said, dashes + "columns", asked);
+  const files::Sources stated = files::parse_columns(columns.said, dashes + "columns", asked);
   for (const files::Source& source : stated) {
     if (files::find(all, source.quantity) != nullptr) {
       throw UsageError{
@@ -82,8 +90,8 @@ files::Sources sources(const ColumnOptions& columns, const std::string& dashes,
 
 logs::Reading reading(const ColumnOptions& columns, const std::string& dashes, bool truth) {
   std::string unit = columns.units;
-  (void)without_angle_unit(columns.said, unit);
-  return {.columns = sources(columns, dashes, files::of_flight_csv),
+  const ColumnOptions rest{.said = without_angle_unit(columns.said, unit), .names = columns.names};
+  return {.columns = sources(rest, dashes, files::of_flight_csv),
           .angles = unit == "rad" ? logs::AngleUnit::radians : logs::AngleUnit::degrees,
           .truth = truth,
           .options = dashes};
@@ -95,7 +103,9 @@ void save_columns(const ColumnOptions& columns, const std::filesystem::path& log
     throw UsageError{"--save-columns: " + log.string() + " has Fantail's own columns"};
   }
   const std::filesystem::path file = files::kept_sources_file(log);
-  files::Sources kept = sources({.said = columns.said, .names = {}}, dashes, files::of_flight_csv);
+  std::string unit;
+  files::Sources kept =
+      sources({.said = without_angle_unit(columns.said, unit), .names = {}}, dashes, files::of_flight_csv);
   if (std::filesystem::is_regular_file(file, ignored)) {
     kept = files::merged(kept, files::read_sources(file, files::of_flight_csv));
   }

@@ -20,6 +20,8 @@ struct ColumnOptions {
 
 /// `dashes` and "columns": "--a-". And the older spellings, which mean the same: -column, and -units.
 void add_columns_option(const Verb& verb, const std::string& dashes, ColumnOptions& columns);
+/// The same, without units of angles, for a tunnel's log, which has none.
+void add_tunnel_columns_option(const Verb& verb, ColumnOptions& columns);
 void add_save_columns_option(const Verb& verb, bool& save);
 
 /// Throws UsageError for a column that both spellings name, text::Error as files::parse_columns() does.

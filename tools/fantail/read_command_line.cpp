@@ -46,7 +46,7 @@ std::string complaint_about_surplus(const CLI::App& verb, const std::vector<std:
     return fmt::format("{} {}", word, removed->said);
   }
   std::vector<std::string> names;
-  for (const CLI::Option* known : verb.get_options()) {
+  for (const CLI::Option* known : verb.get_options([](const auto* o) { return !declared(o).hidden; })) {
     for (const std::string& name : known->get_lnames()) {
       names.push_back("--" + name);
     }
@@ -87,6 +87,16 @@ void add_color(CLI::App& app) {
         .value_name("auto|always|never")
         .one_of({"auto", "always", "never"});
     add_color(*verb);
+  }
+}
+
+// From the help alone: CLI11 does not name a hidden option in its complaints about a value either.
+void hide(CLI::App& app) {
+  for (CLI::Option* option : app.get_options([](const CLI::Option* o) { return declared(o).hidden; })) {
+    option->group("");
+  }
+  for (CLI::App* verb : app.get_subcommands(nullptr)) {
+    hide(*verb);
   }
 }
 
@@ -139,7 +149,7 @@ manual::Command described(const CLI::App& verb, const std::string& before) {
                           .meaning = verb.get_description(),
                           .needs_command = verb.get_require_subcommand_min() > 0,
                           .notes = verb.get_footer()};
-  for (const CLI::Option* option : verb.get_options([](const auto* o) { return !o->get_group().empty(); })) {
+  for (const CLI::Option* option : verb.get_options([](const auto* o) { return !declared(o).hidden; })) {
     (option->get_positional() ? command.arguments : command.options).push_back(described(*option));
   }
   for (const CLI::App* inner : verb.get_subcommands(nullptr)) {
@@ -183,6 +193,7 @@ void read_command_line(const std::string& name, const std::string& meaning, void
       throw UsageError{complaint(*program, error)};
     }
     // Asked for. CLI11 puts the examples at its end.
+    hide(*program);
     const std::string help = program->help();
     const std::string examples = innermost(*program).get_footer();
     const std::size_t end = examples.empty() ? help.size() : std::min(help.rfind(examples), help.size());

@@ -50,7 +50,7 @@ void add_tunnel_flow(const Verb& tunnel) {
       .check(within(0.0, 1e4))
       .value_name("RPM")
       .show_default();
-  add_columns_option(verb, "--", options->columns);
+  add_tunnel_columns_option(verb, options->columns);
   add_tunnel_output(verb, options->output, default_folder);
   verb.examples(
       "Examples:\n"

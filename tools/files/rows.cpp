@@ -90,15 +90,16 @@ class Reader {
   void take(std::size_t row) {
     if (!result_.rows.empty()) {
       const double before_s = result_.values[0].back();
-      const std::size_t last = result_.rows.back();
       if (cells_[0] < before_s) {
-        refuse(fmt::format("{} after {} in {}: time must increase", time(row), number(last, 0), table_.place(last)));
+        refuse(fmt::format("{} after {} in {}: time must increase", time(row), number(last_, 0), table_.place(last_)));
       }
       if (cells_[0] == before_s || cells_[0] < before_s + rule_.same_within_s) {
         merge(row);
+        last_ = row;
         return;
       }
     }
+    last_ = row;
     result_.rows.push_back(row);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       result_.values[i].push_back(cells_[i]);
@@ -108,13 +109,12 @@ class Reader {
   // A row with the time of the one before it.
   void merge(std::size_t row) {
     first_repeated_ = repeated_++ == 0 ? row : first_repeated_;
-    const std::size_t last = result_.rows.back();
     for (std::size_t i = 1; i < columns_.size(); ++i) {
       double& before = result_.values[i].back();
       const bool is_same = cells_[i] == before || (std::isnan(cells_[i]) && std::isnan(before));
       if (rule_.same_time == SameTime::identical && !is_same) {
         refuse(fmt::format("{} as in {}, but {} differs: rows with the same time must be identical", time(row),
-                           table_.place(last), name(i)));
+                           table_.place(last_), name(i)));
       }
       if (rule_.same_time == SameTime::last_of_a_cell && !std::isnan(cells_[i])) {
         before = cells_[i];
@@ -158,6 +158,7 @@ class Reader {
   std::span<const Found> columns_;
   const Rule& rule_;
   std::vector<double> cells_;  ///< of the row that is being read
+  std::size_t last_ = 0;       ///< the row that was read last
   std::size_t left_out_ = 0;
   std::string first_left_out_;
   std::size_t repeated_ = 0;
