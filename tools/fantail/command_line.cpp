@@ -200,7 +200,7 @@ Objection within(double low, double high) {
 }
 
 void add_threads_option(const Verb& verb, unsigned& threads) {
-  verb.option("--threads", threads, "How many to fly at once [as many as the machine can]").range(1, 1024);
+  verb.option("--threads", threads, "How many at once [as many as the machine can]").range(1, 1024);
 }
 
 void add_end_option(const Verb& verb, std::optional<double>& seconds, const std::string& names) {
