@@ -92,7 +92,7 @@ TEST(Predict, ARunIsRepeatedByTheCommandThatThePageNames) {
   EXPECT_EQ(said["changes"], json::Value::array({"controller.canard_limit_deg=8", "seed=5", "damping-factor=1:1.6"}));
   const std::string command = said["repeat_run"].text();
   EXPECT_EQ(command,
-            "fantail predict tasha3_launch2 --set controller.canard_limit_deg=8 --seed 5 --damping-factor 1:1.6 --run "
+            "fantail predict tasha3_launch2 --seed 5 --set controller.canard_limit_deg=8 --damping-factor 1:1.6 --run "
             "RUN");
   EXPECT_NE(content(found / "predict.html").find("Changed on the command line: controller.canard_limit_deg=8, seed=5"),
             std::string::npos);

@@ -99,7 +99,7 @@ struct Document {
   std::vector<Table> spreadsheets{};  ///< a CSV file each, named by the key
   Made made{};
   int json_decimals = 6;  ///< of numbers; -8: eight digits, wherever the point is
-  std::string footer{};  ///< of its page
+  std::string footer{};   ///< of its page
 };
 
 /// Colours words, or does not.
