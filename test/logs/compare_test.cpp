@@ -230,6 +230,12 @@ TEST(Compare, ASteadyRateCannotBeAligned) {
   });
 }
 
+// With the usual interval of A sought anew for each of its samples this took an hour.
+TEST(Compare, OfAQuarterOfAMillionSamplesIsReadyAtOnce) {
+  const RollLog log = sine({0, 250, 0.001});
+  EXPECT_EQ(compare(log, log, {}).angle.max_abs, 0.0);
+}
+
 TEST(Compare, WindowsOutsideTheDataAreRefused) {
   const RollLog log = sine({0, 5, 0.01});
   test::expect_refused(text::ErrorKind::bad_data, {"window 7 s to 8 s", "0 s to 5 s"},

@@ -150,16 +150,15 @@ double mean_square_of_rate(const RollLog& log, Extent extent) {
 }
 
 /// Between samples that are farther apart than B's may be, and than A's usually are, nothing is known of A either.
-bool is_hole(double step_s, const RollLog& a, const CompareOptions& options) {
-  return step_s > std::max(options.longest_gap_s, 3.0 * usual_interval_s(a.time_s)) + 1e-9;
+double longest_known_step_s(const RollLog& a, const CompareOptions& options) {
+  return std::max(options.longest_gap_s, 3.0 * usual_interval_s(a.time_s)) + 1e-9;
 }
 
-void note_holes_of_a(const RollLog& a, const CompareOptions& options, Extent extent,
-                     std::vector<std::string>& warnings) {
+void note_holes_of_a(const RollLog& a, double longest_step_s, Extent extent, std::vector<std::string>& warnings) {
   std::size_t holes = 0;
   std::string first;
   for (std::size_t i = extent.begin + 1; i < extent.end; ++i) {
-    if (is_hole(a.time_s[i] - a.time_s[i - 1], a, options) && ++holes == 1) {
+    if (a.time_s[i] - a.time_s[i - 1] > longest_step_s && ++holes == 1) {
       first = fmt::format("A has no samples between {:.3f} s and {:.3f} s", a.time_s[i - 1], a.time_s[i]);
     }
   }
@@ -230,11 +229,12 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
   const bool is_window = options.from_s || options.to_s;
   result.asked_s = is_window ? options.to_s.value_or(a.time_s.back()) - options.from_s.value_or(a.time_s.front())
                              : result.time_s.back() - result.time_s.front();
+  const double longest_step_s = longest_known_step_s(a, options);
   for (std::size_t i = 1; i < result.time_s.size(); ++i) {
     const double step_s = result.time_s[i] - result.time_s[i - 1];
-    result.known_s += is_hole(step_s, a, options) ? 0.0 : step_s;
+    result.known_s += step_s > longest_step_s ? 0.0 : step_s;
   }
-  note_holes_of_a(a, options, extent, result.warnings);
+  note_holes_of_a(a, longest_step_s, extent, result.warnings);
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
     result.warnings.push_back(fmt::format("{} of A's {} samples{} have no counterpart in B and are left out.", lost,
                                           extent.end - extent.begin, is_window ? " in the window" : ""));
