@@ -9,31 +9,31 @@
 # folder | its files that are compiled together, apart from the others
 set(FANTAIL_COMPILED_APART
   "hal/stm32f4|edge_timer.cpp frozen_counts.cpp second_imu.cpp"
-  "test/avionics|arming_alone_test.cpp arming_refusal_test.cpp avionics_test.cpp board_watch_test.cpp bus_receiver_test.cpp two_benches_test.cpp"
-  "test/avionics|flight_memory_bytes_test.cpp flight_memory_flights_test.cpp flight_memory_starts_test.cpp flight_memory_test.cpp"
-  "test/bench|cycle_test.cpp exercise_test.cpp zero_test.cpp"
-  "test/bench|board_sheet_test.cpp filling_sheet_test.cpp measurement_test.cpp sent_wave_test.cpp sheet_page_test.cpp sheet_test.cpp"
+  "test/avionics|arming_alone_test.cpp avionics_test.cpp board_watch_test.cpp"
+  "test/avionics|flight_memory_bytes_test.cpp flight_memory_flights_test.cpp flight_memory_test.cpp"
+  "test/bench|exercise_test.cpp zero_test.cpp"
+  "test/bench|filling_sheet_test.cpp measurement_test.cpp sent_wave_test.cpp sheet_page_test.cpp sheet_test.cpp"
   "test/campaign|merge_test.cpp spread_test.cpp statistics_test.cpp"
   "test/core|canard_mixer_test.cpp launch_detector_pair_test.cpp launch_detector_test.cpp"
-  "test/core|canard_monitor_test.cpp launch_detector_reset_test.cpp motion_estimator_test.cpp trig_test.cpp"
-  "test/core|autopilot_flight_test.cpp motion_estimator_roll_test.cpp pd_controller_test.cpp"
-  "test/core|autopilot_record_test.cpp autopilot_sharing_test.cpp loop_overrun_test.cpp pad_window_test.cpp"
+  "test/core|canard_monitor_test.cpp motion_estimator_test.cpp trig_test.cpp"
+  "test/core|autopilot_flight_test.cpp motion_estimator_roll_test.cpp control_law_test.cpp"
+  "test/core|autopilot_record_test.cpp pad_window_test.cpp"
   "test/core|flight_phase_test.cpp gyro_gate_test.cpp"
-  "test/core|autopilot_memory_test.cpp chirp_variation_test.cpp gyro_pair_limits_test.cpp initial_values_test.cpp pad_window_limits_test.cpp"
-  "test/core|motion_estimator_bridge_test.cpp motion_estimator_gyros_test.cpp motion_estimator_limits_test.cpp"
-  "test/hal/stm32f4|fake_ism330dhcx.cpp reset_cause_test.cpp servo_test.cpp slow_oscillator_test.cpp spi_bus_test.cpp supply_test.cpp watchdog_test.cpp"
+  "test/core|state_test.cpp chirp_variation_test.cpp gyro_pair_limits_test.cpp pad_window_limits_test.cpp"
+  "test/core|motion_estimator_gyros_test.cpp motion_estimator_limits_test.cpp"
+  "test/hal/stm32f4|fake_ism330dhcx.cpp backup_memory_test.cpp servo_test.cpp watchdog_test.cpp spi_bus_test.cpp supply_test.cpp"
   "test/hal/stm32f4|encoder_test.cpp fake_kx134.cpp"
   "test/input|manual_test.cpp plan_file_test.cpp shipped_plans_test.cpp"
   "test/input|scenario_file_test.cpp vehicle_file_test.cpp"
-  "test/paper|identification_test.cpp launch_roll_test.cpp"
-  "test/predict|drawn_wind_test.cpp windy_prediction_test.cpp"
-  "test/sil|any_rocket.cpp any_rocket_test.cpp plain_judge.cpp"
+  "test/paper|identification_test.cpp launch_roll_test.cpp tunnel_test.cpp"
+  "test/sil|any_rocket.cpp plain_judge.cpp"
   "test/sil|estimator_test.cpp recorded_flight_test.cpp slow_pc_test.cpp"
   "test/sil|go_oracle_test.cpp two_gyros_test.cpp"
   "test/sil|gyro_silence_test.cpp random_launch.cpp"
   "test/sil|replayed_flight_test.cpp resumed_flight_test.cpp"
   "test/sil|six_dof_test.cpp truth_oracle.cpp"
   "test/sim|felt_motion_test.cpp rigid_flight_test.cpp roll_plant_test.cpp servo_fault_test.cpp servo_load_test.cpp servo_test.cpp"
+  "test/sim|twist_test.cpp world_fault_test.cpp"
   "test/sim|gimbal_test.cpp inertial_model_test.cpp wind_test.cpp"
   "test/system|bench_trouble_test.cpp fly_test.cpp log_export_test.cpp"
   "tools/bench|sheet.cpp sheet_text.cpp turn_figures.cpp watch.cpp"
@@ -52,20 +52,19 @@ set(FANTAIL_COMPILED_ALONE
   firmware/protocol/bus_decode_bench.cpp
   hal/stm32f4/imu.cpp
   sim/servo.cpp sim/thrust_curve.cpp
-  test/avionics/bench_mode_alone_test.cpp test/avionics/bus_flood_test.cpp test/avionics/new_plan_force_test.cpp
-  test/avionics/plan_out_of_range_test.cpp test/avionics/self_test_alone_test.cpp
-  test/avionics/two_gyros_state_test.cpp test/avionics/watchdog_test.cpp
-  test/bench/axes_mounting_test.cpp
+  test/avionics/bench_mode_alone_test.cpp test/avionics/two_benches_test.cpp test/avionics/new_plan_test.cpp
+  test/avionics/self_test_alone_test.cpp test/avionics/two_gyros_state_test.cpp test/avionics/watchdog_test.cpp
+  test/bench/axes_test.cpp
   test/benchmark/recorded_flight.cpp
   test/campaign/question_test.cpp
   test/airframe/design_check_test.cpp test/airframe/openrocket/overrides_test.cpp
   test/airframe/openrocket/stored_flight_test.cpp
-  test/core/canard_fault_flight_test.cpp test/core/clock_fault_test.cpp
+  test/core/canard_fault_flight_test.cpp test/core/loop_overrun_test.cpp
   test/core/gyro_pair_test.cpp test/core/launch_detector_property_test.cpp test/core/motion_estimator_rest_test.cpp
   test/hal/stm32f4/flash_test.cpp test/hal/stm32f4/register_world.cpp
   test/identify/closed_loop/simulation_test.cpp
   test/identify/mistakes_test.cpp
-  test/page/chart_test.cpp test/page/heat_map_test.cpp
+  test/page/chart_test.cpp test/page/heat_map_test.cpp test/paper/tunnel_step_test.cpp
   test/predict/prediction_test.cpp
   test/protocol/log_tick_test.cpp
   test/sil/verdict_oracle_test.cpp
@@ -73,7 +72,7 @@ set(FANTAIL_COMPILED_ALONE
   test/stability/loop_at_speed_test.cpp
   test/system/design_test.cpp test/system/fly_trajectory_test.cpp test/system/input_kind_test.cpp
   test/system/interrupted_flights_test.cpp
-  test/system/names_test.cpp
+  test/system/names_test.cpp test/system/spared_input_test.cpp
   test/telemetry/lossy_link_test.cpp
   test/trajectory/trajectory_test.cpp
   test/tune/tuning_test.cpp

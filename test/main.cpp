@@ -2,8 +2,9 @@
 #include <csignal>
 #include <cstdlib>
 
-#include <gtest/gtest.h>
 #include <unistd.h>
+
+#include "test.hpp"
 
 // As every verb does, it lives on when a reader of what it writes is gone, and the call says so. A program with a
 // skipped test must not look like one that has passed.

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the avionics finds at power-up and must not fly with: each has a name on the bus and at the console, the canards
 // go to trim and stay there, and nobody arms.
-#include <algorithm>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "avionics/board_rig.hpp"
 #include "plan_store_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 
 #include "avionics/board_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

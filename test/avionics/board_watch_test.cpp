@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/board_watch.hpp"
 
-#include <set>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "avionics/board_rig.hpp"
 #include "avionics/flying_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

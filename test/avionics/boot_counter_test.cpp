@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/boot_counter.hpp"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "avionics/sealed_words.hpp"
 #include "flash_rig.hpp"
+#include "properties.hpp"
 #include "random_stream.hpp"
 
 namespace fantail::avionics {

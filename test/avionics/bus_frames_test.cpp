@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cstdlib>
 #include <iostream>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "avionics/board_rig.hpp"
 #include "avionics/can_frame.hpp"
 #include "random_stream.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -17,10 +13,7 @@ namespace {
 using core::Phase;
 
 // The soak test asks for more.
-std::uint64_t how_many_frames() {
-  const char* asked = std::getenv("FANTAIL_FRAMES");
-  return asked != nullptr ? std::stoull(asked) : 1'000'000;
-}
+std::uint64_t how_many_frames() { return test::how_many("FANTAIL_FRAMES", 1'000'000); }
 
 constexpr std::uint32_t usual_seed = 20'261'121;
 

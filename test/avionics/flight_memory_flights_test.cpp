@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // From one seal, one resume, one flight and one plan to the next.
-#include <algorithm>
-
-#include <gtest/gtest.h>
 
 #include "avionics/write_state.hpp"
 #include "flight_memory_rig.hpp"
 #include "protocol/little_endian.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

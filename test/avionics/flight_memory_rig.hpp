@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-
-#include <gtest/gtest.h>
-
 #include "avionics/backup_map.hpp"
 #include "avionics/flight_memory.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 

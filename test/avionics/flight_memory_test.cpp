@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/flight_memory.hpp"
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <random>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "avionics/backup_map.hpp"
 #include "avionics/write_state.hpp"
 #include "flight_memory_rig.hpp"
@@ -17,6 +9,7 @@
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

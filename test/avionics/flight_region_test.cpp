@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/flight_region.hpp"
 
-#include <gtest/gtest.h>
-
 #include "board_rig.hpp"
 #include "recorder_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

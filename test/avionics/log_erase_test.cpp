@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The erase of the flight record: on a bench's word only, and never outside Safe and an open session.
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "log_rig.hpp"
+#include "properties.hpp"
 
 namespace fantail::avionics {
 namespace {

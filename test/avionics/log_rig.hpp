@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <variant>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "avionics/can_frame.hpp"
 #include "avionics/log_transfer.hpp"
 #include "flash_rig.hpp"
 #include "random_stream.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/log_transfer.hpp"
 
-#include <cstddef>
-#include <cstdint>
-
-#include <gtest/gtest.h>
-
 #include "log_rig.hpp"
 #include "protocol/crc32c.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

@@ -2,20 +2,11 @@
 // Bits of what decides about the canards flip in flight: of the flight law, its parameters included, of the plan, and
 // of what watches over both. Each in a process of its own, forked from a flight at an instant drawn at random, because
 // it may crash; what came of it is the child's exit code. FANTAIL_FLIPS says how many, 2000 otherwise.
-#include <array>
 #include <bit>
 #include <cerrno>
-#include <cmath>
-#include <cstdlib>
 #include <iostream>
-#include <limits>
-#include <map>
-#include <random>
-#include <string>
 #include <system_error>
-#include <vector>
 
-#include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,6 +14,7 @@
 #include "control_memory.hpp"
 #include "flying_rig.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -168,8 +160,7 @@ struct Campaign {
 };
 
 TEST(MemoryCampaign, AFlippedBitGivesTheRightOutputANamedFaultOrTrimAndNeverACommandBeyondALimit) {
-  const char* const wanted = std::getenv("FANTAIL_FLIPS");
-  const int most = wanted != nullptr ? std::atoi(wanted) : 2000;
+  const int most = test::how_many("FANTAIL_FLIPS", 2000);
   constexpr int flips_an_instant = 50;
   Campaign campaign;
   const std::span<Tick> right = memory_for_both(watched / millisecond);

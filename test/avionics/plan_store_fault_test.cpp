@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "avionics/plan_store.hpp"
 #include "avionics/sealed_words.hpp"
 #include "plan_store_rig.hpp"
+#include "properties.hpp"
 #include "random_stream.hpp"
 
 namespace fantail::avionics {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <initializer_list>
-
-#include <gtest/gtest.h>
-
 #include "avionics/plan_store.hpp"
 #include "flash_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 

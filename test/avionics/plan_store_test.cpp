@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/plan_store.hpp"
 
-#include <gtest/gtest.h>
-
 #include "plan_store_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/plan_transfer.hpp"
 
-#include <array>
-
-#include <gtest/gtest.h>
-
 #include "protocol/bus_messages.hpp"
+#include "test.hpp"
 #include "transfer_rig.hpp"
 
 namespace fantail::avionics {

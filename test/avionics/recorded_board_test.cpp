@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What a record says of the board beside the flight.
-#include <algorithm>
-#include <vector>
 
-#include <gtest/gtest.h>
-
+#include "avionics/log_tick_of.hpp"
+#include "avionics/sensor_scaling.hpp"
+#include "core/flight_plan_fields.hpp"
+#include "protocol/tick_digest.hpp"
 #include "recorder_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {
+
+// What a record says of the board beside the flight.
 
 using core::Phase;
 using protocol::LogEventKind;
@@ -79,5 +81,126 @@ TEST_F(RecordedBoard, AFaultThatComesAndGoesEveryTickIsToldTenTimesASecondAtMost
   EXPECT_EQ(std::ranges::count(events, LogEventKind::records_dropped, &protocol::LogEvent::kind), 0);
 }
 
+using core::Angle;
+using core::Microseconds;
+using hal::Status;
+
+constexpr SampleScales scales{.imu = {.rate_rad_s = 0.001F, .specific_force_m_s2 = 0.005F},
+                              .second_rate_rad_s = 0.002F,
+                              .accelerometer_m_s2 = 0.05F};
+
+RawSamples some_samples() {
+  return {
+      .imu = {.time = Microseconds{990},
+              .rate = {1, -2, 32767},
+              .specific_force = {-32768, 5, 6},
+              .status = Status::ok},
+      .accelerometer = {.time = Microseconds{800}, .specific_force = {7, -8, 9}, .status = Status::error},
+      .encoders = {.time = Microseconds{1000},
+                   .each = {{{16383, Status::ok}, {0, Status::error}, {77, Status::no_reading}, {8192, Status::ok}}}}};
+}
+
+core::Inputs inputs_from(const RawSamples& raw, const core::CanardsPlan& canards) {
+  return {.time = Microseconds{1000},
+          .gyro = gyro_sample(raw.imu, scales.imu),
+          .accelerometers = {accelerometer_sample(raw.imu.time, raw.imu.specific_force, raw.imu.status,
+                                                  scales.imu.specific_force_m_s2),
+                             accelerometer_sample(raw.accelerometer.time, raw.accelerometer.specific_force,
+                                                  raw.accelerometer.status, scales.accelerometer_m_s2)},
+          .encoders = encoder_angles(raw.encoders, canards),
+          .arm_switch_closed = true,
+          .arm_command = false,
+          .start_command = true};
+}
+
+void expect_equal(const core::Vector3& a, const core::Vector3& b) {
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.z, b.z);
+}
+
+void expect_equal(const core::Inputs& a, const core::Inputs& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.gyro.time, b.gyro.time);
+  expect_equal(a.gyro.rate_rad_s, b.gyro.rate_rad_s);
+  EXPECT_EQ(a.gyro.quality, b.gyro.quality);
+  for (std::size_t i = 0; i < a.accelerometers.size(); ++i) {
+    EXPECT_EQ(a.accelerometers[i].time, b.accelerometers[i].time);
+    expect_equal(a.accelerometers[i].specific_force_m_s2, b.accelerometers[i].specific_force_m_s2);
+    EXPECT_EQ(a.accelerometers[i].quality, b.accelerometers[i].quality);
+  }
+  EXPECT_EQ(a.encoders, b.encoders);
+  EXPECT_EQ(a.arm_switch_closed, b.arm_switch_closed);
+  EXPECT_EQ(a.arm_command, b.arm_command);
+  EXPECT_EQ(a.start_command, b.start_command);
+}
+
+TEST(LogTickOf, TheInputsThatComeOutAreThoseThatWentIn) {
+  const core::CanardsPlan canards = core::default_plan().canards;
+  const core::Inputs inputs = inputs_from(some_samples(), canards);
+  const protocol::LogTick tick = log_tick_of({}, some_samples(), inputs, {});
+  expect_equal(inputs_of(tick, scales, canards), inputs);
+
+  protocol::SampleTimes writing;
+  protocol::SampleTimes reading;
+  const auto unpacked = protocol::unpack_tick(tick.time, protocol::pack(tick, writing), reading);
+  ASSERT_TRUE(unpacked.has_value());
+  expect_equal(inputs_of(*unpacked, scales, canards), inputs);
+}
+
+TEST(LogTickOf, SoDoesTheSecondGyroWhereThereIsOne) {
+  const core::CanardsPlan canards = core::default_plan().canards;
+  RawSamples raw = some_samples();
+  EXPECT_FALSE(inputs_of(log_tick_of({}, raw, inputs_from(raw, canards), {}), scales, canards).second_gyro);
+  raw.second_imu = hal::ImuSample{.time = Microseconds{995}, .rate = {100, -200, 300}, .status = Status::ok};
+  const protocol::LogTick tick = log_tick_of({}, raw, inputs_from(raw, canards), {});
+  protocol::SampleTimes writing;
+  protocol::SampleTimes reading;
+  std::array<std::byte, protocol::largest_log_tick> bytes{};
+  protocol::pack(tick, writing, bytes);
+  const auto unpacked = protocol::unpack_tick(tick.time, bytes, reading);
+  ASSERT_TRUE(unpacked.has_value());
+  const auto second = inputs_of(*unpacked, scales, canards).second_gyro;
+  ASSERT_TRUE(second.has_value());
+  EXPECT_EQ(second->time, Microseconds{995});
+  EXPECT_EQ(second->quality, core::SampleQuality::valid);
+  expect_equal(second->rate_rad_s, {0.2F, -0.4F, 0.6F});
+}
+
+TEST(LogTickOf, ACountThatOneTurnDoesNotHaveIsNoReadingInTheReplayEither) {
+  const core::CanardsPlan canards = core::default_plan().canards;
+  RawSamples raw = some_samples();
+  raw.encoders.each[0] = {.counts = hal::encoder_counts_per_turn, .status = Status::ok};
+  raw.encoders.each[2] = {.counts = 65535, .status = Status::no_reading};
+  const protocol::LogTick tick = log_tick_of({}, raw, inputs_from(raw, canards), {});
+  EXPECT_EQ(tick.encoder_status[0], protocol::DeviceStatus::error);
+  EXPECT_EQ(tick.encoder_status[2], protocol::DeviceStatus::no_reading);
+  EXPECT_FALSE(inputs_of(tick, scales, canards).encoders[0].has_value());
+}
+
+TEST(LogTickOf, WhatCameOutOfTheLawIsKeptWithItsDigest) {
+  core::TickRecord record;
+  record.time = Microseconds{1000};
+  record.phase = core::Phase::controlling;
+  record.command_status = core::CommandStatus::controlling;
+  record.saturated = true;
+  record.command = Angle::from_degrees(6.0F);
+  record.canards[1] = {.angle = Angle::from_degrees(-3.0F), .pulse_us = 1500.0F, .driven = true};
+  const RawSamples raw = some_samples();
+  const protocol::LogTick tick =
+      log_tick_of(record, raw, inputs_from(raw, core::default_plan().canards), Microseconds{123});
+  EXPECT_EQ(tick.time, Microseconds{1000});
+  EXPECT_EQ(tick.phase, core::Phase::controlling);
+  EXPECT_EQ(tick.command_status, core::CommandStatus::controlling);
+  EXPECT_TRUE(tick.saturated);
+  EXPECT_FALSE(tick.timing_fault);
+  EXPECT_EQ(tick.command, Angle::from_degrees(6.0F));
+  EXPECT_EQ(tick.canard_commands[1], Angle::from_degrees(-3.0F));
+  EXPECT_FALSE(tick.canard_commands[0].has_value()) << "it was not driven";
+  EXPECT_EQ(tick.duration_before, Microseconds{123});
+  EXPECT_EQ(tick.digest, protocol::tick_digest(record));
+}
+
 }  // namespace
+
 }  // namespace fantail::avionics

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/recorder.hpp"
 
-#include <gtest/gtest.h>
-
 #include "recorder_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

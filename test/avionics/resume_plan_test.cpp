@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A reset in flight, and what lies in the flash: the plan, and the record of the flight.
-#include <algorithm>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "avionics/plan_store.hpp"
 #include "flash_rig.hpp"
@@ -15,6 +11,7 @@
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
 #include "recorder_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -147,10 +144,10 @@ std::vector<Replayed> replay_flights(hal::sim::Flash& flash, const core::FlightP
       }
       case protocol::LogRecord::tick: {
         const auto tick = protocol::unpack_tick(frame->head.time, frame->payload, times);
-        const SampleScales scales{
+        const SampleScales made_scales{
             .imu = {.rate_rad_s = header->rate_scale_rad_s, .specific_force_m_s2 = header->specific_force_scale_m_s2},
             .accelerometer_m_s2 = header->accelerometer_scale_m_s2};
-        const core::TickRecord& record = law->step(inputs_of(*tick, scales, plan.canards));
+        const core::TickRecord& record = law->step(inputs_of(*tick, made_scales, plan.canards));
         Replayed& now = flights.back();
         now.first_phase = now.first_phase.value_or(record.phase);
         now.ticks += 1;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The processor is reset in flight, and the whole avionics begins anew.
-#include <algorithm>
-#include <random>
-
-#include <gtest/gtest.h>
 
 #include "flying_rig.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The self-test without a board around it: a sound rocket, changed in one thing each, up to the first move of a canard.
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include <gtest/gtest.h>
-
+#include "test.hpp"
 #include "tested_rocket.hpp"
 
 namespace fantail::avionics {

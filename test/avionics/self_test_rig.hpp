@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <optional>
-
-#include <gtest/gtest.h>
-
 #include "avionics/board_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/self_test.hpp"
 
-#include <functional>
-
-#include <gtest/gtest.h>
-
 #include "avionics/self_test_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

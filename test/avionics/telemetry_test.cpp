@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/telemetry.hpp"
 
-#include <gtest/gtest.h>
-
 #include "avionics/board_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

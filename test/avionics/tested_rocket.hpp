@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <utility>
-
-#include <gtest/gtest.h>
-
 #include "avionics/self_test.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics::alone {
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
-#include <gtest/gtest.h>
-
 #include "avionics/flash_service.hpp"
 #include "flash_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <optional>
-
-#include <gtest/gtest.h>
 
 #include "avionics/write_state.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "flight_memory_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Flights that the flight law does not see, or does not control, and what else pushes a rocket.
-#include <gtest/gtest.h>
 
 #include "recorder_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::avionics {
 namespace {

@@ -1,11 +1,123 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
+#include "bench/cycle.hpp"
 #include "bench/sheet.hpp"
+#include "bench/watch.hpp"
+#include "bench/zero.hpp"
+#include "json/value.hpp"
+#include <gtest/gtest.h>
 #include "synthetic.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {
+
+// What the board reports stands on the sheet that is signed, and what keeps the rocket from being armed fails it.
+
+struct Signed {
+  Sheet sheet;
+  std::string text;
+  std::string html;
+  json::Value json;
+};
+
+Signed signed_sheet(const std::optional<protocol::BoardReport>& board, const Bounds& bounds = six_degrees()) {
+  const Exercise exercise = Exercise::limits(bounds);
+  Heading heading;
+  heading.board = board;
+  const link::Recording recording = Bench{}.record(exercise);
+  const Sheet sheet = examine(recording, exercise, {}, heading);
+  return {sheet, sheet_text(sheet), sheet_html(sheet, recording, exercise), json::parse(sheet_json(sheet))};
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(BoardOnTheSheet, AHealthyBoardStandsOnPageTerminalAndJsonAndPasses) {
+  const Signed all = signed_sheet(
+      protocol::BoardReport{.plan = protocol::PlanSource::stored, .battery_mv = std::uint16_t{7'912}, .overruns = 2});
+  EXPECT_TRUE(all.sheet.passed());
+  const std::string board = "no fault; reset by power-on, battery 7.91 V, 2 control ticks missed";
+  EXPECT_TRUE(says(all.text, "  board     " + board + "\n")) << all.text;
+  EXPECT_TRUE(says(all.html, "<dt>Board</dt><dd>" + board + "</dd>"));
+  EXPECT_TRUE(says(all.text, "The board reports no fault that forbids arming."));
+  EXPECT_EQ(all.json["board_faults"], json::Value::array());
+  EXPECT_EQ(all.json["battery_v"], 7.91);
+  EXPECT_EQ(all.json["ticks_missed"], 2);
+  EXPECT_EQ(all.json["plan_source"], "stored");
+  EXPECT_EQ(all.json["flash_failed"], false);
+}
+
+// Each of the 25 alone, and 16 together: none of them is armed (docs/can.md).
+TEST(BoardOnTheSheet, EveryFaultFailsItByItsName) {
+  for (unsigned bit = 0; bit < 25; ++bit) {
+    const Signed all = signed_sheet(protocol::BoardReport{.faults = 1U << bit});
+    const std::string name = fault_names(1U << bit).at(0);
+    EXPECT_EQ(all.sheet.judgement(), Judgement::fail) << name;
+    EXPECT_TRUE(says(all.text, "The rocket cannot be armed: its board reported " + name + ".")) << all.text;
+    EXPECT_TRUE(says(all.html, "The rocket cannot be armed: its board reported " + name + "."));
+    EXPECT_EQ(all.json["judgement"], "fail");
+    EXPECT_EQ(all.json["passed"], false);
+    EXPECT_EQ(all.json["board_faults"], json::Value::array({name}));
+  }
+  EXPECT_EQ(signed_sheet(protocol::BoardReport{.faults = 0xFFFF}).sheet.judgement(), Judgement::fail);
+}
+
+TEST(BoardOnTheSheet, AFailedFlashAndAStoredPlanThatIsNotInForceFailItToo) {
+  EXPECT_EQ(signed_sheet(protocol::BoardReport{.flash_failed = true}).sheet.judgement(), Judgement::fail);
+  for (const auto& [plan, passes] : {std::pair{protocol::PlanSource::built_in, true},
+                                     {protocol::PlanSource::stored, true},
+                                     {protocol::PlanSource::stored_is_broken, false},
+                                     {protocol::PlanSource::stored_is_newer, false},
+                                     {protocol::PlanSource::flash_unreadable, false}}) {
+    EXPECT_EQ(signed_sheet(protocol::BoardReport{.plan = plan}).sheet.passed(), passes) << static_cast<int>(plan);
+  }
+}
+
+TEST(BoardOnTheSheet, WhatIsNotKnownOfTheBoardIsNotSaid) {
+  const Signed all = signed_sheet(std::nullopt);
+  EXPECT_TRUE(all.sheet.passed());
+  EXPECT_FALSE(says(all.text, "board"));
+  EXPECT_EQ(all.json["board_faults"], nullptr);
+}
+
+TEST(BoardOnTheSheet, AnEnduranceRunHasItToo) {
+  Cycle cycle{.lap_s = 5.0, .planned_laps = 1};
+  cycle.heading.board = protocol::BoardReport{.faults = 8};
+  EXPECT_TRUE(says(cycle_text(cycle), "board     imu_silent (it cannot be armed); reset by power-on"))
+      << cycle_text(cycle);
+  EXPECT_EQ(json::parse(cycle_json(cycle))["board_faults"], json::Value::array({"imu_silent"}));
+}
+
+TEST(LittleTravel, ALimitCloseToTheTrimIsDoubtedAndNotJudged) {
+  struct Case {
+    double limit_deg;
+    double trim_deg;
+    bool judged;
+  };
+  for (const Case& one : {Case{0.3, 0.0, false}, Case{0.49, 0.0, false}, Case{0.5, 0.0, true}, Case{2.0, 1.6, false},
+                          Case{2.0, -1.6, false}, Case{2.0, 1.5, true}, Case{6.0, 6.0, false}}) {
+    const Signed all = signed_sheet(std::nullopt, six_degrees(one.limit_deg, one.trim_deg));
+    EXPECT_EQ(all.sheet.doubts.empty(), one.judged) << one.limit_deg << " deg, trim " << one.trim_deg;
+    if (!one.judged) {
+      EXPECT_EQ(all.sheet.judgement(), Judgement::none);
+      EXPECT_EQ(all.json["canards"][0]["cause"], "not_judged");
+    }
+  }
+  const Signed all = signed_sheet(std::nullopt, six_degrees(0.3));
+  EXPECT_TRUE(says(all.text,
+                   "Canard 1 has a limit of 0.30 deg and a trim of 0.00 deg; less than 0.5 deg between them is "
+                   "not judged."))
+      << all.text;
+  EXPECT_TRUE(says(all.text, "Send a plan with a wider limit of the canards, or smaller trims, and run again."))
+      << all.text;
+}
+
+TEST(LittleTravel, MeasuresNeitherCentreNorScale) {
+  const Exercise exercise = Exercise::limits_of(six_degrees(0.3), 2);
+  const ZeroReading reading = zero_reading(examine(Bench{}.record(exercise), exercise, {}, {}), 2);
+  EXPECT_FALSE(reading.run);
+  EXPECT_EQ(reading.refusal,
+            "Canard 3 is not measured: its limit of 0.30 deg is less than 0.5 deg beyond its trim of 0.00 deg.");
+}
 
 bool holds(const std::string& html, const std::string& words) { return html.find(words) != std::string::npos; }
 
@@ -85,4 +197,5 @@ TEST_F(Filling, AnExerciseThatIsGivenUpSaysWhyAndKeepsWhatItHasShown) {
 }
 
 }  // namespace
+
 }  // namespace fantail::bench

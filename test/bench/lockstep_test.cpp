@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lockstep.hpp"
 
-#include <gtest/gtest.h>
-
 #include "../core/random_stream.hpp"
 #include "bench/sheet.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {

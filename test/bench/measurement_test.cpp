@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bench/measurement.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "synthetic.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The sheet as a page, whole and while it fills.
-#include <gtest/gtest.h>
 
 #include "bench/sheet.hpp"
 #include "json/value.hpp"
 #include "synthetic.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {

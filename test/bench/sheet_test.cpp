@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench/sheet.hpp"
 
-#include <gtest/gtest.h>
-
 #include "json/value.hpp"
 #include "synthetic.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {

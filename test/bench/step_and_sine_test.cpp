@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One canard through a step or a sine: what passes, and what is said of it.
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
-#include <gtest/gtest.h>
 
 #include "bench/exercise.hpp"
 #include "bench/sheet.hpp"
 #include "json/value.hpp"
 #include "lockstep.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {

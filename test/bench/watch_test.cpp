@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "bench/watch.hpp"
 
-#include <gtest/gtest.h>
-
 #include "avionics/can_frame.hpp"
 #include "hal/board.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "json/value.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {

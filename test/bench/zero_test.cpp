@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench/zero.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "seed.hpp"
 #include "synthetic.hpp"
+#include "test.hpp"
 
 namespace fantail::bench {
 namespace {

@@ -1,5 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <thread>
+
+#include <arpa/inet.h>
 #include <fmt/core.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "can/rig.hpp"
 #include "json/value.hpp"
@@ -110,5 +121,111 @@ TEST_F(WithCantools, AClientWrittenFromTheManualAloneLoadsAPlan) {
   EXPECT_EQ(node.program.outcome().exit_code, 0);
 }
 
+using Json = json::Value;
+
+// A healthy rocket and one with canard 3 reversed, on two buses at the same time. All four canards through their whole
+// course take half a minute: test/sil does that without a bus, and test/system as the README has it, with one.
+TEST_F(CanSystem, AnExercisePassesTheHealthyRocketAndNamesTheReversedCanardOfTheOther) {
+  Node healthy{"vcan0"};
+  Node reversed{"vcan1", "bench_canard3_reversed"};
+  healthy.await_rest();
+  reversed.await_rest();
+  const Folder folder;
+  auto passing = std::async(std::launch::async, [&] {
+    return fantail_bench({"step", "--can", "vcan0", "--canard", "3", "--vehicle", "tasha3_bench", "--plan",
+                          "tasha3_launch2", "--json", "--out", folder / "healthy"});
+  });
+  const Outcome failed = fantail_bench(
+      {"step", "--can", "vcan1", "--canard", "3", "--vehicle", "tasha3_bench", "--out", folder / "reversed/sheet"});
+  const Outcome passed = passing.get();
+  EXPECT_EQ(passed.exit_code, 0) << passed.err;
+  EXPECT_FALSE(contains(passed.err, "fantail: ")) << passed.err;
+  EXPECT_EQ(passed.out, content(folder / "healthy/sheet.json"));
+  const Json sheet = json::parse(passed.out);
+  EXPECT_EQ(sheet["passed"], true) << passed.out;
+  EXPECT_EQ(sheet["exercise"], "step");
+  EXPECT_EQ(sheet["plan"], "tasha3_launch2");
+  EXPECT_EQ(sheet["canards"].size(), 1U);
+  EXPECT_PRED2(contains, content(folder / "healthy/sheet.html"), "<html");
+
+  EXPECT_EQ(failed.exit_code, 1) << failed.err;
+  EXPECT_PRED2(contains, failed.out, "\nFAIL\n");
+  EXPECT_PRED2(contains, failed.out, "Canard 3 is reversed");
+  const Json bad_sheet = json::parse(content(folder / "reversed/sheet/sheet.json"));
+  EXPECT_EQ(bad_sheet["passed"], false);
+  EXPECT_EQ(bad_sheet["canards"][0]["cause"], "reversed") << bad_sheet["canards"][0];
+  EXPECT_PRED2(contains, content(folder / "reversed/sheet/sheet.html"), "Canard 3 is reversed");
+}
+
+// What a browser is sent until the exercise has ended or the test has: it asks again and again.
+std::string seen_by_a_browser(std::uint16_t port, const std::atomic<bool>& stop) {
+  std::string seen;
+  while (!stop && !contains(seen, R"("ended":true)")) {
+    const int connection = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const sockaddr_in address{
+        .sin_family = AF_INET, .sin_port = htons(port), .sin_addr = {htonl(INADDR_LOOPBACK)}, .sin_zero = {}};
+    const std::string question = fmt::format("GET /events HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n", port);
+    if (::connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+        ::send(connection, question.data(), question.size(), MSG_NOSIGNAL) > 0) {
+      std::array<char, 4096> part{};
+      for (ssize_t n = 0; (n = ::recv(connection, part.data(), part.size(), 0)) > 0;) {
+        seen.append(part.data(), static_cast<std::size_t>(n));
+      }
+    }
+    ::close(connection);
+    std::this_thread::sleep_for(std::chrono::milliseconds{50});
+  }
+  return seen;
+}
+
+TEST_F(AtARocket, ABrowserSeesTheCanardsMoveAndTheSheetFill) {
+  constexpr std::uint16_t port = 18080;
+  const Folder folder;
+  std::atomic<bool> stop = false;
+  auto browser = std::async(std::launch::async, [&] { return seen_by_a_browser(port, stop); });
+  const Outcome outcome = fantail_bench({"step", "--can", "vcan0", "--canard", "2", "--vehicle", "tasha3_bench",
+                                         "--page-at", fmt::format("127.0.0.1:{}", port), "--out", folder / "sheet"});
+  stop = true;
+  const std::string seen = browser.get();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_PRED2(contains, outcome.err, fmt::format("page: http://127.0.0.1:{}/\n", port));
+  EXPECT_PRED2(contains, outcome.out, "\n  page   1 viewer at the same time at most, ");
+  EXPECT_PRED2(contains, seen, R"("now":"canard 2 alone: at once to one side")");
+  EXPECT_PRED2(contains, seen, R"("sheet":")");
+  EXPECT_PRED2(contains, seen, R"("ended":true)");
+  EXPECT_PRED2(contains, seen, "PASS");
+}
+
+TEST_F(AtARocket, WithAnotherPlanNothingMoves) {
+  Dump dump{"vcan0"};
+  const Outcome outcome = fantail({"bench", "limits", "--can", "vcan0", "--plan", "tasha3_launch1"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err,
+            "fantail: the rocket does not hold tasha3_launch1; send it with fantail bench plan tasha3_launch1 --can "
+            "vcan0\n");
+  EXPECT_EQ(outcome.out, "");
+  for (const LoggedFrame& each : frames(dump.log())) {
+    EXPECT_GE(each.frame.id, 0x100U) << "the bench has said something";
+  }
+}
+
+// The canards have been centred by then; the exit code alone says that there is no sheet.
+TEST_F(AtARocket, AFullDiskForTheSheetIsAnOutputFault) {
+  const Folder folder;
+  const auto full = [] {
+    const rlimit none{4096, 4096};
+    setrlimit(RLIMIT_FSIZE, &none);
+  };
+  const Outcome outcome =
+      fantail_bench({"step", "--can", "vcan0", "--canard", "1", "--out", folder / "sheet"}, {.prepare = full});
+  EXPECT_EQ(outcome.exit_code, 74);
+  EXPECT_PRED2(contains, outcome.err, "sheet.html: File too large");
+  EXPECT_TRUE(folder.listing().empty());
+  Ear ear{"vcan0"};
+  EXPECT_TRUE(ear.until([&] { return ear.link().newest<protocol::SessionReply>().has_value(); }));
+  EXPECT_EQ(ear.newest<protocol::SessionReply>().reason, protocol::SessionReason::closed_by_bench);
+}
+
 }  // namespace
+
 }  // namespace fantail::test

@@ -2,20 +2,13 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "can/program.hpp"
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/clock.hpp"
 #include "link/avionics_link.hpp"
 #include "linux/shell.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 

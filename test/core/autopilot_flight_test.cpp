@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include <gtest/gtest.h>
 
 #include "rocket.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

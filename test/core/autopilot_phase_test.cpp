@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
 #include "motion_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 /// An autopilot on a rig at 1 kHz, switch closed, canards that stand where they are told until one of them is stuck.
 class Bench {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "chaos.hpp"
 #include "core/autopilot.hpp"
 #include "core/finite.hpp"
+#include "properties.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
-
-#include <gtest/gtest.h>
 
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 #include "tunnel_run.hpp"
 
 namespace fantail::core {

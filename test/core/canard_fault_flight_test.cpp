@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From what the encoders say to what the canards are told, with no verdict set by hand.
-#include <algorithm>
-
-#include <gtest/gtest.h>
 
 #include "rocket.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

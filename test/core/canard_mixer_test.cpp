@@ -2,14 +2,10 @@
 #include "core/canard_mixer.hpp"
 
 #include <bit>
-#include <cmath>
-#include <limits>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "plan_generator.hpp"
+#include "properties.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The monitor at the edges of its limits and times, with encoders that stand exactly where they are put.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/canard_monitor.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

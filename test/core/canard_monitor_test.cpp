@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/canard_monitor.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

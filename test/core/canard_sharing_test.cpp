@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/canard_sharing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

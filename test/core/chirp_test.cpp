@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/chirp.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <cstdlib>
-#include <functional>
-#include <numbers>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "core/trig.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-
-#include <gtest/gtest.h>
 
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

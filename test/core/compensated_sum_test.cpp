@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/compensated_sum.hpp"
 
-#include <cmath>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
+#include "properties.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/flight_phase.hpp"
 
-#include <functional>
-
-#include <gtest/gtest.h>
-
 #include "phase_sequence.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

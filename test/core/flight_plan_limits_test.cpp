@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Rules of a flight plan at their very limits, and for each canard and sensor.
-#include <array>
-#include <cstddef>
 #include <cstdlib>
-#include <string>
-#include <string_view>
 
-#include <gtest/gtest.h>
-
+#include "allowed_canards.hpp"
 #include "core/flight_plan.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "plan_generator.hpp"
+#include "properties.hpp"
 
 namespace fantail::core {
 namespace {
+
+// Rules of a flight plan at their very limits, and for each canard and sensor.
 
 // Which field is at fault, and where more than one of it exist, which.
 std::string fault_of(const FlightPlan& plan) {
@@ -83,5 +81,22 @@ TEST(FlightPlan, PulsesOf500And2500MicrosecondsAreStillUnderstood) {
   }
 }
 
+RC_GTEST_PROP(ProofRanges, NoPlanThatMayFlyIsOutsideOfWhatTheProofsOfTheMixerLookAt, ()) {
+  const FlightPlan plan = arbitrary_plan();
+  RC_ASSERT(proof::is_allowed(plan.canards, plan.controller.canard_limit));
+}
+
+TEST(ProofRanges, TheirPredicateIsFalseForWhatNoPlanMayHave) {
+  const FlightPlan plan = default_plan();
+  const Angle limit = plan.controller.canard_limit;
+  EXPECT_TRUE(proof::is_allowed(plan.canards, limit));
+  EXPECT_FALSE(proof::is_allowed(plan.canards, Angle{}));
+  EXPECT_FALSE(proof::is_allowed(plan.canards, Angle::from_degrees(46.0F)));
+  CanardsPlan canards = plan.canards;
+  canards.each[3].trim = -limit;
+  EXPECT_FALSE(proof::is_allowed(canards, limit));
+}
+
 }  // namespace
+
 }  // namespace fantail::core

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/flight_plan.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
-#include <string>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
 #include "known_roll_model.hpp"
 #include "plan_generator.hpp"
+#include "properties.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/gyro_gate.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 MotionPlan waits_for_100_ms() {
   MotionPlan plan = default_plan().motion;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "core/gyro_pair.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/gyro_pair.hpp"
 
-#include <optional>
-
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 // In rad/s, as all rates here; 5 % of the rate comes on top.
 constexpr float limit = 0.2F;

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
 #include "core/launch_detector.hpp"
+#include "properties.hpp"
 #include "random_stream.hpp"
 
 namespace fantail::core {

@@ -5,13 +5,12 @@
 
 #include "core/flight_plan_fields.hpp"
 #include "core/launch_detector.hpp"
+#include "milliseconds.hpp"
 
 namespace fantail::core {
 
 inline constexpr float g = standard_gravity_m_s2;
 inline constexpr Microseconds stale_time{5'000};
-
-inline Microseconds ms(int value) { return Microseconds{value * 1'000}; }
 
 inline LaunchDetectionPlan launch_1_rule() {
   LaunchDetectionPlan plan = default_plan().launch_detection;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/launch_detector.hpp"
 
-#include <functional>
-#include <limits>
-
-#include <gtest/gtest.h>
-
 #include "launch_detector_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/low_pass.hpp"
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include <gtest/gtest.h>
+#include "milliseconds.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
 
-constexpr Microseconds one_ms{1'000};
 constexpr double tau_16_hz_s = 1.0 / (2.0 * std::numbers::pi * 16.0);
 
 TEST(LagFraction, FollowsTheExponentialForTheStepsOfAControlLoop) {

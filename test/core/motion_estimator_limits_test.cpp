@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cmath>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
 #include "motion_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
 
 constexpr float g = standard_gravity_m_s2;
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 Inputs at(Microseconds time, const Vector3& rate_rad_s, float axial_m_s2) {
   Inputs inputs;

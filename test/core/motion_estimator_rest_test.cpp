@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 
-#include <gtest/gtest.h>
-
+#include "milliseconds.hpp"
 #include "motion_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
-
-constexpr Microseconds one_ms{1'000};
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 void feed(MotionEstimator& estimator, Microseconds time, float axial_m_s2) {
   Inputs inputs;

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <limits>
-
-#include <gtest/gtest.h>
 
 #include "core/finite.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "core/motion_estimator.hpp"
+#include "milliseconds.hpp"
 #include "motion_rig.hpp"
 #include "random_stream.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
 
-constexpr Microseconds one_ms{1'000};
 constexpr double degree = MotionRig::degree;
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 /// A rocket that only turns.
 class Spin {
@@ -189,8 +184,8 @@ TEST(LostGyro, RepeatedSampleIsCoastedOnThenFailsToo) {
 }
 
 TEST(LostGyro, NotFiniteAndAbsurdRatesAreLostSamples) {
-  const float infinity = std::numeric_limits<float>::infinity();
-  for (const float bad : {infinity, -infinity, std::numeric_limits<float>::quiet_NaN(), 3e38F, -2000.0F}) {
+  for (const float bad : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                          std::numeric_limits<float>::quiet_NaN(), 3e38F, -2000.0F}) {
     for (const int axis : {0, 1, 2}) {
       Spin spin;
       spin.run(ms(10), 2.0);

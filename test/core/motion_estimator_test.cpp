@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
 #include "motion_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
 
 constexpr float g = standard_gravity_m_s2;
-constexpr Microseconds one_ms{1'000};
 constexpr double degree = MotionRig::degree;
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 TEST(MotionEstimator, TiltedGuideAndRollCostNothing) {
   for (const double tilt_deg : {0.0, 5.0, 10.0, 15.0}) {

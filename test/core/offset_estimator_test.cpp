@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/offset_estimator.hpp"
 
-#include <cmath>
-#include <utility>
-
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
 #include "known_roll_model.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/pad_movement.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/angle.hpp"
 #include "core/inputs.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cmath>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "core/pad_window.hpp"
+#include "milliseconds.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
 
 constexpr float g = standard_gravity_m_s2;
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 /// A rocket that stands still, sampled once a millisecond. Every sample is another one, so that a mean says which ones
 /// are in it; all are whole 2^-20 rad/s and 2^-10 m/s2.

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/pad_window.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {
 
 constexpr float g = standard_gravity_m_s2;
 constexpr Vector3 upright_at_rest{g, 0.0F, 0.0F};
-
-Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 class Pad {
  public:

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-
-#include <gtest/gtest.h>
-
 #include "core/flight_phase.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
+#include "test.hpp"
 #include "tunnel_run.hpp"
 
 namespace fantail::core {
-
-inline Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 struct Tick : PhaseInputs {
   Motion motion;

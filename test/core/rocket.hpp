@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <utility>
-
-#include <gtest/gtest.h>
-
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "milliseconds.hpp"
 #include "motion_rig.hpp"
+#include "test.hpp"
 #include "tunnel_run.hpp"
 
 namespace fantail::core {
-
-inline Microseconds ms(int value) { return Microseconds{value * 1'000LL}; }
 
 /// An autopilot on a rig, at 1 kHz, with canards that stand where they are told.
 class Rocket {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/roll_reference.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/tick_record.hpp"
 
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

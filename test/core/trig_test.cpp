@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/trig.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::core {
 namespace {

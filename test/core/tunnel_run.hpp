@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "test.hpp"
 
 namespace fantail::core {
 

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The table of docs/device_faults.md, run: each row is a device and what is wrong with it, each column a phase. Every
-// case begins in a copy of a rocket that is well.
-#include <array>
 #include <fstream>
-#include <functional>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "faults.hpp"
+#include "test.hpp"
 #include "whole_board.hpp"
 
 namespace fantail::devices {
 namespace {
+
+// The table of docs/device_faults.md, run: each row is a device and what is wrong with it, each column a phase. Every
+// case begins in a copy of a rocket that is well.
 
 using core::Phase;
 
@@ -219,5 +214,20 @@ TEST_F(DeviceFaults, WhenControlIsOver) {
   expect_column(Phase::finished, in_finished);
 }
 
+// The driver of the switch needs 50 ms to know it, and what it says meanwhile is not "open".
+TEST(PowerUp, WithTheSwitchClosedDoesNotArmBeforeItWasOpened) {
+  WholeBoard board;
+  board.set_switch(true);
+  board.run(4'000);
+  board.try_to_arm();
+  EXPECT_EQ(board.record().phase, core::Phase::safe);
+  EXPECT_EQ(board.refusal(), "switch_not_cycled");
+  board.set_switch(false);
+  board.run(100);
+  board.try_to_arm();
+  EXPECT_EQ(board.record().phase, core::Phase::armed) << board.refusal();
+}
+
 }  // namespace
+
 }  // namespace fantail::devices

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distributions/quantiles.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::distributions {
 namespace {

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "world_link/link.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <deque>
-#include <span>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "core/tick_record_fields.hpp"
 #include "protocol/hil_codec.hpp"
 #include "protocol/hil_frame.hpp"
+#include "test.hpp"
 #include "world_link/exchange.hpp"
 
 namespace fantail::test {

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <csignal>
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <set>
-#include <span>
-#include <string>
-#include <vector>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include "emulator/images.hpp"
 #include "input/scenario_file.hpp"
 #include "protocol/tick_digest.hpp"
 #include "sim/world.hpp"
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::test {

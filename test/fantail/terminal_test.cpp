@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/terminal.hpp"
 
-#include <gtest/gtest.h>
+#include <filesystem>
+#include <fstream>
 
+#include "fantail/deliver.hpp"
+#include "fantail/live_screen.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/terminal.hpp"
+#include "test.hpp"
 namespace fantail::tool {
 namespace {
 
@@ -63,5 +69,68 @@ TEST_F(Painted, NothingIsWhenNobodyWantsColours) {
   EXPECT_EQ(painted_phase("phase safe\n"), "phase safe\n");
 }
 
+TEST(ProgressLine, SaysHowFarHowFastAndHowLongStill) {
+  EXPECT_EQ(progress_line("flying x", {.unit = "runs", .rate = " a second", .total = 60.0}, 12.0, 1.0),
+            "flying x: 12 of 60 runs, 12 a second, 4 s to go");
+  EXPECT_EQ(progress_line("paper", {.unit = "chapters", .rate = " a second", .total = 8.0}, 3.0, 6.0),
+            "paper: 3 of 8 chapters, 0.5 a second, 10 s to go");
+}
+
+TEST(ProgressLine, OfAFewSecondsDoesNotRoundWhatIsStillToDoAway) {
+  EXPECT_EQ(progress_line("canards", {.unit = "s", .rate = " x real time", .total = 3.3}, 2.6, 48.0),
+            "canards: 2.6 of 3.3 s, 0.054 x real time, 13 s to go");
+}
+
+TEST(ProgressLine, SaysNothingThatIsNotKnown) {
+  EXPECT_EQ(progress_line("paper", {.unit = "chapters", .rate = " a second", .total = 8.0}, 0.0, 6.0),
+            "paper: 0 of 8 chapters");
+  EXPECT_EQ(progress_line("searching", {.unit = "steps", .rate = " a second", .total = {}}, 9.0, 1.0),
+            "searching: 9 steps, 9 a second");
+}
+
+TEST(ProgressLine, CountsALongTimeInMinutes) {
+  EXPECT_EQ(progress_line("flying", {.unit = "runs", .rate = " a second", .total = 1200.0}, 100.0, 100.0),
+            "flying: 100 of 1200 runs, 1 a second, 18 min to go");
+}
+
+TEST(ProgressLine, SaysNoTotalThatTurnedOutTooSmall) {
+  EXPECT_EQ(progress_line("flying", {.unit = "s", .rate = " x real time", .total = 10.0}, 20.0, 1.0),
+            "flying: 20 s, 20 x real time");
+}
+
+const std::string begin = "\033[?2026h\033[?25l\033[?7l\033[H";
+const std::string end = "\033[J\033[?7h\033[?25h\033[?2026l";
+
+TEST(LiveFrame, DrawsEachLineToItsEndOverTheOneBeforeAndClearsOnlyWhatIsBelow) {
+  EXPECT_EQ(live_frame("one\n\ntwo\n", 80, 24), begin + "one\033[K\r\n\033[K\r\ntwo\033[K" + end);
+}
+
+TEST(LiveFrame, LeavesOutWhatTheTerminalHasNoRowsForAndSaysHowMuch) {
+  EXPECT_EQ(live_frame("1\n2\n3\n4\n", 80, 4), begin + "1\033[K\r\n2\033[K\r\n3\033[K\r\n4\033[K" + end);
+  EXPECT_EQ(live_frame("1\n2\n3\n4\n", 80, 3),
+            begin + "1\033[K\r\n2\033[K\r\n(2 more lines: the terminal is too low)\033[K" + end);
+}
+
+TEST(LiveFrame, BreaksLinesThatAreTooWide) {
+  EXPECT_EQ(live_frame("one two three\n", 10, 24), begin + "one two\033[K\r\n  three\033[K" + end);
+}
+
+namespace fs = std::filesystem;
+
+// The digest of "abc" is the example of FIPS 180-4. A log that somebody has moved away costs no result.
+TEST(Made, HashesTheFilesThatAreThereAndOnlyThose) {
+  const fs::path folder = fs::path{testing::TempDir()} / "made_with";
+  fs::create_directories(folder);
+  std::ofstream{folder / "plan.toml"} << "abc";
+  const result::Made made = made_with({folder / "plan.toml", folder / "moved_away.csv", folder, ""}, 7, {"a.b=c"});
+  ASSERT_EQ(made.inputs.size(), 1U);
+  EXPECT_EQ(made.inputs[0].file, "plan.toml");
+  EXPECT_EQ(made.inputs[0].sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(made.seed, 7U);
+  EXPECT_EQ(made.changes, std::vector<std::string>{"a.b=c"});
+  fs::remove_all(folder);
+}
+
 }  // namespace
+
 }  // namespace fantail::tool

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flight/flight.hpp"
 
-#include <limits>
-
-#include <gtest/gtest.h>
-
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::flight {

@@ -2,16 +2,10 @@
 // The schema that goes into every header, against what is written.
 #include "protocol/log_schema.hpp"
 
-#include <algorithm>
-#include <array>
-#include <map>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "flight_log/schema.hpp"
 #include "protocol/log_notes.hpp"
 #include "protocol/log_tick.hpp"
+#include "test.hpp"
 
 namespace fantail::flight_log {
 namespace {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "flight_log/flight_log.hpp"
 #include "flight_log/made_flight.hpp"
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::flight_log {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <iterator>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "flight_log/log_maker.hpp"
 #include "flight_log/made_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::flight_log {
 namespace {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "flight_log/regenerate.hpp"
 
-#include <functional>
-
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
 #include "flight_log/log_maker.hpp"
 #include "flight_log/made_flight.hpp"
 #include "protocol/tick_digest.hpp"
+#include "test.hpp"
 
 namespace fantail::flight_log {
 namespace {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+
 #include "flight_log/to_report.hpp"
 
-#include <gtest/gtest.h>
-
 #include "flight/write_csv.hpp"
+#include "flight_log/event_text.hpp"
+#include "flight_log/flight_figures.hpp"
 #include "flight_log/made_flight.hpp"
+#include "flight_log/schema.hpp"
+#include "hal/board.hpp"
+#include "test.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -94,5 +98,134 @@ TEST(ToReport, AFlightThatCannotBeReplayedHasNoRowsAndSaysWhy) {
   EXPECT_NE(result.notes[0].find("no checkpoint"), std::string::npos);
 }
 
+std::string of_board(std::uint32_t bits) {
+  return event_text({.kind = protocol::LogEventKind::board_faults, .number = bits}, {});
+}
+
+// The recorder says the phase of its first tick, which may be minutes old.
+TEST(EventText, APhaseThatTheFirstTickShowsBeganBeforeTheLog) {
+  protocol::LogEvent event{.time = core::Microseconds{5000},
+                           .kind = protocol::LogEventKind::phase,
+                           .value = static_cast<std::uint8_t>(core::Phase::armed),
+                           .detail = static_cast<std::uint8_t>(core::PhaseReason::armed_by_switch_and_command)};
+  EXPECT_EQ(event_text(event, core::Microseconds{5000}),
+            "Armed: already when the log begins (armed by switch and command)");
+  EXPECT_EQ(event_text(event, core::Microseconds{4000}), "Armed: armed by switch and command");
+}
+
+TEST(EventText, NamesEveryFaultOfTheBoard) {
+  constexpr std::uint32_t low = 1U << static_cast<unsigned>(hal::BoardFault::supply_low);
+  EXPECT_EQ(of_board(low), "board: supply_low");
+  EXPECT_EQ(of_board(1U << 3U | low), "board: imu_silent, supply_low");
+  EXPECT_EQ(of_board(0), "board: no fault");
+}
+
+TEST(EventText, AFaultOfANewerBoardIsNotPassedOver) {
+  EXPECT_EQ(of_board(0x8000'0000), "board: unknown 0x80000000");
+  EXPECT_EQ(of_board(0x8000'0001), "board: crystal_failed, unknown 0x80000000");
+}
+
+using core::Microseconds;
+
+Flight with_durations(const std::vector<int>& durations_us) {
+  Flight flight;
+  for (std::size_t i = 0; i < durations_us.size(); ++i) {
+    flight.ticks.push_back({.sequence = static_cast<std::uint32_t>(i),
+                            .tick = {.time = Microseconds{1'000} * static_cast<std::int64_t>(i),
+                                     .duration_before = Microseconds{durations_us[i]}}});
+  }
+  return flight;
+}
+
+TEST(LoopTimes, MeanNinetyNinthPercentileAndLongest) {
+  std::vector<int> durations(198, 100);
+  durations.push_back(400);
+  durations.push_back(1'000);
+  const auto times = loop_times(with_durations(durations));
+  ASSERT_TRUE(times.has_value());
+  EXPECT_EQ(times->ticks, 200U);
+  EXPECT_DOUBLE_EQ(times->mean_us, (198 * 100 + 400 + 1'000) / 200.0);
+  EXPECT_EQ(times->p99_us, 100.0) << "198 of 200 are 99 %";
+  EXPECT_EQ(times->longest_us, 1'000.0);
+  EXPECT_EQ(times->late, 1U) << "a whole millisecond is too long";
+  EXPECT_EQ(times->longest_step_us, 1'000.0);
+}
+
+TEST(LoopTimes, OneTickIsItsOwnPercentile) {
+  const auto times = loop_times(with_durations({70}));
+  ASSERT_TRUE(times.has_value());
+  EXPECT_EQ(times->p99_us, 70.0);
+  EXPECT_EQ(times->longest_step_us, 0.0);
+}
+
+TEST(LoopTimes, AStepOverLostRecordsIsNoLateTick) {
+  Flight flight = with_durations({100, 100, 100, 100});
+  flight.ticks[2].sequence += 5;
+  flight.ticks[3].sequence += 5;
+  flight.ticks[2].tick.time += Microseconds{5'000};
+  flight.ticks[3].tick.time += Microseconds{6'200};
+  flight.gaps.push_back({.first_missing = 2, .count = 5});
+  EXPECT_EQ(loop_times(flight)->longest_step_us, 2'200.0);
+}
+
+TEST(LoopTimes, NoTickHasNone) { EXPECT_FALSE(loop_times(Flight{}).has_value()); }
+
+constexpr std::array bytes{std::byte{0xFE}, std::byte{0xFF}, std::byte{0x34}, std::byte{0x12},
+                           std::byte{0x00}, std::byte{0x00}, std::byte{0x20}, std::byte{0x41}};
+
+std::optional<double> read(const std::string& type_at) {
+  const auto schema = parse_schema("tick 8\n" + type_at + " x\n");
+  const SchemaField* field = find_record(schema, "tick")->find("x");
+  return field == nullptr ? std::nullopt : value(*field, bytes);
+}
+
+TEST(Schema, EveryTypeIsReadWhereItLies) {
+  EXPECT_EQ(read("0 u8"), 254.0);
+  EXPECT_EQ(read("0 i8"), -2.0);
+  EXPECT_EQ(read("0 i16"), -2.0);
+  EXPECT_EQ(read("0 u16"), 65534.0);
+  EXPECT_EQ(read("2 u16"), 4660.0);
+  EXPECT_EQ(read("0 u32"), 305463294.0);  // 0x1234FFFE
+  EXPECT_EQ(read("4 f32"), 10.0);
+  EXPECT_EQ(read("0 i32"), 305463294.0);
+}
+
+TEST(Schema, BitsAreCutOut) {
+  EXPECT_EQ(read("2 u16:0.4"), 4.0);
+  EXPECT_EQ(read("2 u16:4.4"), 3.0);
+  EXPECT_EQ(read("2 u16:12.4"), 1.0);
+  EXPECT_EQ(read("0 u8:0.8"), 254.0);
+}
+
+TEST(Schema, ALineThatCannotBeUnderstoodIsLeftOutAndTheOthersStay) {
+  for (const char* line : {"0 u128", "0 u16:15.2", "0 u16:16.1", "0 u16:1.0", "0 i16:1.2", "0 u16:1", "8 u8", "7 u16",
+                           "18446744073709551615 u8", "0 f16", "0"}) {
+    const auto schema = parse_schema(std::string{"tick 8\n"} + line + " x unit\n1 u8 y furlong\n");
+    ASSERT_EQ(schema.size(), 1U) << line;
+    EXPECT_EQ(schema[0].find("x"), nullptr) << line;
+    ASSERT_NE(schema[0].find("y"), nullptr) << line;
+    EXPECT_EQ(schema[0].find("y")->unit, "furlong");
+  }
+}
+
+TEST(Schema, ARecordWhoseSizeCannotBeReadIsLeftOutWithItsLines) {
+  const auto schema = parse_schema("tick many\n0 u8 a\nevent 2\n1 u8 b\n");
+  ASSERT_EQ(schema.size(), 1U);
+  EXPECT_EQ(schema[0].name, "event");
+  EXPECT_EQ(find_record(schema, "tick"), nullptr);
+}
+
+TEST(Schema, AShortPayloadHasNoValue) {
+  const auto schema = parse_schema("tick 8\n6 u16 x\n");
+  EXPECT_EQ(value(schema[0].fields[0], std::span{bytes}.first(7)), std::nullopt);
+}
+
+TEST(Schema, AnyTextIsASchemaOfSomeRecords) {
+  EXPECT_TRUE(parse_schema("").empty());
+  EXPECT_TRUE(parse_schema("0 u8 field_before_any_record\n").empty());
+  EXPECT_TRUE(parse_schema("\n\n\n").empty());
+}
+
 }  // namespace
+
 }  // namespace fantail::flight_log

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A fuzzer's target without the fuzzer: its seeds, each of their beginnings, and mutations of them.
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "seed.hpp"
 #include "target.hpp"
+#include "test.hpp"
 
 namespace fantail::fuzz {
 namespace {

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The fuzzer's target without the fuzzer: its corpus, and mutations of it from a seed.
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "seed.hpp"
 #include "system/folder.hpp"
+#include "test.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

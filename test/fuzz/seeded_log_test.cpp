@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The fuzzer's target without the fuzzer: its seeds, and mutations of them.
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "fuzz/log_seeds.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "hal/linux/file_flash.hpp"
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <string>
-#include <vector>
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "test.hpp"
 
 namespace fantail::hal::on_linux {
 namespace {

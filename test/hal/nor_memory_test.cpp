@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hal/nor_memory.hpp"
 
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
+#include "properties.hpp"
 
 namespace fantail::hal {
 namespace {

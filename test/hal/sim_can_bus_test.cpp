@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <optional>
-
-#include <gtest/gtest.h>
 
 #include "hal/sim/can_bus.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::sim {
 namespace {

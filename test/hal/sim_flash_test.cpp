@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cstdint>
-#include <set>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "hal/sim/flash.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::sim {
 namespace {

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hardover/study.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "input/scenario_file.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 

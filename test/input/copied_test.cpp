@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
-#include <iterator>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "input/file_checks.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "scratch_file.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "input/document.hpp"
 
-#include <gtest/gtest.h>
-
 #include "input/messages.hpp"
 #include "input/section.hpp"
 #include "scratch_file.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/field.hpp"
 
-#include <cmath>
-#include <set>
-
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "input/messages.hpp"
 #include "input/plan_file.hpp"
@@ -13,6 +9,7 @@
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
 #include "scratch_file.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

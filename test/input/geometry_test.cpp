@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "input/messages.hpp"
 #include "input/scenario_file.hpp"
 #include "input/vehicle_file.hpp"
 #include "scratch_file.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

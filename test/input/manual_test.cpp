@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
-#include <map>
-
-#include <gtest/gtest.h>
 
 #include "input/fault_file.hpp"
 #include "input/messages.hpp"
 #include "input/scenario_file.hpp"
 #include "input/vehicle_file.hpp"
 #include "scratch_file.hpp"
+#include "test.hpp"
 
 // docs/your_rocket.md is made from the tables of fields wherever it lists fields.
 namespace fantail::input {

@@ -2,19 +2,13 @@
 #include "input/plan_file.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <iomanip>
-#include <iterator>
-#include <optional>
-#include <random>
-#include <sstream>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "scratch_file.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

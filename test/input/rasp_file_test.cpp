@@ -3,13 +3,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
-#include <optional>
-#include <string>
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {

@@ -4,12 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "scratch_file.hpp"
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {

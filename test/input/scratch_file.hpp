@@ -3,14 +3,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <string>
-#include <string_view>
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "input/document.hpp"
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {

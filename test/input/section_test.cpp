@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/section.hpp"
 
-#include <array>
-
-#include <gtest/gtest.h>
-
 #include "scratch_file.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

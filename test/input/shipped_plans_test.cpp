@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
 #include "input/plan_file.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/toml_tree.hpp"
 
-#include <gtest/gtest.h>
-
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::input {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "input/vehicle_file.hpp"
 
-#include <algorithm>
-
-#include <gtest/gtest.h>
-
 #include "input/scenario_file.hpp"
 #include "scratch_file.hpp"
+#include "test.hpp"
 
 namespace fantail::input {
 namespace {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "json/value.hpp"
 
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <limits>
-#include <random>
-#include <sstream>
-
-#include <gtest/gtest.h>
 
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::json {
 namespace {

@@ -2,16 +2,10 @@
 // One rocket sends a heartbeat every 100 ms of its own time; what cannot be so is two of them.
 #include "link/heartbeats.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <optional>
-
-#include <gtest/gtest.h>
-
 #include "../core/random_stream.hpp"
 #include "link/frame_order.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::link {
 namespace {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "link/arm_steps.hpp"
+#include "link/avionics_link.hpp"
+#include "link/log_download.hpp"
 #include <algorithm>
-#include <string>
-
 #include <gtest/gtest.h>
-
+#include <string>
 #include "link/log_download.hpp"
 #include "link/made_record.hpp"
 #include "protocol/log_notes.hpp"
+#include "system/folder.hpp"
+#include "test.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::link {
 namespace {
@@ -117,5 +121,116 @@ TEST(LogFlights, AHeaderOfAnotherFlightBeginsOneWhateverItsNumber) {
   EXPECT_EQ(flights[1].missing_records, 500U);
 }
 
+std::vector<std::byte> bytes(std::size_t count, int first) {
+  std::vector<std::byte> out(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i] = static_cast<std::byte>(static_cast<std::size_t>(first) + i);
+  }
+  return out;
+}
+
+TEST(LogPart, GoesOnWhereTheOneBeforeItEndedAndGoesAwayWhenItIsDone) {
+  const test::Folder folder;
+  const std::string path = folder / "deep/er/record.part";
+  {
+    LogPart part{path};
+    EXPECT_EQ(part.size(), 0U);
+    part.append(bytes(300, 1));
+  }
+  LogPart part{path};
+  EXPECT_EQ(part.size(), 300U);
+  part.append(bytes(100, 7));
+  EXPECT_EQ(part.size(), 400U);
+  EXPECT_EQ(part.read(0, 300), bytes(300, 1));
+  EXPECT_EQ(part.read(300, 100), bytes(100, 7));
+  EXPECT_THROW((void)part.read(301, 100), text::OutputError);
+  part.start_anew();
+  EXPECT_EQ(part.size(), 0U);
+  part.append(bytes(5, 9));
+  EXPECT_EQ(part.read(0, 5), bytes(5, 9));
+  part.remove();
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(LogPart, AFolderThatCannotBeMadeAndADiskThatIsFullAreNamed) {
+  const test::Folder folder;
+  (void)folder.write("file", "");
+  EXPECT_THROW(LogPart{folder / "file/record.part"}, text::OutputError);
+  if (std::filesystem::exists("/dev/full")) {
+    LogPart full{"/dev/full"};
+    try {
+      full.append(bytes(10, 0));
+      FAIL() << "a full disk took it";
+    } catch (const text::OutputError& error) {
+      EXPECT_EQ(std::string{error.what()}, "/dev/full: No space left on device");
+    }
+  }
+}
+
+TEST(Recording, CountsTheNumbersThatNeverCame) {
+  Recording recording;
+  for (const std::int64_t number : {10, 11, 14, 15, 20}) {
+    EXPECT_TRUE(recording.add({.number = number}));
+  }
+  EXPECT_EQ(recording.lost_ticks(), 6U);
+  EXPECT_EQ(recording.refused_ticks(), 0U);
+}
+
+TEST(Recording, RefusesWhatComesTwiceOrLate) {
+  Recording recording;
+  EXPECT_TRUE(recording.add({.number = 10}));
+  EXPECT_FALSE(recording.add({.number = 10}));
+  EXPECT_FALSE(recording.add({.number = 9}));
+  EXPECT_TRUE(recording.add({.number = 11}));
+  EXPECT_EQ(recording.ticks().size(), 2U);
+  EXPECT_EQ(recording.refused_ticks(), 2U);
+}
+
+TEST(Recording, HoldsNoMoreThanItsBoundWhateverNumbersCome) {
+  Recording recording{100};
+  for (int i = 0; i < 1000; ++i) {
+    recording.add({.number = i});
+  }
+  EXPECT_EQ(recording.ticks().size(), 100U);
+  EXPECT_FALSE(recording.add({.number = std::numeric_limits<std::int64_t>::max()}));
+  Recording far{100};
+  EXPECT_TRUE(far.add({.number = std::numeric_limits<std::int64_t>::min()}));
+  EXPECT_FALSE(far.add({.number = std::numeric_limits<std::int64_t>::max()}));
+  EXPECT_EQ(far.lost_ticks(), 0U);
+}
+
+TEST(Recording, AnEmptyOneHasLostNothing) { EXPECT_EQ(Recording{}.lost_ticks(), 0U); }
+
+using protocol::ArmReply;
+using protocol::SelfTestState;
+
+constexpr ArmReply running(std::optional<std::size_t> canard) {
+  return {.self_test = SelfTestState::running, .canard = canard};
+}
+
+std::vector<std::size_t> said(const std::vector<ArmReply>& replies) {
+  CanardUnderTest canard;
+  std::vector<std::size_t> all;
+  for (const ArmReply& reply : replies) {
+    if (const auto news = canard.news(reply)) {
+      all.push_back(*news);
+    }
+  }
+  return all;
+}
+
+TEST(CanardUnderTest, EachIsSaidOnce) {
+  EXPECT_EQ(said({running({}), running(0), running(0), running(1), running(1), running(2), running(3), running(3)}),
+            (std::vector<std::size_t>{0, 1, 2, 3}));
+}
+
+// A second rocket rests for its self-test, or a stranger's frame comes, while a canard of the first one moves.
+TEST(CanardUnderTest, AReplyThatNamesNoneIsOfNone) {
+  const ArmReply passed{.self_test = SelfTestState::passed, .canard = 2};
+  EXPECT_EQ(said({running(1), running({}), running(1), passed, running({}), running(2)}),
+            (std::vector<std::size_t>{1, 2}));
+}
+
 }  // namespace
+
 }  // namespace fantail::link

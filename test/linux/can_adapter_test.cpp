@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Real error frames of the kernel: the slcan driver makes them of what an adapter reports.
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "hal/linux/can_bus.hpp"
 #include "linux/adapter.hpp"
 #include "linux/shell.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

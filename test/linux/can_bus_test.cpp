@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hal/linux/can_bus.hpp"
 
-#include <cstdint>
-
-#include <gtest/gtest.h>
-
 #include "linux/shell.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

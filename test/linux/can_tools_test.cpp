@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The same frames in the words of can-utils, which was not written by us.
-#include <array>
-
-#include <gtest/gtest.h>
 
 #include "hal/linux/can_bus.hpp"
 #include "linux/shell.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

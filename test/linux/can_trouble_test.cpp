@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What a person is told who has no bus; on any kernel, with CAN or without.
 #include <cerrno>
-#include <string>
 
-#include <gtest/gtest.h>
 #include <linux/can.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include "hal/linux/can_bus.hpp"
 #include "hal/linux/can_interface.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

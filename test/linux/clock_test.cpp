@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

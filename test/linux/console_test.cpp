@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "hal/linux/console.hpp"
 
-#include <array>
 #include <chrono>
-#include <string>
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
+
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

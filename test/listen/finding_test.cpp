@@ -7,7 +7,7 @@
 #include "listen/fly_log.hpp"
 #include "listen/made_log.hpp"
 #include "listen/sentences.hpp"
-#include "random/seed.hpp"
+#include "seed.hpp"
 
 namespace fantail::listen {
 namespace {

@@ -13,6 +13,7 @@
 #include "listen/sentences.hpp"
 #include "logs/refused.hpp"
 #include "random/seed.hpp"
+#include "seed.hpp"
 
 namespace fantail::listen {
 namespace {

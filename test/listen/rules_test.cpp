@@ -9,7 +9,7 @@
 #include "listen/lift_off.hpp"
 #include "listen/range_end.hpp"
 #include "listen/sensors.hpp"
-#include "random/seed.hpp"
+#include "seed.hpp"
 
 namespace fantail::listen {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "live/feed.hpp"
 
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::live {
 namespace {

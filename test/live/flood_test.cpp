@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Strangers who ask without an end, over raw sockets.
 #include <chrono>
-#include <functional>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "served.hpp"
+#include "test.hpp"
 
 namespace fantail::live {
 namespace {

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <string>
 #include <thread>
-#include <utility>
 
 #include <arpa/inet.h>
-#include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include "live/server.hpp"
+#include "test.hpp"
 
 namespace fantail::live {
 

@@ -3,13 +3,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <optional>
 #include <thread>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "served.hpp"
+#include "test.hpp"
 
 namespace fantail::live {
 namespace {

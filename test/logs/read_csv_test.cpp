@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "logs/read_csv.hpp"
 
-#include <cmath>
-#include <initializer_list>
-#include <string>
-#include <string_view>
-
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "core/flight_phase.hpp"
 #include "flight/columns.hpp"
@@ -17,6 +11,7 @@
 #include "report/figures.hpp"
 #include "report/sections.hpp"
 #include "report/verdict.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::logs {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "manual/completion.hpp"
 
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::manual {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "page/heat_map.hpp"
+#include "page/svg_plot.hpp"
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <random>
-
-#include <gtest/gtest.h>
-
-#include "page/svg_plot.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::page {
 namespace {
@@ -91,5 +91,108 @@ TEST(Axis, ARangeGrowsByNumbersOnly) {
   EXPECT_EQ(range->high, 2.0);
 }
 
+double linear(double level) { return level <= 0.04045 ? level / 12.92 : std::pow((level + 0.055) / 1.055, 2.4); }
+
+// CIE 1976 L*, a*, b* of an sRGB colour.
+std::array<double, 3> lab(Colour colour) {
+  const double r = linear(colour.red / 255.0);
+  const double g = linear(colour.green / 255.0);
+  const double b = linear(colour.blue / 255.0);
+  const auto f = [](double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; };
+  const double x = f((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505);
+  const double y = f(0.2126 * r + 0.7152 * g + 0.0722 * b);
+  const double z = f((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089);
+  return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
+}
+
+TEST(ColourScale, GetsLighterAllTheWay) {
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_LT(lab(colour_at(i / 100.0))[0], lab(colour_at((i + 1) / 100.0))[0]) << i;
+  }
+}
+
+TEST(ColourScale, EqualStepsLookAboutEqual) {
+  std::array<double, 16> steps{};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto a = lab(colour_at(static_cast<double>(i) / 16.0));
+    const auto b = lab(colour_at(static_cast<double>(i + 1) / 16.0));
+    steps[i] = b[0] - a[0];  // lightness: what is left without colour vision
+    sum += steps[i];
+  }
+  for (const double step : steps) {
+    EXPECT_GT(step, 0.6 * sum / 16.0);
+    EXPECT_LT(step, 1.4 * sum / 16.0);
+  }
+}
+
+TEST(ColourScale, OutsideItEndsAreHeld) {
+  EXPECT_EQ(colour_at(-3.0), colour_at(0.0));
+  EXPECT_EQ(colour_at(7.0), colour_at(1.0));
+  EXPECT_NE(colour_at(0.0), colour_at(1.0));
+}
+
+bool holds(const std::vector<std::size_t>& kept, std::size_t index) {
+  return std::binary_search(kept.begin(), kept.end(), index);
+}
+
+TEST(Thinning, KeepsASpikeOfOneSampleInAnySeries) {
+  std::vector<std::vector<double>> series(2, std::vector<double>(20'000, 1.0));
+  series[0][12'345] = 50.0;
+  series[1][777] = -50.0;
+  const auto kept = keep_extremes(series, 100);
+  EXPECT_TRUE(holds(kept, 12'345));
+  EXPECT_TRUE(holds(kept, 777));
+  EXPECT_LE(kept.size(), 100U * 5U + 1U);
+}
+
+TEST(Thinning, KeepsFirstAndLastAndIncreases) {
+  const std::vector<std::vector<double>> series(1, std::vector<double>(9'999, 0.0));
+  const auto kept = keep_extremes(series, 50);
+  EXPECT_EQ(kept.front(), 0U);
+  EXPECT_EQ(kept.back(), 9'998U);
+  EXPECT_TRUE(std::ranges::is_sorted(kept, std::less_equal<>{}));
+}
+
+TEST(Thinning, LeavesAShortSeriesAlone) {
+  const std::vector<std::vector<double>> series(1, std::vector<double>(30, 0.0));
+  EXPECT_EQ(keep_extremes(series, 10).size(), 30U);
+  EXPECT_TRUE(keep_extremes({}, 10).empty());
+}
+
+TEST(Thinning, SkipsWhatIsNotANumber) {
+  std::vector<std::vector<double>> series(1, std::vector<double>(1'000, std::numeric_limits<double>::quiet_NaN()));
+  series[0][503] = 1.0;
+  series[0][507] = 3.0;
+  series[0][509] = 2.0;
+  const auto kept = keep_extremes(series, 10);
+  EXPECT_TRUE(holds(kept, 503));
+  EXPECT_TRUE(holds(kept, 507));
+}
+
+TEST(Thinning, EveryStretchKeepsItsSmallestAndLargestValueOfNoise) {
+  std::mt19937 random{test::seed(20'151'204)};
+  std::vector<std::vector<double>> series(3, std::vector<double>(10'000));
+  for (auto& values : series) {
+    std::ranges::generate(values, [&] { return static_cast<double>(random()); });
+  }
+  const auto kept = keep_extremes(series, 100);
+  for (const auto& values : series) {
+    for (std::size_t begin = 0; begin < values.size(); begin += 100) {
+      const auto [low, high] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                   values.begin() + static_cast<std::ptrdiff_t>(begin + 100));
+      EXPECT_TRUE(holds(kept, static_cast<std::size_t>(low - values.begin())));
+      EXPECT_TRUE(holds(kept, static_cast<std::size_t>(high - values.begin())));
+    }
+  }
+}
+
+TEST(Thinning, AGapIsFiveTimesTheUsualStep) {
+  EXPECT_EQ(gaps(std::vector<double>{0, 1, 2, 3, 9, 10, 15}), std::vector<std::size_t>{4});
+  EXPECT_TRUE(gaps(std::vector<double>{0, 1}).empty());
+  EXPECT_TRUE(gaps({}).empty());
+}
+
 }  // namespace
+
 }  // namespace fantail::page

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <limits>
-
-#include <gtest/gtest.h>
 
 #include "page/chart.hpp"
 #include "svg_reader.hpp"
+#include "test.hpp"
 
 namespace fantail::page {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/chart.hpp"
 
-#include <cmath>
-#include <limits>
-
-#include <gtest/gtest.h>
-
 #include "svg_reader.hpp"
+#include "test.hpp"
 
 namespace fantail::page {
 namespace {

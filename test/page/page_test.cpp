@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.hpp"
 
-#include <gtest/gtest.h>
-
 #include "page/chart.hpp"
+#include "test.hpp"
 
 namespace fantail::page {
 namespace {

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the roll model's identification must give back: Table 2, and the limits of what a window can tell.
+
 #include "identify/identification.hpp"
-
-#include <array>
-#include <cmath>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "identify/model/open_loop.hpp"
@@ -15,9 +10,13 @@
 #include "input/shipped.hpp"
 #include "paper/flown_record.hpp"
 #include "paper/published_steps.hpp"
+#include "paper/recomputed.hpp"
+#include "test.hpp"
 
 namespace fantail::paper {
 namespace {
+
+// What the roll model's identification must give back: Table 2, and the limits of what a window can tell.
 
 using identify::model::Record;
 using identify::result::Identification;
@@ -121,5 +120,45 @@ TEST(Oracle, Row25TheMeansOfTable2) {
   }
 }
 
+constexpr double g = 9.80665;
+
+// By steps of 10 us: the speed is held until what is left is what a coast needs, found by trying.
+double stepped_time_s(double height_m, double speed_m_s, double drag_per_mass_1_m) {
+  constexpr double dt = 1e-5;
+  double coast_m = 0.0;
+  double coast_s = 0.0;
+  for (double v = speed_m_s; v > 0.0; v -= (g + drag_per_mass_1_m * v * v) * dt) {
+    coast_m += v * dt;
+    coast_s += dt;
+  }
+  return coast_s + (height_m - coast_m) / speed_m_s;
+}
+
+TEST(FastestAscent, IsTheTimeThatSmallStepsGive) {
+  EXPECT_NEAR(least_time_to_apogee_s(522, 97, {9.44e-4}), stepped_time_s(522, 97, 9.44e-4), 1e-3);
+}
+
+TEST(FastestAscent, WithoutDragItIsTheTextbookCoastBehindAClimbAtTopSpeed) {
+  EXPECT_NEAR(least_time_to_apogee_s(522, 97, {1e-12}), 97 / (2 * g) + 522.0 / 97, 1e-4);
+}
+
+TEST(FastestAscent, ALowApogeeNeedsLessThanTheTopSpeed) {
+  EXPECT_NEAR(least_time_to_apogee_s(20, 97, {1e-12}), std::sqrt(2 * 20 / g), 1e-4);
+}
+
+TEST(FastestAscent, MoreDragShortensIt) {
+  EXPECT_LT(least_time_to_apogee_s(522, 97, {2e-3}), least_time_to_apogee_s(522, 97, {1e-3}));
+}
+
+TEST(FirstLaunch, TheTimesOfEq35And36AreEvenInThrustAndInCoast) {
+  const identify::model::NodeTimes expected{0.0, 1.47, 2.94, 5.97, 9.0};
+  const identify::model::NodeTimes times = times_in_thrust_and_coast(2.94, 2, 9.0, 2);
+  ASSERT_EQ(times.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(times[i], expected[i], 1e-12) << i;
+  }
+}
+
 }  // namespace
+
 }  // namespace fantail::paper

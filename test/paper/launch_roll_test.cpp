@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Roll of the two launches under the published control law, at the canonical speed.
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <numbers>
-
-#include <gtest/gtest.h>
 
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "paper/closed_loop.hpp"
+#include "test.hpp"
 
 namespace fantail::paper {
 namespace {
@@ -131,10 +127,10 @@ double phase_margin_deg(double lag_s, double delay_s) {
   const sim::RollPlant plant{
       .inertia_kg_m2 = 0.00361, .reference_area_m2 = reference_area_m2, .damping_m2 = 7.5, .torque_m = 10};
   const double a = plant.damping_rate_per_s(density_kg_m3, 97.0);
-  const double g = plant.authority_per_s2(density_kg_m3, 97.0);
+  const double gain = plant.authority_per_s2(density_kg_m3, 97.0);
   const auto open_loop = [&](double frequency_rad_s) {
     const std::complex<double> s{0.0, frequency_rad_s};
-    return (1.0 + 0.1 * s) * g / (s * (s + a)) / (1.0 + lag_s * s);
+    return (1.0 + 0.1 * s) * gain / (s * (s + a)) / (1.0 + lag_s * s);
   };
   double low = 1.0;  // the gain falls with frequency: bisect for gain one
   double high = 1000.0;

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "paper/tunnel_step.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "input/scenario_file.hpp"
+#include "test.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Numbers of the publication and of independent calculations: steady states, time constants and the tunnel step.
-#include <numbers>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "paper/closed_loop.hpp"
+#include "test.hpp"
 
 namespace fantail::paper {
 namespace {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "predict/advice.hpp"
 
-#include <array>
 #include <charconv>
-
-#include <gtest/gtest.h>
 
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "predict/decision.hpp"
 #include "predict/sentences.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {

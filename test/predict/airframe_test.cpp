@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "predict/airframe.hpp"
 
-#include <array>
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "input/shipped.hpp"
 #include "runs/runner.hpp"
+#include "test.hpp"
 
 namespace fantail::predict {
 namespace {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "predict/margins.hpp"
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <optional>
 #include <string>
-
-#include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "predict/margins.hpp"
 #include "predict/run.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {

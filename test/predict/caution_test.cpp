@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What takes the green from a go, or the go itself, without a run that was lost.
-#include <algorithm>
-
-#include <gtest/gtest.h>
 
 #include "input/scenario_file.hpp"
 #include "predict/decision.hpp"
+#include "test.hpp"
 
 namespace fantail::predict {
 namespace {

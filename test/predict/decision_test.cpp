@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "predict/decision.hpp"
 
-#include <algorithm>
 #include <cstdio>
-
-#include <gtest/gtest.h>
 
 #include "input/scenario_file.hpp"
 #include "predict/advice.hpp"
 #include "predict/sentences.hpp"
+#include "test.hpp"
 
 namespace fantail::predict {
 namespace {

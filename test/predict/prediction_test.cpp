@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "predict/prediction.hpp"
 
-#include <gtest/gtest.h>
-
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
 #include "predict/answer.hpp"
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::predict {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "predict/tunnel_result.hpp"
 
-#include <gtest/gtest.h>
-
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "logs/refused.hpp"
 #include "system/folder.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cstdint>
-#include <optional>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "bus_rig.hpp"
+#include "properties.hpp"
 #include "protocol/bus_catalogue.hpp"
 #include "protocol/bus_codec.hpp"
 #include "random_stream.hpp"

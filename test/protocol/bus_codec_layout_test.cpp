@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every signal of every frame, each through all the values it can have (dbc_test.py looks at what the values mean).
-#include <cstdint>
 #include <ostream>
-#include <string>
-#include <variant>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "bus_rig.hpp"
 #include "protocol/bus_codec.hpp"
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

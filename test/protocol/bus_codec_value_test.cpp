@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Numbers on their way into a frame and back: resolution, rounding, clamping, what is not a number.
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <variant>
-
-#include <gtest/gtest.h>
 
 #include "bus_rig.hpp"
 #include "protocol/bus_choices.hpp"
 #include "protocol/bus_codec.hpp"
 #include "protocol/bus_core_choices.hpp"
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

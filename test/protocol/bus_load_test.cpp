@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/bus_load.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "bus_rig.hpp"
+#include "properties.hpp"
 #include "protocol/bus_catalogue.hpp"
 #include "random_stream.hpp"
 

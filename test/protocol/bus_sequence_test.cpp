@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <cstdint>
-
-#include <gtest/gtest.h>
 
 #include "protocol/bus_codec.hpp"
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

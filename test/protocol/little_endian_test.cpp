@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/little_endian.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/log_header.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "log_bytes.hpp"
 #include "protocol/log_schema.hpp"
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/log_notes.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cstdint>
 #include <new>
-#include <set>
-#include <span>
-#include <string_view>
 
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where the values of a tick lie, byte by byte, as log_schema.cpp tells readers of other versions.
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "protocol/little_endian.hpp"
 #include "protocol/log_tick.hpp"
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/log_tick.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
+#include "properties.hpp"
 #include "protocol/little_endian.hpp"
 
 namespace fantail::protocol {

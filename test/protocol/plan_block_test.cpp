@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/plan_block.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
 #include "plan_generator.hpp"
+#include "properties.hpp"
 #include "protocol/crc32c.hpp"
 
 namespace fantail::protocol {

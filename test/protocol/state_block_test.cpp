@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/state_block.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <vector>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include "chaos.hpp"
 #include "core/autopilot.hpp"
 #include "core/canard_sharing.hpp"
+#include "properties.hpp"
 #include "protocol/tick_digest.hpp"
 #include "seed.hpp"
 

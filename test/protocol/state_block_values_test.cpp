@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Each kind of value that a law may remember: where its bytes lie, and which values are refused.
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <span>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "core/flight_phase.hpp"
 #include "protocol/state_block.hpp"
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

@@ -2,11 +2,8 @@
 #include "protocol/tick_digest.hpp"
 
 #include <bit>
-#include <cstdint>
-#include <set>
-#include <vector>
 
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::protocol {
 namespace {

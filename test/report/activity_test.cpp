@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "report/activity.hpp"
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <optional>
-#include <vector>
+#include <filesystem>
+#include <fstream>
 
-#include <gtest/gtest.h>
-
+#include "json/value.hpp"
+#include "report/answer.hpp"
+#include "report/results.hpp"
+#include "report/running_figures.hpp"
+#include "report/verdict_parts.hpp"
+#include "synthetic_flight.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::report {
@@ -109,5 +111,133 @@ TEST(Oscillation, IsThatOfTheCommandWhereNoEncoderIsKnown) {
   EXPECT_TRUE(find_oscillation(rows));
 }
 
+constexpr double ignition_s = 12.345;
+
+/// As they are seen while the flight is flown: its rows count from power-up.
+RunningFigures while_flown(const flight::Flight& flight) {
+  RunningFigures running{flight.tunnel};
+  flight::Flight so_far = flight;
+  so_far.events = {};
+  for (flight::Row row : flight.rows) {
+    if (flight.events.apogee_s && row.time_s >= *flight.events.apogee_s) {
+      so_far.events.apogee_s = *flight.events.apogee_s + ignition_s;
+    }
+    row.time_s += ignition_s;
+    running.add(row, so_far);
+  }
+  return running;
+}
+
+TEST(RunningFigures, OnTheClockOfPowerUpAreThoseOfTheRowsOnTheirOwn) {
+  SyntheticFlight synthetic;
+  synthetic.end_control(4.1, core::PhaseReason::apogee);
+  synthetic.flight.events.apogee_s = 4.3;
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.saturated = row.time_s > 3.2;
+    row.truth->canard_rad = text::radians(6.0) * std::sin(2.0 * std::numbers::pi * 7.0 * row.time_s);
+    row.truth->roll_angle_rad += text::radians(row.time_s);
+    row.truth->speed_m_s = 30.0 - row.time_s;
+    row.truth->height_m = 10.0 * row.time_s;
+  }
+  const Figures kept = figures(synthetic.flight);
+  EXPECT_TRUE(kept.oscillation && kept.at_limit_since_s && kept.roll_after_end_rad && kept.mean_hold_error_rad);
+  Figures flown = while_flown(synthetic.flight).figures(synthetic.flight, {.zero_s = ignition_s});
+  flown.side_deflection = kept.side_deflection;
+  EXPECT_TRUE(flown == kept);
+}
+
+TEST(RunningFigures, RollAfterControlCountsUntilTheApogeeThatLasts) {
+  SyntheticFlight synthetic;
+  synthetic.end_control(3.0, core::PhaseReason::tilted_too_far);
+  flight::Flight& flight = synthetic.flight;
+  RunningFigures running{false};
+  for (flight::Row& row : flight.rows) {
+    const double deg = row.time_s < 3.25 ? 0.0 : row.time_s < 3.35 ? 20.0 : row.time_s < 4.0 ? 12.0 : 30.0;
+    row.truth->roll_angle_rad = text::radians(deg);
+    flight.events.apogee_s.reset();
+    if (row.time_s >= 3.2 && row.time_s < 3.4) {
+      flight.events.apogee_s = 3.2;  // a hop's
+    } else if (row.time_s >= 3.9) {
+      flight.events.apogee_s = 3.9;
+    }
+    running.add(row, flight);
+  }
+  EXPECT_NEAR(text::degrees(running.figures(flight).roll_after_end_rad.value()), 20.0, 1e-9);
+}
+
+TEST(RunningFigures, OfAFlightWhoseApogeeFellIntoAGapTheFirstRowBehindItCounts) {
+  SyntheticFlight synthetic;
+  synthetic.end_control(3.0, core::PhaseReason::tilted_too_far);
+  flight::Flight& flight = synthetic.flight;
+  std::erase_if(flight.rows, [](const flight::Row& row) { return row.time_s >= 3.0 && row.time_s < 4.0; });
+  for (flight::Row& row : flight.rows) {
+    row.truth->roll_angle_rad = text::radians(row.time_s < 3.0 ? 0.0 : row.time_s < 4.0005 ? 25.0 : 70.0);
+  }
+  flight.events.apogee_s = 3.5;
+  EXPECT_NEAR(text::degrees(figures(flight).roll_after_end_rad.value()), 25.0, 1e-9);
+}
+
+/// A roll that is held throughout, of a rocket that turned over.
+flight::Flight turned_over() {
+  flight::Flight flight = SyntheticFlight{}.flight;
+  flight.events.burnout_s = 5.25;
+  flight.before_burnout = {
+      .turned_over_s = 3.0, .largest_tilt_rad = text::radians(165.4), .sank_s = 4.5, .sank_m = 3.1};
+  flight.path = {{.time_s = 0.0}};
+  return flight;
+}
+
+TEST(FailedAscentText, TellsTheTurnFirstAndTheRestInTheOrderOfTime) {
+  flight::Flight flight = turned_over();
+  flight.before_burnout->parachute_s = 4.6;
+  flight.before_burnout->ground_s = 5.1;
+  EXPECT_EQ(
+      before_burnout(flight),
+      "The rocket turned over while the motor burned: from 3.00 s on its nose pointed below the horizon, up to "
+      "165 deg from upright. It sank by 3.1 m from 4.50 s on, before burn-out. It opened its parachute at 4.60 s, "
+      "before burn-out. It came down at 5.10 s, before burn-out. Burn-out was at 5.25 s.");
+}
+
+TEST(FailedAscentText, IsTheVerdictWhateverTheRoll) {
+  EXPECT_EQ(verdict_of(SyntheticFlight{}.flight).outcome, Outcome::held);
+  const flight::Flight flight = turned_over();
+  const Verdict v = verdict_of(flight);
+  EXPECT_EQ(v.outcome, Outcome::ascent_failed);
+  EXPECT_EQ(result::tone(summary(flight, figures(flight), v).verdict), page::Tone::bad);
+  EXPECT_TRUE(v.text.starts_with("The rocket turned over while the motor burned: ")) << v.text;
+  EXPECT_NE(v.text.find("oll stayed within "), std::string::npos) << v.text;
+  EXPECT_NE(result::html(answer(flight, figures(flight), v)).find("Ascent failed"), std::string::npos);
+}
+
+TEST(FailedAscentText, AHopOnThePadIsToldAndDecidesNothing) {
+  flight::Flight flight = SyntheticFlight{}.flight;
+  flight.before_burnout = {.ground_s = 0.05, .left_again_s = 0.15};
+  const Verdict v = verdict_of(flight);
+  EXPECT_EQ(v.outcome, Outcome::held);
+  EXPECT_TRUE(
+      v.text.starts_with("The rocket fell back on its pad at 0.05 s and left it again at 0.15 s; times count "
+                         "from the first lift-off. "))
+      << v.text;
+}
+
+TEST(FailedAscentText, IsReadBackFromTheSummary) {
+  flight::Flight flight = turned_over();
+  const Figures f = figures(flight);
+  const Verdict v = verdict(flight, f);
+  const std::string json = result::json(summary(flight, f, v));
+  EXPECT_EQ(json::parse(json)["outcome"], "ascent_failed");
+  EXPECT_EQ(json::parse(json)["before_burnout"]["turned_over_s"], 3.0);
+  const auto file = std::filesystem::temp_directory_path() / "fantail_failed_ascent_test.json";
+  std::ofstream{file} << json;
+  flight::Flight again = SyntheticFlight{}.flight;
+  again.path = flight.path;
+  add_summary(again, file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(before_burnout(again), before_burnout(flight));
+  EXPECT_EQ(verdict_of(again).outcome, Outcome::ascent_failed);
+  EXPECT_FALSE(json::parse(result::json(summary(SyntheticFlight{}.flight, f, v))).contains("before_burnout"));
+}
+
 }  // namespace
+
 }  // namespace fantail::report

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 
-#include <gtest/gtest.h>
-
+#include "json/value.hpp"
 #include "report/answer.hpp"
+#include "report/figures.hpp"
+#include "report/results.hpp"
 #include "report/sections.hpp"
+#include "report/verdict_parts.hpp"
 #include "synthetic_flight.hpp"
+#include "test.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::report {
 namespace {
@@ -44,5 +47,167 @@ TEST(Charts, ShowSomeTimeOfTheShortestTableAndOfEventsFarFromItsRows) {
   EXPECT_GE(least_view_s(table), 0.01) << "events in no order";
 }
 
+/// Coning of 5 deg at 2 Hz since the pad: the camera turns by 2.74 deg/s, which no integral of a roll rate has.
+constexpr double cone_deg = 5.0;
+const double apart_deg_s = 720.0 * (1.0 - std::cos(cone_deg * std::numbers::pi / 180.0));
+
+flight::Flight coning() {
+  SyntheticFlight synthetic;
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->geometric_roll_rad = row.truth->roll_angle_rad + text::radians(apart_deg_s * (row.time_s + 0.5));
+  }
+  synthetic.end_control(3.6, core::PhaseReason::control_time_over);
+  return synthetic.flight;
+}
+
+TEST(CameraRoll, CountsFromLaunchDetectionToTheEndOfControl) {
+  const Figures f = figures(coning());
+  ASSERT_TRUE(f.camera_roll);
+  // Detection at 0.2 s, the last row under control at 3.599 s.
+  EXPECT_NEAR(text::degrees(f.camera_roll->at_end_rad), 3.399 * apart_deg_s, 1e-9);
+  EXPECT_EQ(f.camera_roll->largest_rad, f.camera_roll->at_end_rad);
+}
+
+TEST(CameraRoll, IsToldOnThePageAndInTheSummary) {
+  const flight::Flight flight = coning();
+  const Figures f = figures(flight);
+  const Verdict v = verdict(flight, f);
+  const auto camera = json::parse(result::json(summary(flight, f, v)))["camera_roll"];
+  EXPECT_NEAR(camera["largest_apart_deg"].number(), 3.399 * apart_deg_s, 1e-4);
+  EXPECT_NEAR(camera["at_end_apart_deg"].number(), 3.399 * apart_deg_s, 1e-4);
+  const std::string page = result::html(answer(flight, f, v));
+  EXPECT_NE(page.find("The rocket coned: what a camera sees of its roll came up to 9.3 deg away from the roll angle"),
+            std::string::npos);
+}
+
+TEST(CameraRoll, IsNotMentionedWhereNothingIsKnownOfIt) {
+  const flight::Flight flight = SyntheticFlight{}.flight;
+  const Figures f = figures(flight);
+  const Verdict v = verdict(flight, f);
+  EXPECT_FALSE(f.camera_roll);
+  EXPECT_FALSE(json::parse(result::json(summary(flight, f, v))).contains("camera_roll"));
+  EXPECT_EQ(result::html(answer(flight, f, v)).find("camera"), std::string::npos);
+}
+
+constexpr double g_m_s2 = 9.80665;
+
+/// Two seconds of falling after an apogee at 10 s, a row a millisecond, with a pull from 10.5 s on.
+flight::Flight falling(double pull_g, double pull_for_s) {
+  flight::Flight flight = SyntheticFlight{}.flight;
+  flight.events.apogee_s = 10.0;
+  for (int i = 0; i < 2000; ++i) {
+    const double time_s = 10.001 + 0.001 * i;
+    const bool pulled = time_s >= 10.4995 && time_s < 10.4995 + pull_for_s;
+    flight.rows.push_back({.time_s = time_s, .specific_force_m_s2 = (pulled ? pull_g : -0.9) * g_m_s2});
+  }
+  return flight;
+}
+
+TEST(JoltAfterApogee, IsWhereTheAccelerometerFeelsMoreThanOneAndAHalfG) {
+  for (const double pull_g : {4.0, -4.0}) {
+    const auto jolt = jolt_after_apogee(falling(pull_g, 0.3));
+    ASSERT_TRUE(jolt);
+    EXPECT_NEAR(jolt->time_s, 10.5, 1e-9);
+    EXPECT_NEAR(jolt->specific_force_m_s2, 4.0 * g_m_s2, 1e-9);
+  }
+}
+
+TEST(JoltAfterApogee, IsNoKnockAndNoFallThroughAir) {
+  EXPECT_FALSE(jolt_after_apogee(falling(9.0, 0.015)));
+  EXPECT_FALSE(jolt_after_apogee(falling(1.4, 0.5)));
+}
+
+// Of a rocket that turned over while its motor burned.
+TEST(JoltAfterApogee, IsNotTheThrustOfAMotorThatStillBurns) {
+  flight::Flight flight = falling(4.0, 0.3);
+  flight.events.burnout_s = 10.9;
+  EXPECT_FALSE(jolt_after_apogee(flight));
+  flight.events.burnout_s = 3.0;
+  EXPECT_TRUE(jolt_after_apogee(flight));
+}
+
+TEST(JoltAfterApogee, NeedsAnApogee) {
+  flight::Flight flight = falling(4.0, 0.3);
+  flight.events.apogee_s.reset();
+  EXPECT_FALSE(jolt_after_apogee(flight));
+  flight.phase_changes.push_back({.time_s = 10.1, .phase = core::Phase::finished, .reason = core::PhaseReason::apogee});
+  EXPECT_TRUE(jolt_after_apogee(flight));
+  flight.tunnel = true;
+  EXPECT_FALSE(jolt_after_apogee(flight));
+}
+
+TEST(GainMarginText, SaysWhereLessGainIsWhatMakesTheLoopSwing) {
+  EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0, .gain_margin = 3.21}), "3.2 times");
+  EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0, .gain_margin = 0.4}), "0.4 times, and swings with less");
+  EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0}), "any");
+  EXPECT_EQ(gain_margin_text({.phase_margin_rad = -0.2, .gain_margin = 0.7}), "0.7 times");
+  EXPECT_EQ(gain_margin_text({.phase_margin_rad = -0.2, .gain_margin = 1.5}), "1.5 times, and swings with less");
+}
+
+TEST(DifferentMargins, OfThoseThatArePrintedAlikeTheWorstIsShown) {
+  const auto margin = [](double speed_m_s, double degrees) {
+    return flight::LoopMargin{.speed_m_s = speed_m_s, .phase_margin_rad = text::radians(degrees)};
+  };
+  flight::Flight flight;
+  flight.loop_margins = {margin(21.9, 56.2), margin(22.0, 55.9), margin(22.4, 56.4), margin(22.4, 50.0)};
+  const std::vector<flight::LoopMargin> shown = different_margins(flight);
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_EQ(shown[0].speed_m_s, 22.0);
+  EXPECT_EQ(shown[1].speed_m_s, 22.4);
+}
+
+SideDeflection of(flight::Flight& flight, const std::array<double, 4>& shafts_deg) {
+  for (flight::Row& row : flight.rows) {
+    for (std::size_t i = 0; i < shafts_deg.size(); ++i) {
+      row.encoders_rad[i] = text::radians(shafts_deg[i]);
+    }
+    row.truth->speed_m_s = 60.0;
+  }
+  return figures(flight).side_deflection.value();
+}
+
+double largest_deg(const std::array<double, 4>& shafts_deg) {
+  SyntheticFlight synthetic;
+  return text::degrees(of(synthetic.flight, shafts_deg).largest_rad);
+}
+
+TEST(SideDeflection, OfFourThatTurnAlikeIsNone) { EXPECT_NEAR(largest_deg({5, 5, 5, 5}), 0.0, 1e-9); }
+
+// Three at 6 and one at 0: the pair without a fault cancels, the other leaves 6.
+TEST(SideDeflection, OfOneThatStandsStillIsThatOfItsPartner) {
+  EXPECT_NEAR(largest_deg({0, 6, 6, 6}), 6.0, 1e-9);
+  EXPECT_NEAR(largest_deg({6, 6, 6, 0}), 6.0, 1e-9);
+}
+
+TEST(SideDeflection, OfNeighboursAddsAsVectorsAndOfOppositeOnesAsNumbers) {
+  EXPECT_NEAR(largest_deg({0, 0, 3, 4}), 5.0, 1e-9);
+  EXPECT_NEAR(largest_deg({-4, 2, 6, 2}), 10.0, 1e-9);
+}
+
+TEST(SideDeflection, CountsFromTheTrimInTheSenseOfRoll) {
+  SyntheticFlight synthetic;
+  synthetic.flight.plan.canards.each[2].direction = core::Direction::reversed;
+  synthetic.flight.plan.canards.each[2].trim = core::Angle::from_degrees(1.0F);
+  EXPECT_NEAR(text::degrees(of(synthetic.flight, {5, 5, -4, 5}).largest_rad), 0.0, 1e-5);
+}
+
+// 1/2 rho v^2 = 2205 Pa at 60 m/s; 2e-4 m3 a radian; 6 degrees.
+TEST(SideDeflection, HasAMomentWhereTheVehicleSaysWhereItsCanardsAre) {
+  SyntheticFlight synthetic;
+  EXPECT_FALSE(of(synthetic.flight, {0, 6, 6, 6}).largest_moment_n_m);
+  synthetic.flight.side_moment_m3 = 2e-4;
+  EXPECT_NEAR(of(synthetic.flight, {0, 6, 6, 6}).largest_moment_n_m.value(), 2205.0 * 2e-4 * text::radians(6.0), 1e-6);
+}
+
+TEST(SideDeflection, IsNotKnownWithoutAllFourEncoders) {
+  SyntheticFlight synthetic;
+  of(synthetic.flight, {0, 6, 6, 6});
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.encoders_rad[3].reset();
+  }
+  EXPECT_FALSE(figures(synthetic.flight).side_deflection);
+}
+
 }  // namespace
+
 }  // namespace fantail::report

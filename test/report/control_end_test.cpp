@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How control ended, or why it never began, as the verdict says it.
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "report/verdict.hpp"
 #include "synthetic_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::report {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/figures.hpp"
 
-#include <cmath>
-#include <functional>
-
-#include <gtest/gtest.h>
-
 #include "synthetic_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::report {
 namespace {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A verdict says both: how steadily, and how far from what was asked. And nothing is green that was hardly seen, or
 // that the model does not hold for.
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "page/page.hpp"
@@ -11,6 +8,7 @@
 #include "report/results.hpp"
 #include "report/sections.hpp"
 #include "synthetic_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::report {
 namespace {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <numbers>
-
-#include <gtest/gtest.h>
 
 #include "report/answer.hpp"
 #include "report/sections.hpp"
 #include "synthetic_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::report {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
-#include <limits>
-
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "report/results.hpp"
 #include "synthetic_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::report {
 namespace {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "report/figures.hpp"
 #include "report/verdict.hpp"
 #include "synthetic_flight.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::report {

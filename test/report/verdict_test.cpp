@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/verdict.hpp"
 
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "synthetic_flight.hpp"
+#include "test.hpp"
 
 namespace fantail::report {
 namespace {

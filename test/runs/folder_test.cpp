@@ -5,12 +5,11 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
-#include <iterator>
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "test.hpp"
 #include "text/error.hpp"
 #include "text/output_folder.hpp"
 

@@ -6,12 +6,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <numeric>
 #include <thread>
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "test.hpp"
 
 namespace fantail::runs {
 namespace {

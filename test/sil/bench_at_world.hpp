@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "bench/exercise.hpp"
 #include "bench/perform.hpp"
 #include "bench/sheet.hpp"
@@ -22,6 +14,7 @@
 #include "link/session.hpp"
 #include "sim/flight_computer.hpp"
 #include "sim/world.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
 #include "sil/bench_at_world.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The flight record over the bus: a flight of the simulator, downloaded by the bench's own code.
-#include <algorithm>
 #include <cstdio>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
 #include "input/scenario_file.hpp"
@@ -12,6 +8,7 @@
 #include "random_stream.hpp"
 #include "sil/bench_at_world.hpp"
 #include "system/folder.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What was downloaded is verified whole before anybody relies on it: the file on the PC, the bus and the flash can each
 // be at fault, and only the last of them is damage of the record.
-#include <algorithm>
-#include <functional>
-
-#include <gtest/gtest.h>
 
 #include "link/log_download.hpp"
 #include "link/made_record.hpp"
@@ -13,6 +9,7 @@
 #include "sil/bench_at_world.hpp"
 #include "sil/bus_filter.hpp"
 #include "system/folder.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
 #include "core/flight_plan_fields.hpp"
@@ -7,6 +6,7 @@
 #include "link/plan_transfer.hpp"
 #include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the avionics knows of a flight in six degrees of freedom, against what was so: random wind, guides, sensors.
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "seed.hpp"
 #include "sil/random_launch.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::sil {
@@ -112,10 +105,7 @@ std::optional<Errors> errors_of(const sim::Scenario& scenario) {
   return errors;
 }
 
-int flights() {
-  const char* asked = std::getenv("FANTAIL_FLIGHTS");  // NOLINT(concurrency-mt-unsafe): there is one thread
-  return asked != nullptr ? std::atoi(asked) : 40;
-}
+int flights() { return test::how_many("FANTAIL_FLIGHTS", 40); }
 
 double percentile(std::vector<double> sizes, double share) {
   std::ranges::sort(sizes);

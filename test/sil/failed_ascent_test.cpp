@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Rockets that sink, turn over or come down before their motor has burnt out, in flights of the whole avionics.
-#include <algorithm>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "campaign/flown_run.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
 #include "report/verdict.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::sil {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Verdicts on flights that once misled: what the report says of a simulated flight, against the truth of the world.
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/verdict.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::sil {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random rockets with random tunnel steps: what `predict` calls a go is flown again and looked at by code that shares
 // nothing with the report.
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "predict/decision.hpp"
 #include "predict/prediction.hpp"
@@ -18,6 +11,7 @@
 #include "sil/any_rocket.hpp"
 #include "sil/plain_judge.hpp"
 #include "sil/truth_oracle.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {
@@ -103,10 +97,7 @@ Flown the_next_ones(const sim::Scenario& scenario, const Make& make, Draw& draw)
 }
 
 // ./dev soak asks for 500.
-int goes_wanted() {
-  const char* asked = std::getenv("FANTAIL_GOES");  // NOLINT(concurrency-mt-unsafe): there is one thread
-  return asked != nullptr ? std::atoi(asked) : 2;
-}
+int goes_wanted() { return test::how_many("FANTAIL_GOES", 2); }
 
 TEST(GoOracle, NoLaunchIsAGoOfWhichFewerThanThePromisedShareHeld) {
   const std::uint32_t first = test::seed();

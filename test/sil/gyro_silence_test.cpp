@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How long may a gyro be silent in flight? The figures of docs/failures.md, and the claim behind them: to wait for it,
 // with the canards at trim, is never worse than to end control.
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <vector>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::sil {

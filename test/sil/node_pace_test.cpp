@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <vector>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "fly/pace.hpp"
+#include "test.hpp"
 
 namespace fantail::fly {
 namespace {

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <map>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "avionics/identity.hpp"
 #include "avionics/log_tick_of.hpp"
@@ -17,6 +12,7 @@
 #include "protocol/state_block.hpp"
 #include "protocol/tick_digest.hpp"
 #include "sim/world.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

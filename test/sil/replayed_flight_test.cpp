@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Every kind of flight that the simulator flies, through the reader and the replay that a person uses.
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
@@ -14,6 +9,7 @@
 #include "input/shipped.hpp"
 #include "protocol/tick_digest.hpp"
 #include "sim/world.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The processor is reset in flight and the world goes on: what is flown, recorded, replayed and said of it.
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
@@ -14,6 +8,7 @@
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
 #include "sim/world.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

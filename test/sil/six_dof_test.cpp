@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The whole avionics in flights of six degrees of freedom.
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
-#include <gtest/gtest.h>
+#include <fmt/format.h>
 
+#include "core/flight_plan_fields.hpp"
 #include "fly/fly_scenario.hpp"
 #include "fly/gravity_turn.hpp"
 #include "input/scenario_file.hpp"
 #include "report/figures.hpp"
+#include "report/verdict.hpp"
 #include "report/verdict_parts.hpp"
+#include "seed.hpp"
+#include "sil/any_rocket.hpp"
+#include "sil/plain_judge.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::sil {
 namespace {
+
+// The whole avionics in flights of six degrees of freedom.
 
 flight::Flight fly(std::vector<std::string> changes) {
   return fly::fly_scenario(input::load_scenario("tasha3_launch2", input::parse_overrides(changes)));
@@ -140,5 +143,96 @@ TEST(GravityTurn, LeavesTheGuideAtItsTrueEnd) {
   EXPECT_GT(truly_long_m, short_m + 1.0);
 }
 
+// What the page of a held rocket shows of all three axes.
+
+using flight::TurnPoint;
+
+flight::Flight fly(const char* scenario) { return fly::fly_scenario(input::load_scenario(scenario, {})); }
+
+double largest_deg(const flight::Flight& flight, double TurnPoint::* member) {
+  double largest_rad = 0.0;
+  for (const TurnPoint& point : flight.turning) {
+    largest_rad = std::max(largest_rad, std::abs(point.*member));
+  }
+  return text::degrees(largest_rad);
+}
+
+// gimbal.toml: 20 degrees in roll and 45 in pitch and yaw, each within 2 s; the fastest moment is twice the mean.
+TEST(Turning, OnTheGimbalIsWhatTheHandsDidAndWhatTheGyroMadeOfIt) {
+  const flight::Flight flight = fly("gimbal");
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::true_roll_rate_rad_s), 20.0, 0.1);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::true_pitch_rate_rad_s), 45.0, 0.1);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::true_yaw_rate_rad_s), 45.0, 0.1);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::true_tilt_rad), 45.0, 0.1);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::gyro_roll_rate_rad_s), 20.0, 2.0);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::gyro_pitch_rate_rad_s), 45.0, 2.0);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::gyro_yaw_rate_rad_s), 45.0, 2.0);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::tilt_rad), 45.0, 1.0);
+  // The second turn in pitch brings it upright again.
+  const auto upright = std::ranges::find_if(flight.turning, [](const TurnPoint& p) { return p.time_s >= 17.0; });
+  EXPECT_NEAR(text::degrees(upright->true_tilt_rad), 0.0, 0.01);
+}
+
+TEST(Turning, OnPinsIsTheSwing) {
+  const flight::Flight flight = fly("tunnel_stability");
+  EXPECT_EQ(largest_deg(flight, &TurnPoint::true_roll_rate_rad_s), 0.0);
+  EXPECT_EQ(largest_deg(flight, &TurnPoint::true_yaw_rate_rad_s), 0.0);
+  EXPECT_NEAR(largest_deg(flight, &TurnPoint::true_pitch_rate_rad_s), 3.0, 0.3);  // the hardest push
+}
+
+TEST(Turning, IsNotShownOfAFlight) { EXPECT_TRUE(fly("tasha3_launch2").turning.empty()); }
+
+// Rockets that nobody here has made, each held against a judge that knows nothing but the truth and what was asked.
+
+int rockets() { return test::how_many("FANTAIL_FLIGHTS", 150); }
+
+TEST(VerdictOracle, NoRocketWhateverItIsIsCalledHeldAgainstTheTruth) {
+  const std::uint32_t first = test::seed();
+  std::map<std::string, int> outcomes;
+  int could_be_held = 0;
+  for (int i = 0; i < rockets(); ++i) {
+    const std::uint32_t seed = first + static_cast<std::uint32_t>(i);
+    Draw draw{seed};
+    sim::Scenario scenario = any_rocket(draw);
+    scenario.seed = seed;
+    const flight::Flight flight = fly::fly_scenario(scenario);
+    const report::Figures figures = report::figures(flight);
+    const report::Verdict verdict = report::verdict(flight, figures);
+    const PlainTruth truth = look_plainly(flight.rows, scenario.atmosphere.elevation_m);
+    const double limit_deg = text::degrees(scenario.rest_limit_rad);
+    const std::string which = fmt::format("rocket of seed {} ({}): {}", seed, i, verdict.text);
+    const std::vector<std::string> contradictions = not_held_because(truth, limit_deg);
+    ++outcomes[std::string{report::name(verdict.outcome)}];
+    could_be_held += contradictions.empty() ? 1 : 0;
+
+    if (verdict.outcome == report::Outcome::held) {
+      EXPECT_TRUE(contradictions.empty()) << fmt::format("{}", fmt::join(contradictions, ", ")) << "; " << which;
+    }
+    if (report::is_steady(verdict.outcome)) {
+      const std::vector<std::string> restless = not_steady_because(truth);
+      EXPECT_TRUE(restless.empty()) << fmt::format("{}", fmt::join(restless, ", ")) << "; " << which;
+    }
+    // What the truth says plainly is in the figures, and in the words.
+    if (truth.controlled && figures.mean_reference_error_rad) {
+      EXPECT_NEAR(text::degrees(*figures.mean_reference_error_rad), truth.mean_deg, 0.01) << which;
+    }
+    if (truth.top_mach > 0.802) {
+      EXPECT_TRUE(verdict.text.starts_with("Outside the model: up to Mach ")) << which;
+    }
+    if (truth.end_early_s > 0.503 && truth.turned_deg > 10.02) {
+      EXPECT_EQ(verdict.outcome, report::Outcome::not_held) << truth.turned_deg << " deg after control; " << which;
+    }
+  }
+  for (const auto& [name, count] : outcomes) {
+    fmt::print("{:5} {}\n", count, name);
+  }
+  fmt::print("{:5} of {} might be called held by the truth alone\n", could_be_held, rockets());
+  if (rockets() >= 100) {
+    EXPECT_GE(outcomes["held"], rockets() / 50) << "the draw has become one-sided";
+    EXPECT_GE(outcomes.size(), 6U) << "the draw has become one-sided";
+  }
+}
+
 }  // namespace
+
 }  // namespace fantail::sil

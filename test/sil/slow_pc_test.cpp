@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The whole exercise with a PC that looks at the bus only now and then. It may say that it was too slow; it must never
 // say anything untrue of a canard.
-#include <array>
 #include <cstdio>
-#include <deque>
-#include <functional>
 #include <ostream>
-#include <utility>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "bench/perform.hpp"
 #include "random_stream.hpp"
 #include "seed.hpp"
 #include "sil/bench_at_world.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A second IMU in the second launch: what a fault of one costs, beside the same fault of the only one.
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "core/flight_plan_fields.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
 #include "input/scenario_file.hpp"
 #include "sim/world.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::sil {

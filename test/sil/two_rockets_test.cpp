@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A second rocket, or a device that imitates one, on the bus of a bench: no report says which one it is about.
-#include <functional>
-
-#include <gtest/gtest.h>
 
 #include "avionics/can_frame.hpp"
 #include "bench/axes.hpp"
@@ -12,6 +9,7 @@
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
 #include "sil/second_rocket.hpp"
+#include "test.hpp"
 
 namespace fantail::sil {
 namespace {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/ascent.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <numbers>
-
-#include <gtest/gtest.h>
 
 #include "input/rasp_file.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <numbers>
-
-#include <gtest/gtest.h>
 
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "sim/roll_plant.hpp"
 #include "sim/servo.hpp"
+#include "test.hpp"
 
 // The whole loop, as a reader would draw it: the flight law of the board, one servo and the roll of a rocket in a
 // tunnel.

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Faults of devices: what the avionics is shown, and what the servos hear.
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "flown_world.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

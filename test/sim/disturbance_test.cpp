@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/disturbance.hpp"
 
-#include <limits>
-#include <random>
-#include <stdexcept>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/elementary.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

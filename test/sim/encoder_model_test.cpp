@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
 
 #include "avionics/sensor_scaling.hpp"
 #include "sim/sensor_models.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

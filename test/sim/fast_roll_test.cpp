@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <optional>
-
-#include <gtest/gtest.h>
 
 #include "jammed_canards.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/felt_motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "sim/rotation.hpp"
 #include "sim/vibration.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

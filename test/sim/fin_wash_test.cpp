@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/fin_wash.hpp"
 
-#include <cmath>
-#include <optional>
-
-#include <gtest/gtest.h>
-
 #include "jammed_canards.hpp"
 #include "sim/deflection_range.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

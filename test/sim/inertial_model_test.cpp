@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
 
 #include "avionics/mounting.hpp"
 #include "avionics/sensor_scaling.hpp"
 #include "sim/sensor_models.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Motors that push twice, and what of the flight is its apogee.
-#include <algorithm>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "sim/ascent.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/pinned_rocket.hpp"
 
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

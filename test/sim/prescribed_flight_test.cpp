@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/prescribed_flight.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

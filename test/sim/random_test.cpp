@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/random.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/rigid_body.hpp"
 
-#include <cmath>
-#include <numbers>
-
-#include <gtest/gtest.h>
-
 #include "sim/air_loads.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

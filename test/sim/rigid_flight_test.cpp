@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/rigid_flight.hpp"
 
-#include <cmath>
-#include <numbers>
-
-#include <gtest/gtest.h>
-
 #include "sim/ascent.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

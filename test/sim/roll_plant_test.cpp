@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/roll_plant.hpp"
 
-#include <cmath>
-#include <numbers>
-#include <random>
-#include <utility>
-
-#include <gtest/gtest.h>
-
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

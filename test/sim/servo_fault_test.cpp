@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <stdexcept>
-
-#include <gtest/gtest.h>
 
 #include "servo_test_rig.hpp"
 #include "sim/random.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

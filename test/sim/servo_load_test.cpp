@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-
-#include <gtest/gtest.h>
 
 #include "servo_test_rig.hpp"
 #include "sim/shaft_load.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "servo_test_rig.hpp"
 #include "sim/servo.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

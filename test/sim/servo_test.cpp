@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/servo.hpp"
 
-#include <algorithm>
-#include <deque>
-#include <stdexcept>
-#include <utility>
-
-#include <gtest/gtest.h>
-
 #include "servo_test_rig.hpp"
 #include "sim/random.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

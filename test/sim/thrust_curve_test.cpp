@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+
 #include "sim/thrust_curve.hpp"
 
-#include <limits>
-#include <stdexcept>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "sim/atmosphere.hpp"
+#include "sim/compressibility.hpp"
+#include "sim/drag_over_mach.hpp"
+#include "sim/local_density.hpp"
+#include "sim/monotone_curve.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {
@@ -80,5 +82,127 @@ TEST(ThrustCurve, RefusesPointsThatCannotBeAMotor) {
   }
 }
 
+TEST(MonotoneCurve, GoesThroughItsPointsAndIsConstantBeyondThem) {
+  const MonotoneCurve curve{{0.0, 0.5, 2.0}, {1.0, 3.0, -2.0}};
+  EXPECT_DOUBLE_EQ(curve.at(0.0).value, 1.0);
+  EXPECT_DOUBLE_EQ(curve.at(0.5).value, 3.0);
+  EXPECT_DOUBLE_EQ(curve.at(2.0).value, -2.0);
+  EXPECT_DOUBLE_EQ(curve.at(-7.0).value, 1.0);
+  EXPECT_DOUBLE_EQ(curve.at(9.0).value, -2.0);
+  EXPECT_DOUBLE_EQ(curve.at(9.0).slope_per_s, 0.0);
+}
+
+TEST(MonotoneCurve, OfAStraightLineIsThatLine) {
+  const MonotoneCurve curve{{0.0, 0.1, 0.7, 1.0}, {2.0, 2.5, 5.5, 7.0}};
+  for (const double t : {0.03, 0.1, 0.4, 0.99}) {
+    EXPECT_NEAR(curve.at(t).value, 2.0 + 5.0 * t, 1e-12);
+    EXPECT_NEAR(curve.at(t).slope_per_s, 5.0, 1e-12);
+    EXPECT_NEAR(curve.at(t).curvature_per_s2, 0.0, 1e-9);
+  }
+}
+
+TEST(MonotoneCurve, HasNoHumpThatItsPointsDoNotHaveAndNoJumpInItsSlope) {
+  const MonotoneCurve curve{{0.0, 1.0, 2.0, 3.0, 4.0}, {0.0, 0.0, 0.0, 10.0, 10.0}};
+  double before = curve.at(0.0).slope_per_s;
+  for (double t = 0.0; t < 4.0; t += 1e-3) {
+    const MonotoneCurve::Here here = curve.at(t);
+    EXPECT_GE(here.value, 0.0);
+    EXPECT_LE(here.value, 10.0);
+    EXPECT_NEAR(here.slope_per_s, before, 0.1) << t;  // a cubic from 0 to 10 within a second bends by 60 a second
+    before = here.slope_per_s;
+  }
+}
+
+TEST(Atmosphere, ExponentialFallsByAFactorEEvery8500Metres) {
+  const Atmosphere exponential{};
+  EXPECT_DOUBLE_EQ(exponential.density_kg_m3(0.0), 1.225);
+  EXPECT_NEAR(exponential.density_kg_m3(8500.0), 1.225 / 2.718281828459045, 1e-15);
+  EXPECT_NEAR(exponential.density_kg_m3(500.0), 1.15502, 1e-5);
+}
+
+TEST(Atmosphere, StandardAtmosphereGivesTheTableOfIso2533) {
+  const Atmosphere isa{.model = DensityModel::isa};
+  EXPECT_NEAR(isa.density_kg_m3(0.0), 1.2250, 5e-5);
+  EXPECT_NEAR(isa.density_kg_m3(1000.0), 1.11164, 5e-6);
+  EXPECT_NEAR(isa.density_kg_m3(5000.0), 0.736116, 5e-6);
+  EXPECT_NEAR(isa.density_kg_m3(11000.0), 0.363918, 5e-6);
+  EXPECT_NEAR(isa.density_kg_m3(15000.0), 0.193674, 5e-6);
+  EXPECT_NEAR(isa.density_kg_m3(20000.0), 0.0880349, 5e-6);
+}
+
+TEST(Atmosphere, StandardAtmosphereHasNoJumpAtTheTropopause) {
+  const Atmosphere isa{.model = DensityModel::isa};
+  EXPECT_NEAR(isa.density_kg_m3(11000.0 - 1e-6), isa.density_kg_m3(11000.0 + 1e-6), 1e-9);
+}
+
+TEST(Atmosphere, SoundIsAsFastAsInTheTableOfIso2533WhateverTheDensity) {
+  for (const DensityModel model : {DensityModel::exponential, DensityModel::isa, DensityModel::constant}) {
+    const Atmosphere atmosphere{.model = model};
+    EXPECT_NEAR(atmosphere.speed_of_sound_m_s(0.0), 340.294, 5e-4);
+    EXPECT_NEAR(atmosphere.speed_of_sound_m_s(5000.0), 320.529, 5e-4);
+    EXPECT_NEAR(atmosphere.speed_of_sound_m_s(11000.0), 295.069, 2e-3);
+    EXPECT_EQ(atmosphere.speed_of_sound_m_s(11000.0), atmosphere.speed_of_sound_m_s(15000.0));
+  }
+  const Atmosphere high{.elevation_m = 2000.0};
+  EXPECT_NEAR(high.speed_of_sound_m_s(3000.0), 320.529, 5e-4);
+}
+
+TEST(Atmosphere, ConstantIsTheSameEverywhere) {
+  const Atmosphere constant{.model = DensityModel::constant, .constant_kg_m3 = 1.1};
+  EXPECT_EQ(constant.density_kg_m3(0.0), 1.1);
+  EXPECT_EQ(constant.density_kg_m3(9000.0), 1.1);
+}
+
+TEST(LocalDensity, IsTheAtmosphereWhateverTheWayThere) {
+  for (const DensityModel model : {DensityModel::exponential, DensityModel::isa, DensityModel::constant}) {
+    const Atmosphere atmosphere{.model = model};
+    LocalDensity up{atmosphere};
+    LocalDensity down{atmosphere};
+    for (int i = 0; i <= 16000; ++i) {
+      const double height_m = i * 0.987 - 30.0;
+      const double expected = atmosphere.density_kg_m3(height_m);
+      ASSERT_NEAR(up.at(height_m), expected, 1e-12 * expected) << height_m;
+    }
+    for (int i = 16000; i >= 0; i -= 7) {
+      const double height_m = i * 0.987 - 30.0;
+      LocalDensity jump{atmosphere};
+      ASSERT_EQ(down.at(height_m), jump.at(height_m)) << height_m;
+    }
+  }
+}
+
+TEST(Compressibility, IsThePrandtlGlauertFactorUpToMach08AndIsHeldAbove) {
+  const auto factor = [](double mach) { return compressibility_factor(Compressibility::prandtl_glauert, mach); };
+  EXPECT_EQ(factor(0.0), 1.0);
+  EXPECT_NEAR(factor(0.5), 2.0 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(factor(-0.5), 2.0 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(factor(0.6), 1.25, 1e-15);
+  EXPECT_NEAR(factor(0.8), 5.0 / 3.0, 1e-15);
+  for (const double mach : {0.81, 1.0, 3.0, -1.0}) {
+    EXPECT_EQ(factor(mach), factor(0.8)) << mach;
+  }
+}
+
+TEST(Compressibility, IsOneWhereThereIsNone) { EXPECT_EQ(compressibility_factor(Compressibility::none, 0.7), 1.0); }
+
+TEST(DragOverMach, IsLinearBetweenItsPointsAndHeldAtItsEnds) {
+  const DragOverMach drag{.mach = {0.3, 0.8, 1.0}, .factor = {1.0, 1.2, 2.0}};
+  EXPECT_EQ(drag.at(0.0), 1.0);
+  EXPECT_EQ(drag.at(0.3), 1.0);
+  EXPECT_NEAR(drag.at(0.55), 1.1, 1e-15);
+  EXPECT_NEAR(drag.at(0.95), 1.8, 1e-15);
+  EXPECT_EQ(drag.at(0.8), 1.2);
+  EXPECT_EQ(drag.at(1.0), 2.0);
+  EXPECT_EQ(drag.at(5.0), 2.0);
+}
+
+TEST(DragOverMach, OfOnePointIsAFactorAndOfNoneIsOne) {
+  EXPECT_EQ((DragOverMach{.mach = {0.5}, .factor = {1.3}}).at(0.1), 1.3);
+  EXPECT_EQ((DragOverMach{.mach = {0.5}, .factor = {1.3}}).at(0.9), 1.3);
+  EXPECT_EQ(DragOverMach{}.at(0.9), 1.0);
+  EXPECT_FALSE(DragOverMach{}.is_there());
+}
+
 }  // namespace
+
 }  // namespace fantail::sim

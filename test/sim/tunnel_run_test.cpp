@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -2,15 +2,8 @@
 // What a camera sees of the roll, and the integral of the roll rate: a closed form, and the same by rotation matrices.
 #include "sim/twist.hpp"
 
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "flown_world.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

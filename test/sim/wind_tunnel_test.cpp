@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/wind_tunnel.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "gaussian.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

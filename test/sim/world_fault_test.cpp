@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <string>
-#include <utility>
-
-#include <gtest/gtest.h>
 
 #include "flown_world.hpp"
 #include "sim/deflection_range.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

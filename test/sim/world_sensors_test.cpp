@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where the sensors sit and how they are shaken, as far as their counts.
-#include <cmath>
-#include <functional>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "flown_world.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

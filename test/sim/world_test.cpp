@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/world.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "flown_world.hpp"
+#include "test.hpp"
 
 namespace fantail::sim {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stability/gain_choice.hpp"
 
-#include <cmath>
-#include <numbers>
-
-#include <gtest/gtest.h>
-
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::stability {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "stability/roll_loop.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::stability {

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <deque>
-#include <numbers>
-#include <optional>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "core/gain_schedule.hpp"
 #include "input/scenario_file.hpp"
 #include "stability/roll_loop.hpp"
+#include "test.hpp"
 
 namespace fantail::stability {
 namespace {

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every verb that has --json says by the same three members whether it was yes, in words, and how it was made.
-#include <set>
 
-#include <gtest/gtest.h>
-
-#include "json/value.hpp"
-#include "system/folder.hpp"
-#include "system/process.hpp"
+#include "system/refusal.hpp"
 
 namespace fantail::test {
 namespace {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 
-#include "system/folder.hpp"
-#include "system/process.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What goes wrong before there is a bus to talk on, on any machine; test/can has the rest.
-#include <gtest/gtest.h>
 
-#include "system/folder.hpp"
-#include "system/process.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {

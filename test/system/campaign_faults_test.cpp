@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
-#include <string>
-
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

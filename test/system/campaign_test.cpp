@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <sstream>
-#include <string>
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

@@ -3,10 +3,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include <gtest/gtest.h>
-
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <iterator>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/made_tunnel_log.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The roll model from flights whose law goes beyond the publication.
-#include <memory>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

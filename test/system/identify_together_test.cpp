@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Several flights and one roll model, as a person asks for it.
-#include <memory>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

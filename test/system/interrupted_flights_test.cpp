@@ -3,13 +3,8 @@
 // written.
 #include <csignal>
 #include <filesystem>
-#include <string>
 #include <thread>
 
-#include <gtest/gtest.h>
-
-#include "system/folder.hpp"
-#include "system/process.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {
@@ -59,7 +54,7 @@ TEST_P(InterruptedFlights, GoOnWhenTheSameCommandIsGivenAgain) {
                              ", and the same command goes on from there"),
             std::string::npos)
       << outcome.err;
-  EXPECT_NE(second.find("another campaign is at work in this folder"), std::string::npos) << second;
+  expect_said(second, {"another campaign is at work in this folder"});
   EXPECT_FALSE(fs::exists(fs::path{folder / "all"} / GetParam().result));
   EXPECT_TRUE(is_begun());
   const auto first_part = fs::directory_iterator { parts } -> path();

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <filesystem>
-#include <functional>
-#include <map>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <fstream>
-#include <span>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "flight_log/flight_log.hpp"
 #include "flight_log/made_flight.hpp"
@@ -15,6 +8,7 @@
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

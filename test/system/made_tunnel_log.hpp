@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "sim/roll_plant.hpp"
@@ -15,6 +9,7 @@
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 

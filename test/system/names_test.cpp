@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Names that another computer has given: bytes that are not UTF-8.
 #include <filesystem>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "system/refusal.hpp"
 #include "text/quoting.hpp"
+#include <gtest/gtest.h>
 
 namespace fantail::test {
 namespace {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "system/folder.hpp"
-#include "system/process.hpp"
+#include "system/refusal.hpp"
 
 namespace fantail::test {
 namespace {
@@ -16,7 +14,7 @@ using Words = std::vector<std::string>;
 void expect_output_fault(const Outcome& outcome, const std::string& said) {
   EXPECT_EQ(outcome.exit_code, 74) << outcome.err << "signal " << outcome.signal;
   EXPECT_TRUE(outcome.err.starts_with("fantail: ")) << outcome.err;
-  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  expect_said(outcome.err, {said});
 }
 
 std::function<void()> limit_files_to(rlim_t bytes) {
@@ -86,7 +84,7 @@ TEST(FullDisk, OfARealFileSystemLeavesNothingBehind) {
   }
   const Outcome outcome = run("unshare", {"-rm", "sh", "-c", script, "sh", folder.path().string(), fantail_path()});
   EXPECT_EQ(outcome.out, "code 74\n./out/summary.json\nearlier\n");
-  EXPECT_NE(outcome.err.find("flight.csv: No space left on device"), std::string::npos) << outcome.err;
+  expect_said(outcome.err, {"flight.csv: No space left on device"});
 }
 
 TEST(PlanBlock, OnAFullDiskIsNotHalfWritten) {

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The publication repeated as a whole.
-#include <map>
 #include <regex>
-#include <set>
-#include <string>
 
-#include <gtest/gtest.h>
-
-#include "json/value.hpp"
-#include "system/folder.hpp"
-#include "system/process.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {
@@ -202,10 +194,8 @@ TEST_F(Paper, WhateverCameOutDifferentlyHasAReason) {
 TEST_F(Paper, ThePageIsCompleteAndLoadsNothing) {
   EXPECT_EQ(folder_->listing(), (Words{"paper", "paper/paper.html", "paper/paper.json"}));
   const std::string page = content(folder_->path() / "paper/paper.html");
-  for (const char* chapter : {"The air of the tunnel", "Swirl", "Launch 1", "Steps in the wind tunnel", "Launch 2",
-                              "The print, held against itself", "The printed figures and tables"}) {
-    EXPECT_NE(page.find(chapter), std::string::npos) << chapter;
-  }
+  expect_said(page, {"The air of the tunnel", "Swirl", "Launch 1", "Steps in the wind tunnel", "Launch 2",
+                     "The print, held against itself", "The printed figures and tables"});
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("href=\"http"), std::string::npos);
   std::size_t drawn = 0;
@@ -227,7 +217,7 @@ TEST(PaperTrouble, AFolderThatCannotBeMadeIsNamed) {
   (void)folder.write("taken", "a file");
   const Outcome outcome = fantail({"paper", "--out", folder / "taken/paper"});
   EXPECT_EQ(outcome.exit_code, 74);
-  EXPECT_NE(outcome.err.find("taken"), std::string::npos) << outcome.err;
+  expect_said(outcome.err, {"taken"});
 }
 
 }  // namespace

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <sstream>
 
-#include <gtest/gtest.h>
-
-#include "json/value.hpp"
-#include "system/folder.hpp"
-#include "system/process.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {
@@ -17,14 +11,10 @@ json::Value prediction(const std::filesystem::path& folder) { return json::parse
 
 TEST(Predict, TheFirstLaunchIsNoGoWithItsReasonAndEverythingIsWritten) {
   const Folder folder;
-  const Outcome outcome = fantail({"predict", "tasha3_launch1", "--runs", "10"}, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const Outcome outcome = run_in(folder, {"predict", "tasha3_launch1", "--runs", "10"}, 1);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find("No go: the fin offset of about 7."), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("larger than the 6 degree canard limit in "), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("seed 1\n"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("hindsight"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("Swirl subtracted: 0 degrees"), std::string::npos) << outcome.out;
+  expect_said(outcome.out, {"No go: the fin offset of about 7.", "larger than the 6 degree canard limit in ",
+                            "seed 1\n", "hindsight", "Swirl subtracted: 0 degrees"});
   const std::filesystem::path written = folder.path() / "out/predict/tasha3_launch1";
   Words names;
   for (const auto& entry : std::filesystem::directory_iterator{written}) {
@@ -33,7 +23,7 @@ TEST(Predict, TheFirstLaunchIsNoGoWithItsReasonAndEverythingIsWritten) {
   std::ranges::sort(names);
   EXPECT_EQ(names, results);
   EXPECT_EQ(prediction(written)["go"], false);
-  EXPECT_NE(content(written / "predict.html").find("No go"), std::string::npos);
+  expect_said(content(written / "predict.html"), {"No go"});
 }
 
 TEST(Predict, TheSecondLaunchIsGo) {
@@ -94,8 +84,7 @@ TEST(Predict, ARunIsRepeatedByTheCommandThatThePageNames) {
   EXPECT_EQ(command,
             "fantail predict tasha3_launch2 --seed 5 --set controller.canard_limit_deg=8 --damping-factor 1:1.6 --run "
             "RUN");
-  EXPECT_NE(content(found / "predict.html").find("Changed on the command line: controller.canard_limit_deg=8, seed=5"),
-            std::string::npos);
+  expect_said(content(found / "predict.html"), {"Changed on the command line: controller.canard_limit_deg=8, seed=5"});
   std::istringstream words{command};
   Words again;
   for (std::string word; words >> word;) {
@@ -103,8 +92,7 @@ TEST(Predict, ARunIsRepeatedByTheCommandThatThePageNames) {
   }
   again.erase(again.begin());
   again.emplace_back("--json");
-  const Outcome outcome = fantail(again, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = run_in(folder, again);
   const json::Value flight = json::parse(outcome.out);
   const std::vector<std::string> row = row_of(content(found / "runs.csv"), 3);
   EXPECT_EQ(flight["outcome"], row[7]);
@@ -128,8 +116,7 @@ TEST(Predict, ResultsOfAChangedScenarioReplaceNoOthers) {
   EXPECT_EQ(predicted({}).find("Changed"), std::string::npos);
   const std::string unchanged = content(folder.path() / "out/predict/tasha3_launch1/predict.json");
   const std::string text = predicted({"--set", "controller.canard_limit_deg=9"});
-  EXPECT_NE(text.find(". Changed on the command line: controller.canard_limit_deg=9.\nNo go:"), std::string::npos)
-      << text;
+  expect_said(text, {". Changed on the command line: controller.canard_limit_deg=9.\nNo go:"});
   (void)predicted({"--set", "disturbance.angles_deg=[0, 1, 2, 3, 4]"});
   (void)predicted({"--set", "disturbance.angles_deg=[0,1, 2, 3, 4]"});
   (void)predicted({"--phase-margin", "0"});
@@ -150,9 +137,8 @@ constexpr const char* own_steps =
 TEST(Predict, TakesAFileOfOnesOwnWithTheSwirlThatIsGiven) {
   const Folder folder;
   folder.write("steps.csv", own_steps);
-  const Outcome outcome = fantail({"predict", "--tunnel", "steps.csv", "--swirl", "-1.5", "--runs", "5", "--json"},
-                                  {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 1);
+  const Outcome outcome =
+      run_in(folder, {"predict", "--tunnel", "steps.csv", "--swirl", "-1.5", "--runs", "5", "--json"}, 1);
   const json::Value said = json::parse(outcome.out);
   EXPECT_EQ(said["tunnel"]["file"], "steps.csv");
   EXPECT_EQ(said["tunnel"]["swirl_deg"], -1.5);
@@ -165,10 +151,8 @@ TEST(Predict, FindsTheFileThatAScenarioNamesBesideIt) {
   folder.write("mine/steps.csv", own_steps);
   folder.write("mine/flight.toml",
                "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\ntunnel_result = \"steps.csv\"\n");
-  const Outcome outcome =
-      fantail({"predict", "mine/flight.toml", "--swirl", "0", "--runs", "3"}, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("the 3 rows of steps.csv"), std::string::npos) << outcome.out;
+  const Outcome outcome = run_in(folder, {"predict", "mine/flight.toml", "--swirl", "0", "--runs", "3"}, 1);
+  expect_said(outcome.out, {"the 3 rows of steps.csv"});
 }
 
 TEST(Predict, RefusesWhatItCannotPredictFromAndWritesNothing) {
@@ -197,10 +181,8 @@ TEST(Predict, RefusesTooFewRowsAndThoseOfAnotherVehicleAndTakesTheseOnPurpose) {
   const Folder folder;
   folder.write("steps.csv", dart);
   const Outcome outcome =
-      fantail({"predict", "--tunnel", "steps.csv", "--swirl", "0", "--other-vehicle", "--runs", "2"},
-              {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("accepted for Tasha III, launch 2 on purpose"), std::string::npos) << outcome.out;
+      run_in(folder, {"predict", "--tunnel", "steps.csv", "--swirl", "0", "--other-vehicle", "--runs", "2"}, 1);
+  expect_said(outcome.out, {"accepted for Tasha III, launch 2 on purpose"});
 }
 
 TEST(Predict, RefusesOptionsThatMeanNothing) {

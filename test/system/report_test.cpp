@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "flight_log/made_flight.hpp"
-#include "json/value.hpp"
-#include "system/folder.hpp"
-#include "system/process.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {
@@ -39,14 +30,13 @@ std::string line(double angle, double rate) {
 TEST(Report, OfAFlightLogIsThePageAndTheDataThatFlyWrites) {
   const Folder folder;
   folder.write("flown.ftl", made_log());
-  const Outcome outcome = fantail({"report", "flown.ftl", "--json"}, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = run_in(folder, {"report", "flown.ftl", "--json"});
   const Json summary = json::parse(outcome.out);
   EXPECT_TRUE(summary["seed"].is_null());
   EXPECT_EQ(summary["phase_changes"][summary["phase_changes"].size() - 1]["phase"], summary["final_phase"]);
   EXPECT_FALSE(summary["events"]["detected_s"].is_null());
   EXPECT_EQ(content(folder / "out/report/flown/summary.json"), outcome.out);
-  EXPECT_NE(content(folder / "out/report/flown/report.html").find("Launch detected"), std::string::npos);
+  expect_said(content(folder / "out/report/flown/report.html"), {"Launch detected"});
   const Outcome table =
       fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "-"}, {.working_folder = folder.path()});
   EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), table.out);
@@ -58,23 +48,20 @@ TEST(Report, NeverReplacesOrRemovesAFlightsOwnFiles) {
   folder.write("day/flight.ftl", made_log());
   folder.write("other.ftl", made_log());
   for (const char* input : {"day/flight.ftl", "day", "other.ftl"}) {
-    const Outcome outcome = fantail({"report", input, "--out", "day"}, {.working_folder = folder.path()});
-    EXPECT_EQ(outcome.exit_code, 74) << input;
-    EXPECT_NE(outcome.err.find("day/flight.ftl: a flight keeps its own files here"), std::string::npos) << outcome.err;
+    const Outcome outcome = run_in(folder, {"report", input, "--out", "day"}, 74);
+    expect_said(outcome.err, {"day/flight.ftl: a flight keeps its own files here"});
     EXPECT_EQ(content(folder / "day/flight.ftl"), made_log());
     EXPECT_EQ(content(folder / "day/flight.csv"), "");
   }
-  const Outcome exported = fantail({"log", "export", "day/flight.ftl", "--to", "json", "--out", "day/flight.ftl"},
-                                   {.working_folder = folder.path()});
-  EXPECT_EQ(exported.exit_code, 74) << exported.err;
+  const Outcome exported =
+      run_in(folder, {"log", "export", "day/flight.ftl", "--to", "json", "--out", "day/flight.ftl"}, 74);
   EXPECT_EQ(content(folder / "day/flight.ftl"), made_log());
 }
 
 TEST(Report, OfATableFromElsewhereShowsWhatItHasAndNoMore) {
   const Folder folder;
   folder.write("old.csv", line(5.0, 36.0));
-  const Outcome outcome = fantail({"report", "old.csv", "--out", "page", "--json"}, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = run_in(folder, {"report", "old.csv", "--out", "page", "--json"});
   const Json summary = json::parse(outcome.out);
   EXPECT_EQ(summary["max_speed_m_s"], 30.0);
   for (const char* key : {"vehicle", "plan", "seed", "final_phase", "saturated_fraction", "authority_margin_deg"}) {
@@ -85,10 +72,8 @@ TEST(Report, OfATableFromElsewhereShowsWhatItHasAndNoMore) {
 
 TEST(Report, OfAFolderOfFlySaysTheSameAsFly) {
   const Folder folder;
-  const Outcome flown = fantail({"fly", "--out", "flown", "--json"}, {.working_folder = folder.path()});
-  ASSERT_EQ(flown.exit_code, 0) << flown.err;
-  const Outcome outcome = fantail({"report", "flown", "--json"}, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome flown = run_in(folder, {"fly", "--out", "flown", "--json"});
+  const Outcome outcome = run_in(folder, {"report", "flown", "--json"});
   const Json before = json::parse(flown.out);
   const Json after = json::parse(outcome.out);
   for (const char* key : {"scenario", "vehicle", "plan", "seed", "events", "apogee_m", "max_speed_m_s",
@@ -98,19 +83,16 @@ TEST(Report, OfAFolderOfFlySaysTheSameAsFly) {
   }
   EXPECT_FALSE(after["roll_turns_without_control"].is_null());
   EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), content(folder / "flown/flight.csv"));
-  EXPECT_NE(content(folder / "out/report/flown/report.html").find("<code>fantail report flown</code>"),
-            std::string::npos);
-  EXPECT_NE(content(folder / "flown/report.html").find("<code>fantail fly tasha3_launch2</code>"), std::string::npos);
+  expect_said(content(folder / "out/report/flown/report.html"), {"<code>fantail report flown</code>"});
+  expect_said(content(folder / "flown/report.html"), {"<code>fantail fly tasha3_launch2</code>"});
 }
 
 TEST(Report, OfAFolderOfFlySaysWhatWasChangedOnTheCommandLine) {
   const Folder folder;
-  const Outcome flown =
-      fantail({"fly", "--set", "controller.canard_limit_deg=8", "--out", "flown"}, {.working_folder = folder.path()});
-  ASSERT_EQ(flown.exit_code, 0) << flown.err;
+  const Outcome flown = run_in(folder, {"fly", "--set", "controller.canard_limit_deg=8", "--out", "flown"});
   const Outcome outcome = fantail({"report", "flown"}, {.working_folder = folder.path()});
   for (const std::string& out : {flown.out, outcome.out}) {
-    EXPECT_NE(out.find("\nChanged on the command line: controller.canard_limit_deg=8.\n"), std::string::npos) << out;
+    expect_said(out, {"\nChanged on the command line: controller.canard_limit_deg=8.\n"});
   }
 }
 
@@ -118,16 +100,14 @@ TEST(Report, OfTwoFlightsHasTheDifferencesOfCompare) {
   const Folder folder;
   folder.write("a.csv", line(1.0, 20.0));
   folder.write("b.csv", line(0.0, 19.0));
-  const Outcome outcome =
-      fantail({"report", "a.csv", "b.csv", "--from", "2", "--to", "4", "--json"}, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = run_in(folder, {"report", "a.csv", "b.csv", "--from", "2", "--to", "4", "--json"});
   // A - B = 1 + t over 2..4 s: mean 4, largest 5 at 4 s; the rates are 1 deg/s apart.
   const Json json = json::parse(outcome.out);
   EXPECT_NEAR(json["mean_abs_angle_difference_deg"].number(), 4.0, 1e-5);
   EXPECT_NEAR(json["max_abs_angle_difference_deg"].number(), 5.0, 1e-5);
   EXPECT_NEAR(json["mean_abs_rate_difference_deg_s"].number(), 1.0, 1e-5);
   const std::string page = content(folder / "out/report/a_and_b/report.html");
-  EXPECT_NE(page.find("Speed"), std::string::npos);
+  expect_said(page, {"Speed"});
   EXPECT_EQ(page.find("Roll command"), std::string::npos) << "neither log has one";
   EXPECT_EQ(page.find("src="), std::string::npos);
 }
@@ -139,8 +119,7 @@ TEST(Report, ALogAndATableCanBeLaidOverEachOther) {
       fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "same.csv"}, {.working_folder = folder.path()})
           .exit_code,
       0);
-  const Outcome outcome = fantail({"report", "flown.ftl", "same.csv", "--json"}, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = run_in(folder, {"report", "flown.ftl", "same.csv", "--json"});
   EXPECT_EQ(json::parse(outcome.out)["max_abs_angle_difference_deg"], 0.0);
 }
 

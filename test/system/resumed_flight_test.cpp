@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A flight whose processor is reset, as a person flies it and reads it.
-#include <string>
-#include <vector>
 
-#include <gtest/gtest.h>
-
-#include "json/value.hpp"
-#include "system/folder.hpp"
-#include "system/process.hpp"
+#include "system/refusal.hpp"
 
 namespace fantail::test {
 namespace {

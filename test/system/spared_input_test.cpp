@@ -3,10 +3,8 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include "system/folder.hpp"
-#include "system/process.hpp"
+#include "system/refusal.hpp"
 
 namespace fantail::test {
 namespace {
@@ -64,10 +62,8 @@ TEST_P(Input, IsNotReplacedByWhatIsMadeFromIt) {
                                  "[[spread]]\nfields = [\"aerodynamics.damping_m2\", \"aerodynamics.torque_m\"]\n"
                                  "law = \"rows\"\ntable = \"o/summary.json\"\ncolumns = [\"damping\", \"torque\"]\n");
   folder.write(file, text);
-  const Outcome outcome = fantail(words, {.working_folder = folder.path()});
-  EXPECT_EQ(outcome.exit_code, 74) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.err.find(std::string{file} + ": is what these results are made from"), std::string::npos)
-      << outcome.err;
+  const Outcome outcome = run_in(folder, words, 74);
+  expect_said(outcome.err, {std::string{file} + ": is what these results are made from"});
   EXPECT_EQ(content(folder / file), text);
 }
 

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What a person sees: standard output is a terminal.
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
 
-#include <gtest/gtest.h>
-
-#include "system/folder.hpp"
-#include "system/process.hpp"
+#include "system/refusal.hpp"
 #include "system/screen.hpp"
 
 namespace fantail::test {
 namespace {
 
-using Words = std::vector<std::string>;
 using Variables = std::vector<std::pair<const char*, const char*>>;  // null: none of that name
 
 std::function<void()> surroundings(const Variables& variables) {
@@ -160,22 +155,19 @@ TEST(Terminal, NoExitCodeIsParted) {
   const Folder folder;
   for (const unsigned short columns : std::initializer_list<unsigned short>{60, 80, 120}) {
     const std::string help = on_terminal({"--help"}, folder, columns).out;
-    for (const char* whole : {"1 a requirement was not met,", "66 no such input,", "70 internal error,"}) {
-      EXPECT_NE(help.find(whole), std::string::npos) << columns << ": " << help;
-    }
+    expect_said(help, {"1 a requirement was not met,", "66 no such input,", "70 internal error,"});
   }
 }
 
 TEST(Terminal, ATableThatIsTooWideHasItsRowsAsSentencesOrSaysWhichColumnsItLeavesOut) {
   const Folder folder;
   const std::string narrow = on_terminal({"airframe", "tasha3_launch2"}, folder).out;
-  EXPECT_NE(narrow.find("number mass at lift-off; from shape 3.990; file 3.99; unit kg\r\n"), std::string::npos)
-      << narrow;
+  expect_said(narrow, {"number mass at lift-off; from shape 3.990; file 3.99; unit kg\r\n"});
   const std::string wide = on_terminal({"airframe", "tasha3_launch2"}, folder, 120).out;
   EXPECT_NE(wide.find("1.05 to 1.81      1.5  calibres\r\n"), std::string::npos) << wide;
   folder.write("a.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,0,1\n1,1,1\n2,2,1\n");
   const std::string compared = on_terminal({"compare", "a.csv", "a.csv"}, folder, 40).out;
-  EXPECT_NE(compared.find("Left out, for the width of this"), std::string::npos) << compared;
+  expect_said(compared, {"Left out, for the width of this"});
   EXPECT_EQ(too_wide(compared, 40), "");
 }
 
@@ -217,7 +209,7 @@ TEST(Pipe, HasColoursForWhoAsksForThemAndIsNotWrappedForThat) {
 TEST(Color, TakesThreeWords) {
   const Outcome outcome = fantail({"plan", "show", "--color", "red"});
   EXPECT_EQ(outcome.exit_code, 64);
-  EXPECT_NE(outcome.err.find("--color: red not in {auto,always,never}"), std::string::npos) << outcome.err;
+  expect_said(outcome.err, {"--color: red not in {auto,always,never}"});
 }
 
 TEST(Watch, DrawsOverTheLastPictureAndClearsNoScreen) {
@@ -234,8 +226,8 @@ TEST(Watch, DrawsOverTheLastPictureAndClearsNoScreen) {
   EXPECT_GE(frames, 4U);
   const std::size_t left = drawn.find("\033[?1049l");
   ASSERT_NE(left, std::string::npos) << "the alternate screen";
-  EXPECT_NE(drawn.find("link, last ", left), std::string::npos) << "the last picture stays";
-  EXPECT_NE(drawn.find("phase \033["), std::string::npos) << "the phase in colour";
+  expect_said(drawn.substr(left), {"link, last "});  // the last picture stays
+  expect_said(drawn, {"phase \033["});
 }
 
 TEST(Watch, GivesTheShellItsScreenWhileItIsStopped) {
@@ -262,7 +254,7 @@ TEST(Watch, GivesTheShellItsScreenWhileItIsStopped) {
   const std::size_t left = outcome.out.find("\033[?1049l");
   const std::size_t back = outcome.out.find("\033[?1049h", left);
   ASSERT_NE(back, std::string::npos) << "left at " << left;
-  EXPECT_NE(outcome.out.find("\033[?1049l", back), std::string::npos) << "and at the end";
+  expect_said(outcome.out.substr(back), {"\033[?1049l"});  // and at the end
 }
 
 TEST(Watch, IsLinesOnATerminalThatCannotDraw) {
@@ -271,7 +263,7 @@ TEST(Watch, IsLinesOnATerminalThatCannotDraw) {
   ASSERT_EQ(fantail({"fly", "--lcm", url}, {.working_folder = folder.path()}).exit_code, 0);
   const Outcome outcome = on_terminal({"watch", "--lcm", url, "--for", "1.1"}, folder, 80, {{"TERM", "dumb"}});
   EXPECT_FALSE(has_escape(outcome.out)) << outcome.out;
-  EXPECT_NE(outcome.out.find("link: "), std::string::npos) << outcome.out;
+  expect_said(outcome.out, {"link: "});
 }
 
 }  // namespace

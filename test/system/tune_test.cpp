@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 namespace {

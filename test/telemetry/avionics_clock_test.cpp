@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 
 #include "gateway/gateway.hpp"
+#include "test.hpp"
 
 namespace fantail::gateway {
 namespace {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "gateway/gateway.hpp"
 
-#include <deque>
-
-#include <gtest/gtest.h>
-
 #include "avionics/can_frame.hpp"
 #include "telemetry/collected.hpp"
 #include "telemetry/tick_reporter.hpp"
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {

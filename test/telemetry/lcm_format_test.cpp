@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+
 #include "telemetry/lcm_format.hpp"
 
-#include <algorithm>
-#include <string>
-
-#include <gtest/gtest.h>
+#include "system/folder.hpp"
+#include "telemetry/publisher.hpp"
+#include "telemetry/receiver.hpp"
+#include "telemetry/url.hpp"
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {
@@ -124,5 +126,135 @@ TEST(LcmLog, PassesOverWhatIsDamagedAndEndsWhereItIsCutOff) {
   }
 }
 
+using test::Folder;
+
+Packet state(std::int64_t sequence) {
+  return encode(Stamp{.run = 9, .sequence = sequence, .time = core::Microseconds{10'000 * sequence}},
+                State{.roll_angle_rad = static_cast<double>(sequence)});
+}
+
+void listen_to_the_end(const std::string& url, Receiver& receiver) {
+  Subscription subscription{Url{url}};
+  while (subscription.listen([&](auto channel, auto bytes) { receiver.take(channel, bytes, {}); })) {
+    subscription.wait(std::chrono::milliseconds{100});
+  }
+}
+
+TEST(Subscription, HearsAllThatWasWrittenIntoALog) {
+  const Folder folder;
+  const std::string url = "file://" + (folder / "flight.lcmlog");
+  {
+    const auto log = open_outlet(Url{url});
+    for (std::int64_t i = 0; i < 20'000; ++i) {
+      if (i % 100 != 50) {
+        EXPECT_TRUE(log->put(state(i)));
+      }
+    }
+    EXPECT_TRUE(log->close());
+  }
+  Receiver receiver;
+  listen_to_the_end(url + "?speed=0", receiver);
+  EXPECT_EQ(receiver.total(Channel::state), (ChannelFigures{.received = 19'800, .lost = 200}));
+  EXPECT_EQ(receiver.state()->content.roll_angle_rad, 19'999.0);
+}
+
+TEST(Subscription, ALogOfThisFormatReadsBackToTheByte) {
+  const Folder folder;
+  const std::string path = folder / "flight.lcmlog";
+  const Packet packet = state(3);
+  {
+    const auto log = open_outlet(Url{"file://" + path});
+    EXPECT_TRUE(log->put(packet));
+    EXPECT_TRUE(log->close());
+  }
+  // Of the format's description: sync word, number, time in microseconds, two lengths, channel, message.
+  std::string wanted{"\xED\xA1\xDA\x01", 4};
+  wanted += std::string{"\0\0\0\0\0\0\0\0", 8};
+  wanted += std::string{"\0\0\0\0\0\0\x75\x30", 8};  // 30 000 us
+  wanted += std::string{"\0\0\0\x0D", 4};
+  wanted += std::string{"\0\0\0", 3} + static_cast<char>(packet.size);
+  wanted += "FANTAIL_STATE";
+  for (const std::byte byte : packet.content()) {
+    wanted += static_cast<char>(byte);
+  }
+  EXPECT_EQ(test::content(path), wanted);
+}
+
+TEST(Subscription, AFileThatIsNotThereOrNoLogIsAnError) {
+  const Folder folder;
+  EXPECT_THROW(Subscription{Url{"file://" + (folder / "none")}}, TelemetryError);
+  const std::string empty = folder.write("empty", "");
+  EXPECT_THROW(Subscription{Url{"file://" + empty}}, TelemetryError);
+}
+
+TEST(Outlet, AFolderThatIsNotThereAndAFullDiskAreErrors) {
+  const Folder folder;
+  EXPECT_THROW((void)open_outlet(Url{"file://" + (folder / "none/flight.lcmlog")}), TelemetryError);
+  const auto full = open_outlet(Url{"file:///dev/full"});
+  (void)full->put(state(0));
+  EXPECT_FALSE(full->close());
+}
+
+TEST(Url, WhatIsLeftOutIsWhatTheToolsOfLcmTake) {
+  for (const char* text : {"udpm://", "udpm://239.255.76.67", "udpm://239.255.76.67:7667", "udpm://?ttl=1"}) {
+    const Url url{text};
+    EXPECT_FALSE(url.is_file());
+    EXPECT_EQ(url.address(), "239.255.76.67") << text;
+    EXPECT_EQ(url.port(), 7667) << text;
+  }
+}
+
+TEST(Url, AFileIsAPathWithoutItsOptions) {
+  const Url url{"file:///tmp/a b.lcmlog?speed=0.5"};
+  EXPECT_TRUE(url.is_file());
+  EXPECT_EQ(url.path(), "/tmp/a b.lcmlog");
+  EXPECT_EQ(Url{"file://flight.lcmlog"}.path(), "flight.lcmlog");
+}
+
+TEST(Url, TheEndsOfEveryRange) {
+  for (const char* good : {"udpm://224.0.0.0:1", "udpm://239.255.255.255:65535", "udpm://?ttl=0", "udpm://?ttl=255",
+                           "udpm://239.0.0.1:7667?ttl=1&recv_buf_size=2000000", "file:///f?speed=0"}) {
+    EXPECT_EQ(objection_to_url(good), "") << good;
+  }
+  for (const char* bad : {"",
+                          "udpm",
+                          "udp://239.255.76.67:7667",
+                          "239.255.76.67:7667",
+                          "memq://",
+                          "udpm://223.255.255.255:7667",
+                          "udpm://240.0.0.0:7667",
+                          "udpm://localhost:7667",
+                          "udpm://239.255.76.67:0",
+                          "udpm://239.255.76.67:65536",
+                          "udpm://239.255.76.67:",
+                          "udpm://239.255.76.67:76a",
+                          "udpm://?ttl=256",
+                          "udpm://?ttl=-1",
+                          "udpm://?ttl=",
+                          "udpm://?tll=1",
+                          "udpm://?",
+                          "udpm://?ttl=1&",
+                          "udpm://?recv_buf_size=0",
+                          "file://",
+                          "file://?speed=1",
+                          "file:///f?mode=w",
+                          "file:///f?speed=-1",
+                          "file:///f?speed=fast",
+                          "file:///f?speed=nan"}) {
+    EXPECT_NE(objection_to_url(bad), "") << bad;
+  }
+}
+
+TEST(Url, AnObjectionNamesWhatIsWrongAndWhatIsAllowed) {
+  EXPECT_EQ(
+      objection_to_url("udpm://10.0.0.1:7667"),
+      "\"10.0.0.1\" is not a multicast address; allowed: udpm://ADDRESS:PORT with a multicast address (224.0.0.0 to "
+      "239.255.255.255), or file:///PATH");
+  EXPECT_EQ(objection_to_url("udpm://?tll=1"),
+            "\"tll=1\" is not an option of \"udpm://?tll=1\"; allowed: ttl=HOPS (0 to 255, 0: this computer only), "
+            "recv_buf_size=BYTES");
+}
+
 }  // namespace
+
 }  // namespace fantail::telemetry

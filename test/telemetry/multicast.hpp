@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "can/program.hpp"
 #include "json/value.hpp"
 #include "system/process.hpp"
+#include "test.hpp"
 
 namespace fantail::test {
 

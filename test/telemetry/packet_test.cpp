@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <random>
-
-#include <gtest/gtest.h>
 
 #include "seed.hpp"
 #include "telemetry/messages.hpp"
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {

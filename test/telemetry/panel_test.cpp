@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/panel.hpp"
 
-#include <gtest/gtest.h>
-
 #include "json/value.hpp"
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {

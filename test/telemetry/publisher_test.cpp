@@ -3,16 +3,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <latch>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "telemetry/url.hpp"
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/receiver.hpp"
 
-#include <algorithm>
-#include <random>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {

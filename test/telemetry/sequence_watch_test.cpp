@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstdio>
-#include <random>
-#include <set>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "telemetry/receiver.hpp"
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/tick_reporter.hpp"
 
-#include <gtest/gtest.h>
-
 #include "telemetry/collected.hpp"
+#include "test.hpp"
 
 namespace fantail::telemetry {
 namespace {

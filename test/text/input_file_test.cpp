@@ -8,10 +8,10 @@
 #include <fstream>
 #include <thread>
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "system/folder.hpp"
+#include "test.hpp"
 #include "text/error.hpp"
 
 namespace fantail::text {

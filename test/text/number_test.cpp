@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+
 #include "text/number.hpp"
 
-#include <gtest/gtest.h>
+#include "test.hpp"
+#include "text/error.hpp"
+#include "text/layout.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::text {
 namespace {
@@ -55,5 +59,130 @@ TEST(WholeNumber, IsDigitsAndNothingElseUpToTheLargest) {
   }
 }
 
+TEST(CsvCell, IsTheTextItselfWhereNoReaderMistakesIt) {
+  EXPECT_EQ(csv_cell(""), "");
+  EXPECT_EQ(csv_cell("held 3.5 deg"), "held 3.5 deg");
+}
+
+TEST(CsvCell, IsInQuotesAndOnOneLineWhereAReaderWouldTakeItForMore) {
+  EXPECT_EQ(csv_cell("a, b"), "\"a, b\"");
+  EXPECT_EQ(csv_cell("says \"no\""), "\"says \"\"no\"\"\"");
+  EXPECT_EQ(csv_cell("one\r\ntwo"), "\"one  two\"");
+  EXPECT_EQ(csv_cell("# no remark"), "\"# no remark\"");
+}
+
+TEST(Decimal, IsTheNearestDoubleOfAllOfTheText) {
+  EXPECT_EQ(decimal("-4.9"), -4.9);
+  EXPECT_EQ(decimal("1e-3"), 0.001);
+  EXPECT_EQ(decimal("9007199254740993"), 9007199254740992.0);  // between two: the even one
+  EXPECT_EQ(decimal(".5"), 0.5);
+}
+
+TEST(Decimal, IsNoneOfWhatIsNotWhollyANumber) {
+  for (const char* text : {"", "+1", " 1", "1 ", "1,5", "0x10", "1.5.2", "six", "1e400"}) {
+    EXPECT_EQ(decimal(text), std::nullopt) << text;
+  }
+}
+
+TEST(TomlText, QuotesWhatTomlReadsBack) {
+  EXPECT_EQ(toml_text("a \"b\" c\\d \n\x7F \u00FC\U0001F680"),
+            "\"a \\\"b\\\" c\\\\d \\u000a\\u007f \u00FC\U0001F680\"");
+  EXPECT_EQ(toml_text(""), "\"\"");
+}
+
+TEST(TomlText, OfBytesThatAreNoUtf8IsRefused) {
+  try {
+    (void)toml_text("fl\xFCg");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_configuration);
+    EXPECT_STREQ(error.what(), "\"fl?g\" is not text in UTF-8, which a TOML file must be; rename what is called so");
+  }
+}
+
+Table example() {
+  Table table{{{"what"}, {"least", 2}, {"median"}, {"largest", 1}}};
+  table.row({"          ", "     least", "    median", "   largest"});
+  table.row({"speed     ", "      10.5", "        12", "      14.5"});
+  return table;
+}
+
+TEST(Table, IsItsCellsWhereThereIsRoom) {
+  const std::string text = "               least    median   largest\nspeed           10.5        12      14.5\n";
+  EXPECT_EQ(example().text(any_width), text);
+  EXPECT_EQ(example().text(40), text);
+}
+
+TEST(Table, LosesBlanksBeforeColumns) {
+  EXPECT_EQ(example().text(39), "       least  median  largest\nspeed   10.5      12     14.5\n");
+}
+
+TEST(Table, LosesColumnsInTheirOrderAndSaysWhich) {
+  EXPECT_EQ(example().text(28),
+            "       least  median\nspeed   10.5      12\n  Left out, for the width of this terminal: largest\n");
+  EXPECT_EQ(example().text(15),
+            "       median\nspeed      12\n  Left out, for the width of this terminal: largest, least\n");
+  EXPECT_EQ(example().text(1), example().text(15)) << "the others stay";
+}
+
+TEST(Table, ARowMayEndEarly) {
+  Table table{{{"a"}, {"b"}}};
+  table.row({"a wide row of its own"});
+  table.row({"x    ", "   1"});
+  table.row_to_its_last_word({"y    ", "    "});
+  EXPECT_EQ(table.text(any_width), "a wide row of its own\nx       1\ny\n");
+  EXPECT_EQ(table.text(8), "a wide row of its own\nx  1\ny\n");
+}
+
+TEST(Wrapped, LinesThatFitStayAsTheyAre) {
+  const std::string text = "one two\n\n  three   four\nfive";
+  EXPECT_EQ(wrapped(text, 14), text);
+  EXPECT_EQ(wrapped("a line of any length stays in a pipe\n", any_width), "a line of any length stays in a pipe\n");
+}
+
+TEST(Wrapped, ASentenceGoesOnTwoColumnsFartherIn) {
+  EXPECT_EQ(wrapped("  one two three four\n", 11), "  one two\n    three\n    four\n");
+}
+
+TEST(Wrapped, ACellGoesOnBelowItself) {
+  EXPECT_EQ(wrapped("  --out DIR   where all of it goes\n", 25), "  --out DIR   where all\n              of it goes\n");
+  EXPECT_EQ(wrapped("                        a meaning below its option\n", 44),
+            "                        a meaning below its\n                        option\n");
+}
+
+TEST(Wrapped, ACellThatWouldBeATowerOfWordsGoesBelowAsAWhole) {
+  EXPECT_EQ(wrapped("  a long command line  what it does\n", 30), "  a long command line\n    what it does\n");
+}
+
+TEST(Wrapped, ACommentStaysOne) {
+  EXPECT_EQ(wrapped("x = 1   # how it begins\n", 18), "x = 1   # how it\n        # begins\n");
+}
+
+TEST(Wrapped, AWordIsNeverSplitEvenWhenItIsWiderThanTheLine) {
+  EXPECT_EQ(wrapped("page /a/very/long/path/page.html there\n", 12), "page\n  /a/very/long/path/page.html\n  there\n");
+}
+
+TEST(Wrapped, ALineOfNothingButBlanksIsAnEmptyOne) {
+  EXPECT_EQ(wrapped("a\n" + std::string(50, ' ') + "\nb\n", 40), "a\n\nb\n");
+}
+
+TEST(Wrapped, ACommandStaysWhole) {
+  EXPECT_EQ(wrapped("again: fantail fly --run 3\n", 20), "again:\n  fantail fly --run 3\n");
+  EXPECT_EQ(wrapped("  fantail fly my_rocket --seed 3\n", 20), "  fantail fly my_rocket --seed 3\n");
+}
+
+TEST(Wrapped, CharactersCountAndNotTheirBytes) {
+  EXPECT_EQ(display_width("\u221220 \u00b0"), 5U);
+  EXPECT_EQ(wrapped("\u00b1\u00b1\u00b1\u00b1 \u00b1\u00b1\u00b1\u00b1\n", 9),
+            "\u00b1\u00b1\u00b1\u00b1 \u00b1\u00b1\u00b1\u00b1\n");
+  EXPECT_EQ(wrapped("\u00b1\u00b1 \u00b1\u00b1\n", 4), "\u00b1\u00b1\n  \u00b1\u00b1\n");
+}
+
+TEST(Wrapped, AColourTakesNoRoom) {
+  EXPECT_EQ(display_width("\033[31mNo go\033[0m"), 5U);
+  EXPECT_EQ(wrapped("\033[31mNo go\033[0m: why\n", 10), "\033[31mNo go\033[0m: why\n");
+}
+
 }  // namespace
+
 }  // namespace fantail::text

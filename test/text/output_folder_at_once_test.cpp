@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Several writers of one folder: threads have one process id, and so may processes of two containers.
-#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
-#include <set>
-#include <sstream>
 #include <thread>
-#include <vector>
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "test.hpp"
+#include "text/output_folder.hpp"
 #include "text/output_folder.hpp"
 
 namespace fantail::text {

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "text/output_folder.hpp"
 
-#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <set>
-#include <sstream>
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "test.hpp"
 
 namespace fantail::text {
 namespace {

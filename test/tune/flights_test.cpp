@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tune/flights.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "input/scenario_file.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::tune {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
+
 #include "tune/law.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "input/scenario_file.hpp"
+#include "stability/roll_loop.hpp"
+#include "test.hpp"
 #include "text/error.hpp"
+#include "tune/flights.hpp"
+#include "tune/linear_trial.hpp"
+#include "tune/search.hpp"
 
 namespace fantail::tune {
 namespace {
@@ -73,5 +75,103 @@ TEST(Law, ASteepScheduleThatNoPlanAllowsIsLeftOutWithTheSpeedThatWouldAllowIt) {
   }
 }
 
+// s^2 + (a + b kd) s + b kp with two equal poles at -w: 1 - (1 + w t) e^(-w t), within a tenth from w t = 3.8897 on.
+TEST(LinearStep, OfALoopWithTwoEqualPolesIsTheTextbooks) {
+  constexpr double w = 5.0;
+  const stability::RollLoop loop{.proportional_gain = w * w / 100.0,
+                                 .derivative_gain_s = (2.0 * w - 4.0) / 100.0,
+                                 .damping_rate_per_s = 4.0,
+                                 .authority_per_s2 = 100.0};
+  const std::vector<double> angles = step_response(loop, 2.0);
+  for (const std::size_t i : {99U, 499U, 999U}) {
+    const double t = 1e-3 * static_cast<double>(i + 1);
+    EXPECT_NEAR(angles[i], 1.0 - (1.0 + w * t) * std::exp(-w * t), 2e-3) << t;
+  }
+  EXPECT_NEAR(settling_s(loop, 2.0).value(), 3.8897 / w, 2e-3);
+  EXPECT_FALSE(settling_s(loop, 0.5));
+}
+
+// An integral that is slow beside the loop: its pole is near -ki / kp.
+TEST(LinearStep, IntegralActionComesBackFromItsOvershootWithItsOwnTime) {
+  stability::RollLoop loop{.proportional_gain = 0.5,
+                           .derivative_gain_s = 0.1,
+                           .integral_gain_per_s = 0.1,
+                           .damping_rate_per_s = 5.0,
+                           .authority_per_s2 = 500.0};
+  const std::vector<double> angles = step_response(loop, 10.0);
+  EXPECT_GT(angles[1999], 1.0);
+  EXPECT_NEAR((angles[6999] - 1.0) / (angles[1999] - 1.0), std::exp(-0.2 * 5.0), 0.05);
+}
+
+TEST(LinearStep, ALoopThatSwingsNeverSettles) {
+  const stability::RollLoop loop{.proportional_gain = 5.0,
+                                 .derivative_gain_s = 0.02,
+                                 .damping_rate_per_s = 3.0,
+                                 .authority_per_s2 = 500.0,
+                                 .servo_lag_s = 0.02,
+                                 .delay_s = 0.005};
+  ASSERT_LT(*stability::phase_margin_rad(loop), 0.0);
+  EXPECT_FALSE(settling_s(loop, 5.0));
+}
+
+const SpeedsFlown speeds = speeds_flown({20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0});
+
+void look_away() {}
+
+// Looked at without the search's own loops.
+TEST(Search, WhatItFindsHasTheMarginAndSettlesInTimeEverywhere) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Request request{.schedule = true, .spread = 1.2};
+  const Found found = search(scenario, speeds, request, look_away);
+  ASSERT_FALSE(found.laws.empty());
+  for (const Law& law : found.laws) {
+    for (sim::Scenario airframe : corners(scenario, request.spread)) {
+      airframe.plan = with_law(scenario, request.rejection, law, speeds.range);
+      for (const double speed_m_s : {20.0, 35.0, 50.0, 65.0, 80.0}) {
+        const auto margin = stability::phase_margin_rad(stability::loop_at_speed(airframe, speed_m_s));
+        EXPECT_GT(margin.value(), request.phase_margin_rad - 0.01) << speed_m_s;
+      }
+      for (const double speed_m_s : {50.0, 80.0}) {
+        EXPECT_TRUE(settling_s(stability::loop_at_speed(airframe, speed_m_s), request.settling_s)) << speed_m_s;
+      }
+    }
+  }
+}
+
+TEST(Search, AWiderSpreadLeavesASlowerLaw) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Found narrow = search(scenario, speeds, {.spread = 1.0}, look_away);
+  const Found wide = search(scenario, speeds, {.spread = 2.0}, look_away);
+  ASSERT_FALSE(narrow.laws.empty());
+  EXPECT_TRUE(wide.laws.empty() || wide.laws.front().integral_gain_per_s < narrow.laws.front().integral_gain_per_s);
+}
+
+TEST(Search, FindsNoScheduleThatAPlanDoesNotAllow) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const SpeedsFlown wide = speeds_flown({8.0, 30.0, 50.0, 80.0, 110.0});
+  const Found found = search(scenario, wide, {.schedule = true, .spread = 1.0}, look_away);
+  for (const Law& law : found.laws) {
+    EXPECT_NO_THROW((void)with_law(scenario, Request{}.rejection, law, wide.range)) << law.schedule_exponent;
+  }
+  ASSERT_FALSE(found.laws.empty());
+}
+
+TEST(Search, SaysHowMuchPhaseMarginThereIs) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Found found = search(scenario, speeds, {.phase_margin_rad = text::radians(120.0)}, look_away);
+  EXPECT_TRUE(found.laws.empty());
+  EXPECT_FALSE(found.phase_margin_is_there);
+  EXPECT_GT(found.most.phase_margin_rad, text::radians(45.0));
+  EXPECT_LT(found.most.phase_margin_rad, text::radians(120.0));
+}
+
+TEST(SpeedsFlown, AreEvenInTime) {
+  const SpeedsFlown found = speeds_flown({80.0, 20.0, 50.0, 50.0, 50.0});
+  EXPECT_EQ(found.range.lowest_m_s, 20.0);
+  EXPECT_EQ(found.range.highest_m_s, 80.0);
+  EXPECT_EQ(found.median_m_s, 50.0);
+}
+
 }  // namespace
+
 }  // namespace fantail::tune

@@ -4,12 +4,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include <gtest/gtest.h>
-
 #include "core/flight_plan_fields.hpp"
 #include "input/plan_file.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
+#include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "tune/results.hpp"

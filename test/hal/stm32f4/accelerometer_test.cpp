@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/accelerometer.hpp"
 
-#include <gtest/gtest.h>
-
 #include "fake_kx134.hpp"
 #include "hal/stm32f4/kx134.hpp"
 #include "sensor_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/arm_switch.hpp"
 
-#include <array>
-#include <random>
-
-#include <gtest/gtest.h>
-
 #include "hal/sim/devices.hpp"
 #include "register_world.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/board.hpp"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "fake_timer.hpp"
 #include "hal/stm32f4/signal_pattern.hpp"
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

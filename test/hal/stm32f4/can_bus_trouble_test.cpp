@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A bus on which something is wrong.
-#include <map>
-#include <random>
-
-#include <gtest/gtest.h>
 
 #include "can_bus_rig.hpp"
 #include "seed.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/console.hpp"
 
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "fake_usart.hpp"
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/encoder.hpp"
 
-#include <gtest/gtest.h>
-
 #include "fake_as5047p.hpp"
 #include "fake_clock.hpp"
 #include "hal/stm32f4/as5047p.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/entropy.hpp"
 
-#include <gtest/gtest.h>
-
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/flash.hpp"
 
-#include <algorithm>
-#include <numeric>
-
-#include <gtest/gtest.h>
-
 #include "fake_w25q.hpp"
 #include "hal/stm32f4/w25q.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

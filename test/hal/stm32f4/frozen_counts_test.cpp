@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/frozen_counts.hpp"
 
-#include <cmath>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "noisy_counts.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/imu.hpp"
 
-#include <gtest/gtest.h>
-
 #include "hal/stm32f4/icm42688.hpp"
 #include "imu_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// When a sample was measured, of an IMU whose own clock is wrong.
-#include <cmath>
-#include <random>
 
-#include <gtest/gtest.h>
-
+#include "fake_capture.hpp"
+#include "hal/stm32f4/edge_timer.hpp"
 #include "hal/stm32f4/imu.hpp"
+#include "hal/stm32f4/sample_edges.hpp"
 #include "imu_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
+
+// When a sample was measured, of an IMU whose own clock is wrong.
 
 class ImuTime : public test::ImuRig {
  protected:
@@ -157,5 +158,105 @@ TEST_F(ImuTime, AfterAResetOfTheDeviceItsEdgesAreBelievedAgain) {
   EXPECT_TRUE(imu.faults().none());
 }
 
+/// Samples of a device with this period; how many of them were believed to have come at their edges.
+int believed(SampleEdges& edges, double period_us, int samples, std::uint32_t begin = 1'000'000) {
+  int count = 0;
+  for (int i = 1; i <= samples; ++i) {
+    count += edges.take(begin + static_cast<std::uint32_t>(std::lround(period_us * i)), false) ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(SampleEdges, AreBelievedFromTheTenthOnWhateverTheDevicesOscillatorDoes) {
+  for (const double period_us : {965.0, 990.0, 1000.0, 1010.0, 1035.0}) {  // 1.5 % and 2 %
+    SampleEdges edges;
+    EXPECT_EQ(believed(edges, period_us, 1000), 990) << period_us;
+    EXPECT_FALSE(edges.lost());
+  }
+}
+
+TEST(SampleEdges, TheWrapOfTheCounterIsNone) {
+  SampleEdges edges;
+  EXPECT_EQ(believed(edges, 1010.0, 1000, 0xFFFF'FFFF - 500'000), 990);
+}
+
+TEST(SampleEdges, ASampleThatWasNeverReadIsNoMisfit) {
+  SampleEdges edges;
+  static_cast<void>(believed(edges, 990.0, 20));
+  EXPECT_TRUE(edges.take(1'000'000 + 22 * 990, true));
+  EXPECT_TRUE(edges.take(1'000'000 + 26 * 990, true));
+}
+
+TEST(SampleEdges, WithoutAWireNoneIsBelievedAndAfterAHundredSamplesItIsLost) {
+  SampleEdges edges;
+  static_cast<void>(believed(edges, 1000.0, 100));
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_FALSE(edges.lost());
+    EXPECT_FALSE(edges.take(1'100'000, false));
+  }
+  for (int i = 0; i < 3; ++i) {  // of the twenty that fitted, two misfits leave ten
+    EXPECT_FALSE(edges.take(1'100'000, false));
+  }
+  EXPECT_TRUE(edges.lost());
+  EXPECT_GE(believed(edges, 1000.0, 100), 89) << "and it comes back";
+  EXPECT_FALSE(edges.lost());
+}
+
+TEST(SampleEdges, ALineThatFloatsIsNotBelieved) {
+  std::mt19937 random{1};
+  std::uniform_int_distribution<std::uint32_t> when{0, 999};
+  SampleEdges edges;
+  static_cast<void>(believed(edges, 1000.0, 100));
+  int count = 0;
+  for (std::uint32_t i = 0; i < 100'000; ++i) {
+    count += edges.take(2'000'000 + 1000 * i + when(random), i % 2 == 0) ? 1 : 0;
+  }
+  EXPECT_LE(count, 3) << "in 100 s, before it was found out";
+  EXPECT_TRUE(edges.lost());
+}
+
+TEST(SampleEdges, ALineWithThousandsOfEdgesIsNotBelievedThoughTheLatestIsAlwaysATickBehindTheLast) {
+  SampleEdges edges;
+  static_cast<void>(believed(edges, 1000.0, 100));
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    EXPECT_FALSE(edges.take(2'000'000 + 1000 * i, true));
+  }
+  EXPECT_TRUE(edges.lost());
+}
+
+TEST(SampleEdges, ASpikeCostsTwoSamplesTheirTimesAndNotTheLine) {
+  SampleEdges edges;
+  static_cast<void>(believed(edges, 1000.0, 50));
+  EXPECT_FALSE(edges.take(1'051'300, true));
+  EXPECT_FALSE(edges.take(1'052'000, false));
+  EXPECT_TRUE(edges.take(1'053'000, false));
+}
+
+TEST(EdgeTimer, CountsMicrosecondsAndKeepsTheLastEdge) {
+  for (const std::uint32_t hz : {84'000'000U, 16'000'000U}) {
+    test::RegisterWorld world;
+    test::FakeClock clock;
+    std::optional<test::LineEdge> rose;
+    test::FakeCapture capture{world, clock, static_cast<double>(hz), [&] { return rose; }};
+    EdgeTimer timer{capture.registers, hz};
+    ASSERT_TRUE(capture.captures());
+    EXPECT_EQ(timer.last_edge(), 0U);
+    rose = {Microseconds{12'345}, 1};
+    EXPECT_FALSE(timer.take_overrun());
+    clock.time = Microseconds{13'000};
+    EXPECT_EQ(timer.last_edge(), 12'345U);
+    EXPECT_EQ(timer.now(), 13'000U);
+    rose = {Microseconds{12'900}, 2};
+    EXPECT_FALSE(timer.take_overrun());
+    rose = {Microseconds{12'950}, 3};
+    EXPECT_TRUE(timer.take_overrun());
+    EXPECT_FALSE(timer.take_overrun());
+    // IC4F: eight samples at the timer's clock (RM0090 section 18.4.8).
+    EXPECT_EQ(test::RegisterWorld::peek(capture.registers.ccmr[1]), 0x3100U);
+    EXPECT_EQ(test::RegisterWorld::peek(capture.registers.ccer), 0x1000U);
+  }
+}
+
 }  // namespace
+
 }  // namespace fantail::hal::stm32f4

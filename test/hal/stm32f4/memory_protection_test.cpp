@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/memory_protection.hpp"
 
-#include <map>
-
-#include <gtest/gtest.h>
-
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
 #include <cstdio>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gtest/gtest.h>
 
 #include "avionics/flying_rig.hpp"
 #include "fake_timer.hpp"
 #include "hal/stm32f4/servo.hpp"
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4::test {
 

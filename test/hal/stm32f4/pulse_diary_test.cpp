@@ -4,12 +4,8 @@
 // tests turns faster than its canards can help, so they stand at the plan's limit of 9 degrees: 1410 us.
 #include "pulse_diary.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <gtest/gtest.h>
-
 #include "avionics/plan_on_bus.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/second_imu.hpp"
 
-#include <algorithm>
 #include <cstdlib>
-
-#include <gtest/gtest.h>
 
 #include "fake_ism330dhcx.hpp"
 #include "hal/stm32f4/ism330dhcx.hpp"
 #include "sensor_rig.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
-#include <string>
-
-#include <gtest/gtest.h>
-
 #include "fake_clock.hpp"
 #include "fake_spi.hpp"
 #include "hal/sample.hpp"
 #include "hal/stm32f4/spi_bus.hpp"
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4::test {
 

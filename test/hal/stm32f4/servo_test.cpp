@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/servo.hpp"
 
-#include <algorithm>
 #include <chrono>
-
-#include <gtest/gtest.h>
 
 #include "fake_timer.hpp"
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

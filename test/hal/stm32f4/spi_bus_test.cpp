@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stm32f4/spi_bus.hpp"
 
-#include <array>
-
-#include <gtest/gtest.h>
-
 #include "fake_spi.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+
 #include "hal/stm32f4/supply.hpp"
 
-#include <gtest/gtest.h>
-
 #include "fake_supply.hpp"
+#include "hal/stm32f4/battery.hpp"
 #include "register_world.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
@@ -88,5 +89,134 @@ TEST(ASupplyAtPowerUp, ThatIsLowIsToldInTheFirstTick) {
   EXPECT_TRUE(supply.faults().has(BoardFault::supply_low));
 }
 
+using test::RegisterWorld;
+
+/// A successive-approximation converter with single conversions, RM0090 section 13.3: 12 bits after the sample time and
+/// twelve cycles more.
+struct FakeAdc {
+  registers::Adc registers{};
+  registers::AdcCommon common{};
+  std::array<double, 19> volts{};  ///< at each channel
+  double bus_hz = 84e6;
+  bool ends = true;
+
+  explicit FakeAdc(RegisterWorld& world) {
+    world.on_write(registers.cr2, [this](std::uint32_t value) {
+      if ((value >> 30U & 1U) != 0 && (value & 1U) != 0 && on_) {
+        seconds_left_ = (cycles() + 12) / clock_hz();
+      }
+      on_ = (value & 1U) != 0;
+    });
+    world.on_read(registers.sr, [this] { return done_ ? 2U : 0U; });
+    world.on_read(registers.dr, [this] {
+      done_ = false;
+      return data_;
+    });
+  }
+  void pass(double seconds) {
+    if (seconds_left_ > 0 && ends) {
+      seconds_left_ -= seconds;
+      if (seconds_left_ <= 0) {
+        data_ =
+            static_cast<std::uint32_t>(std::lround(volts[RegisterWorld::peek(registers.sqr[2]) & 31U] / 3.3 * 4095));
+        done_ = true;
+      }
+    }
+  }
+  [[nodiscard]] double clock_hz() const { return bus_hz / (2 * ((RegisterWorld::peek(common.ccr) >> 16U & 3U) + 1)); }
+  [[nodiscard]] double cycles() const {
+    constexpr std::array<double, 8> choices{3, 15, 28, 56, 84, 112, 144, 480};
+    return choices[RegisterWorld::peek(registers.smpr[0]) >> 6U & 7U];  // of channel 12
+  }
+
+ private:
+  bool on_ = false;
+  bool done_ = false;
+  double seconds_left_ = 0;
+  std::uint32_t data_ = 0;
+};
+
+struct TheBattery : testing::Test {
+  RegisterWorld world{};
+  FakeAdc converter{world};
+  Battery battery{converter.registers, converter.common, {.channel = 12, .reference_mv = 3300, .divider = 11}};
+  void tick() {
+    battery.update();
+    converter.pass(0.001);
+  }
+};
+
+TEST_F(TheBattery, IsUnknownUntilTheTickAfterTheFirstConversion) {
+  converter.volts[12] = 1.0;
+  EXPECT_FALSE(battery.millivolts());
+  tick();
+  EXPECT_FALSE(battery.millivolts());
+  tick();
+  ASSERT_TRUE(battery.millivolts());
+  EXPECT_FALSE(battery.failed());
+}
+
+TEST_F(TheBattery, IsElevenTimesThePinToWithinACount) {
+  for (const double volts : {0.0, 0.6, 6.0, 7.4, 8.4, 12.6, 36.3}) {
+    converter.volts[12] = volts / 11;
+    tick();
+    tick();
+    ASSERT_TRUE(battery.millivolts());
+    EXPECT_NEAR(*battery.millivolts(), volts * 1000, 3300.0 * 11 / 4095) << volts;
+  }
+}
+
+TEST_F(TheBattery, AVoltageBeyondWhatTheBusCanSayIsTheMostItCanSay) {
+  Battery high{converter.registers, converter.common, {.channel = 12, .reference_mv = 3300, .divider = 40}};
+  converter.volts[12] = 3.3;
+  high.update();
+  converter.pass(0.001);
+  high.update();
+  EXPECT_EQ(high.millivolts(), 65'535);
+}
+
+TEST_F(TheBattery, TheConverterIsWithinItsClockAndSamplesForTheDivider) {
+  EXPECT_LE(converter.clock_hz(), 36e6);  // data sheet, ADC characteristics
+  EXPECT_EQ(converter.cycles(), 480);
+}
+
+TEST_F(TheBattery, AConversionIsDoneWithinATickAlsoWithTheSlowClock) {
+  converter.bus_hz = 16e6;
+  converter.volts[12] = 1.0;
+  tick();
+  tick();
+  EXPECT_TRUE(battery.millivolts());
+}
+
+TEST_F(TheBattery, AConverterThatNeverEndsIsUnmeasuredAfterTenTicksAndNothingWaits) {
+  converter.volts[12] = 1.0;
+  tick();
+  tick();
+  converter.ends = false;
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_FALSE(battery.failed());
+    const std::uint64_t before = world.accesses();
+    tick();
+    EXPECT_LE(world.accesses() - before, 3U);
+  }
+  tick();
+  EXPECT_TRUE(battery.failed());
+  EXPECT_FALSE(battery.millivolts()) << "an old voltage is not the battery's";
+}
+
+TEST_F(TheBattery, AConverterThatAnswersAgainIsBelievedAgain) {
+  converter.ends = false;
+  for (int i = 0; i < 20; ++i) {
+    tick();
+  }
+  ASSERT_TRUE(battery.failed());
+  converter.ends = true;
+  tick();
+  tick();
+  EXPECT_FALSE(battery.failed());
+  EXPECT_TRUE(battery.millivolts());
+}
+
 }  // namespace
+
 }  // namespace fantail::hal::stm32f4

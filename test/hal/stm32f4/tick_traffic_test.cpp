@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 
 #include "fake_as5047p.hpp"
 #include "fake_capture.hpp"
@@ -17,6 +16,7 @@
 #include "hal/stm32f4/kx134.hpp"
 #include "hal/stm32f4/second_imu.hpp"
 #include "hal/stm32f4/w25q.hpp"
+#include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
