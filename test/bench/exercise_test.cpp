@@ -2,11 +2,13 @@
 
 #include "bench/exercise.hpp"
 
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
 #include "bench/cycle.hpp"
 #include "bench/perform.hpp"
 #include "json/value.hpp"
-#include <gtest/gtest.h>
-#include <stdexcept>
 #include "synthetic.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
 #include "bench/cycle.hpp"
 #include "bench/sheet.hpp"
 #include "bench/watch.hpp"
 #include "bench/zero.hpp"
 #include "json/value.hpp"
-#include <gtest/gtest.h>
 #include "synthetic.hpp"
 #include "test.hpp"
 

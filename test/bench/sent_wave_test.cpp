@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A canard is judged by a sine only if that is what it was commanded, on the rocket's clock.
-#include "bench/measurement.hpp"
 #include <algorithm>
-#include <gtest/gtest.h>
 #include <utility>
+
+#include <gtest/gtest.h>
+
+#include "bench/measurement.hpp"
 #include "bench/sheet.hpp"
 #include "json/value.hpp"
 #include "synthetic.hpp"

@@ -49,8 +49,8 @@ quick() {
   call 0 tune tasha3_launch2 --flights 4
   call 0 fly tunnel_steps
   call 0 tunnel steps out/tunnel_steps
-  call 1 predict tasha3_launch1 --runs 40
-  call 0 campaign tasha3_launch2 --runs 64
+  call 1 predict tasha3_launch1 --runs 8
+  call 0 campaign tasha3_launch2 --runs 8
   call 0 campaign detection --plan tasha3_launch2 --kind drop --events 64
   call 64 campaign detection --events 0 --launches 0
   call 64 campaign detection --kind launch_one_bad --launches 4 --at-most 10

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
 #include "fantail/help.hpp"
 #include "test.hpp"
 #include "text/layout.hpp"
-#include <gtest/gtest.h>
 
 namespace fantail::tool {
 namespace {

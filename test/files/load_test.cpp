@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "logs/refused.hpp"
-#include "random/seed.hpp"
+#include "seed.hpp"
 #include "system/folder.hpp"
 
 namespace fantail::files {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
 #include "link/arm_steps.hpp"
 #include "link/avionics_link.hpp"
-#include "link/log_download.hpp"
-#include <algorithm>
-#include <gtest/gtest.h>
-#include <string>
 #include "link/log_download.hpp"
 #include "link/made_record.hpp"
 #include "protocol/log_notes.hpp"

@@ -12,7 +12,6 @@
 #include "listen/made_log.hpp"
 #include "listen/sentences.hpp"
 #include "logs/refused.hpp"
-#include "random/seed.hpp"
 #include "seed.hpp"
 
 namespace fantail::listen {

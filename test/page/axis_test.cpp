@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "page/heat_map.hpp"
-#include "page/svg_plot.hpp"
 #include <cmath>
-#include <gtest/gtest.h>
 #include <limits>
 #include <random>
+
+#include <gtest/gtest.h>
+
+#include "page/heat_map.hpp"
+#include "page/svg_plot.hpp"
 #include "seed.hpp"
 #include "test.hpp"
 

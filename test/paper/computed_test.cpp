@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-#include "paper/print.hpp"
-
 #include "paper/claim.hpp"
 #include "paper/paper_page.hpp"
+#include "paper/print.hpp"
 #include "test.hpp"
 
 namespace fantail::paper {

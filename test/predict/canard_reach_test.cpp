@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "predict/margins.hpp"
 #include <algorithm>
-#include <gtest/gtest.h>
 #include <optional>
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"

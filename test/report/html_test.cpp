@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "report/answer.hpp"
 #include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "json/value.hpp"
 #include "page/page.hpp"
+#include "report/answer.hpp"
 #include "report/sections.hpp"
 #include "synthetic_flight.hpp"
 #include "test.hpp"

@@ -53,8 +53,10 @@ INSTANTIATE_TEST_SUITE_P(All, BenchFault,
                                          Fault{"bench_canard4_encoder_noisy", 3, bench::Cause::encoder_noisy}),
                          [](const auto& one) { return std::string{one.param.scenario}; });
 
-TEST(BenchLimits, TwoHundredHealthyRocketsRaiseNoFalseAlarm) {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+// Two hundred with the spread of servos and sensors are judged in test/bench/lockstep_test.cpp; here by the whole
+// avionics.
+TEST(BenchLimits, FortyHealthyRocketsRaiseNoFalseAlarm) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     BenchAtWorld place{"bench_healthy", seed};
     const bench::Sheet sheet = place.limits();
     ASSERT_TRUE(sheet.passed()) << "seed " << seed << "\n" << all(sheet);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-#include "fly/fly_scenario.hpp"
-
 #include <fmt/core.h>
 
+#include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/verdict.hpp"
 #include "test.hpp"

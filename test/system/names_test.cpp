@@ -2,12 +2,13 @@
 // Names that another computer has given: bytes that are not UTF-8.
 #include <filesystem>
 
+#include <gtest/gtest.h>
+
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
 #include "system/refusal.hpp"
 #include "text/quoting.hpp"
-#include <gtest/gtest.h>
 
 namespace fantail::test {
 namespace {

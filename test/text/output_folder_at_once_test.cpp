@@ -12,7 +12,6 @@
 
 #include "test.hpp"
 #include "text/output_folder.hpp"
-#include "text/output_folder.hpp"
 
 namespace fantail::text {
 namespace {
