@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "bench/axes.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <numbers>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
+
 #include "bench/turned_rocket.hpp"
 #include "core/flight_plan_members.hpp"
 #include "test.hpp"

@@ -122,6 +122,13 @@ TEST(Turning, IsWrittenInDegreesAndReadAsItWasWritten) {
   EXPECT_EQ(turning_csv(read_turning(Table::parse(text, "turning.csv"))), text);
 }
 
+// What the C library says, which rounds the exact binary value.
+std::string printed(double value) {
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), "%.6f", value);
+  return std::string{text.data()} == "-0.000000" ? "0.000000" : text.data();
+}
+
 TEST(SixDecimals, AreThoseOfPrintf) {
   for (const double value :
        {0.0,       -0.0,      1.0,    -1.0,      0.1,       1e-7,       -1e-7,          4.9999999e-7,        5e-7,

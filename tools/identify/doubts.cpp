@@ -37,13 +37,13 @@ std::optional<std::string> wrong_unit(const DoubtCase& c) {
   if (canard_deg <= most_radians && beta_m > 10.0 * usual.last) {
     return fmt::format(
         "beta is {} m and no canard angle exceeds {} deg: the canard column seems to be in radians. If it is, say so "
-        "(--units, or the unit of that column); beta would then be about {} m.",
+        "(--columns rad, or the unit of that column); beta would then be about {} m.",
         constant_text(beta_m), text::brief(canard_deg, 2), constant_text(beta_m / degrees_per_radian));
   }
   if (canard_deg > 90.0 && beta_m > 0.0 && beta_m < 0.1 * usual.first) {
     return fmt::format(
         "beta is {} m and the canards would reach {} deg: the canard column seems to be in degrees but is read as "
-        "radians. If so, say it (--units, or the unit of that column); beta would then be about {} m.",
+        "radians. If so, say it (--columns deg, or the unit of that column); beta would then be about {} m.",
         constant_text(beta_m), text::brief(canard_deg, 0), constant_text(beta_m * degrees_per_radian));
   }
   return {};
