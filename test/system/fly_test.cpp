@@ -54,7 +54,7 @@ TEST(Fly, NamesEveryTableThatItWrote) {
     const Outcome outcome = run_in(folder, asked);
     for (const auto& entry : std::filesystem::directory_iterator{folder / "out"}) {
       const std::string name = entry.path().filename().string();
-      EXPECT_EQ(outcome.out.find("  data    out/" + name + "\n") != std::string::npos, name.ends_with(".csv")) << name;
+      EXPECT_EQ(outcome.out.find("  data     out/" + name + "\n") != std::string::npos, name.ends_with(".csv")) << name;
     }
   }
 }

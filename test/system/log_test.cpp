@@ -123,7 +123,7 @@ TEST_F(FlownLog, IsCalledTheSameByInfoEventsAndReport) {
   expect_said(info.out,
               {"Flight 1: from sector 0 of the flight memory on", "recording began, in sector 0 of the flight memory"});
   const Outcome report = run({"report", "a.ftl"});
-  EXPECT_TRUE(report.out.starts_with("flight 1, power-up 1\n")) << report.out;
+  EXPECT_TRUE(report.out.starts_with("flight 1, power-up 1: ")) << report.out;
   EXPECT_EQ((info.out + report.out).find("flight 0"), std::string::npos) << info.out << report.out;
 }
 

@@ -36,7 +36,7 @@ TEST(Report, OfAFlightLogIsThePageAndTheDataThatFlyWrites) {
   EXPECT_EQ(summary["phase_changes"][summary["phase_changes"].size() - 1]["phase"], summary["final_phase"]);
   EXPECT_FALSE(summary["events"]["detected_s"].is_null());
   EXPECT_EQ(content(folder / "out/report/flown/summary.json"), outcome.out);
-  expect_said(content(folder / "out/report/flown/report.html"), {"Launch detected"});
+  expect_said(content(folder / "out/report/flown/report.html"), {"launch detected"});
   const Outcome table =
       fantail({"log", "export", "flown.ftl", "--to", "csv", "--out", "-"}, {.working_folder = folder.path()});
   EXPECT_EQ(content(folder / "out/report/flown/flight.csv"), table.out);

@@ -110,7 +110,7 @@ TEST_F(ResumedFlight, OneWhoseProcessorStoodStillWasControlledUntilThen) {
   EXPECT_EQ(summary["events"]["control_end_s"], 1.486);
   EXPECT_NEAR(summary["ended_before_apogee_s"].number(), 8.874, 1e-9);
   const std::string page = content(folder / "out/report.html");
-  EXPECT_TRUE(says(page, "<td>Control ends</td><td>with the last tick before 8.987 s</td>"));
+  EXPECT_TRUE(says(page, "<td>control ends</td><td>with the last tick before 8.987 s</td>"));
   EXPECT_TRUE(says(run({"report", "out", "--out", "again"}).out, ended + "a timing fault, seen at 8.99 s."));
   // On its own clock, which begins where the log shows the first thrust.
   const Outcome of_log = run({"report", "out/flight.ftl", "--out", "again"});

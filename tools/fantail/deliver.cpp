@@ -15,6 +15,7 @@
 #include "page/page.hpp"
 #include "text/input_file.hpp"
 #include "text/output_folder.hpp"
+#include "text/quoting.hpp"
 #include "text/sha256.hpp"
 
 namespace fantail::tool {
@@ -83,8 +84,9 @@ void deliver(const result::Document& document, const Delivery& delivery) {
     std::string text = result::text(document, paint, output_columns());
     for (const std::string& file : is_written ? delivery.shown_files : std::vector<std::string>{}) {
       const std::string& page = delivery.page.empty() ? delivery.name : delivery.page;
-      text += fmt::format("  {:<8} {}\n", file,
-                          (delivery.folder / (file == "page" ? page + ".html" : file + ".csv")).string());
+      text +=
+          fmt::format("  {:<8} {}\n", file,
+                      text::printable((delivery.folder / (file == "page" ? page + ".html" : file + ".csv")).string()));
     }
     show_text(text + delivery.last_line + (delivery.last_line.empty() ? "" : "\n"));
   }

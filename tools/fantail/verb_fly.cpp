@@ -174,7 +174,7 @@ void fly_and_report(const FlyOptions& options) {
   give_up_if_interrupted();
   const std::vector<std::string> written = report::write_results(flight, results, folder, made_from);
   chapters.end();
-  const std::string where = folder.string();
+  const std::string where = text::printable(folder.string());
   std::string lines = fmt::format("  report   {}/report.html\n", where);
   for (const std::string& name : written) {
     lines += name.ends_with(".csv") ? fmt::format("  data     {}/{}\n", where, name) : "";

@@ -128,7 +128,8 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
       report::results(repeated.flight, made_with(inputs, repeated.flight.seed, asked.request.changes));
   report::write_results(repeated.flight, results, folder, inputs);
   deliver(results.document,
-          {.json = options.json, .last_line = fmt::format("  report   {}", (folder / "report.html").string())});
+          {.json = options.json,
+           .last_line = fmt::format("  report   {}", text::printable((folder / "report.html").string()))});
 }
 
 void predict_launch(const PredictOptions& options) {

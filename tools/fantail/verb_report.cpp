@@ -50,9 +50,9 @@ void report_one(const ReportOptions& options) {
       options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
   report::write_report(flight, results, folder, options.a);
   chapters.end();
-  deliver(results.document,
-          {.json = options.json,
-           .last_line = fmt::format("  report   {0}/report.html\n  data     {0}/flight.csv", folder.string())});
+  deliver(results.document, {.json = options.json,
+                             .last_line = fmt::format("  report   {0}/report.html\n  data     {0}/flight.csv",
+                                                      text::printable(folder.string()))});
 }
 
 void report_two(const ReportOptions& options) {

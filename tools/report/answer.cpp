@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "json/value.hpp"
 #include "report/fields.hpp"
 #include "report/sections.hpp"
@@ -59,7 +61,7 @@ std::vector<result::Fact> facts(const flight::Flight& flight, const Figures& fig
       {"vehicle_file", "", airframe ? Json(airframe->vehicle_file) : Json{}},
       {"roll_inertia_kg_m2", "", airframe ? Json(airframe->roll_inertia_kg_m2) : Json{}},
       {"reference_area_m2", "", airframe ? Json(airframe->reference_area_m2) : Json{}},
-      {"plan", "plan", text_or_null(flight.plan_name)},
+      {"plan", "", text_or_null(flight.plan_name)},
       {"seed", "", flight.seed},
       {"changes", "", flight.changes},
       {"verdict", "", verdict.text},
@@ -73,7 +75,7 @@ std::vector<result::Fact> facts(const flight::Flight& flight, const Figures& fig
       {"why_not_armed", "", text_or_null(flight.why_not_armed)},
       {"notes", "", flight.notes},
       {"log_sha256", "", flight.log.empty() ? Json{} : Json(text::sha256(flight.log))},
-      {"version", "Fantail", text_or_null(flight.version)}};
+      {"version", "", text_or_null(flight.version)}};
   if (airframe && airframe->grows_with_mach) {
     all.push_back({"compressibility", "", "prandtl_glauert"});
   }
@@ -121,10 +123,15 @@ std::optional<flight::PathPoint> apogee_of(const flight::Flight& flight) {
 
 result::Document summary(const flight::Flight& flight, const Figures& figures, const Verdict& verdict,
                          const result::Made& made) {
-  const std::string seed = flight.seed ? fmt::format("; seed {}", *flight.seed) : "";
+  std::vector<std::string> about{flight.vehicle};
+  about.push_back(flight.plan_name.empty() ? "" : "plan " + flight.plan_name);
+  about.push_back(flight.seed              ? fmt::format("seed {}", *flight.seed)
+                  : flight.version.empty() ? ""
+                                           : "flown by Fantail " + flight.version);
+  std::erase(about, "");
   return {.kind = "flight report",
           .title = flight.scenario,
-          .subtitle = flight.vehicle + seed,
+          .subtitle = fmt::format("{}", fmt::join(about, "; ")),
           .verdict = {.answer = report::answer(verdict),
                       .heading = std::string{display_name(verdict.outcome)},
                       .sentence = verdict.text,

@@ -15,7 +15,7 @@ result::Document answer(const flight::Flight& flight, const Figures& figures, co
       "Every tick is in flight.csv, every figure in summary.json, beside this page. The plots leave out most samples "
       "but "
       "no peak. Plots drawn with uPlot (MIT licence, in the source of this page).";
-  if (document.made.command.empty()) {
+  if (!flight.command.empty()) {  // without what only says where it goes
     document.made.command = flight.command;
   }
   std::vector<result::Section>& all = document.sections;

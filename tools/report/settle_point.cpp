@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <optional>
+#include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "page/svg_plot.hpp"
 #include "report/hold.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -16,24 +16,24 @@ std::string brief(double value) { return text::brief(value, 2); }
 /// "Here u_d is -4.9 deg and kp is 0.5, so it rests -4.9/0.5 = -9.8 deg from R.", or between what it rests when that
 /// changes under control. Empty without truth.
 std::string in_numbers(const flight::Flight& flight) {
-  std::optional<page::Range> offset_deg;
-  std::optional<page::Range> rest_deg;  // from R
+  std::vector<double> offsets_deg;
+  std::vector<double> rests_deg;  // from R
   for (const flight::Row& row : flight.rows) {
     const auto settles_rad = flight::settle_point_rad(row, flight);
     if (row.phase == core::Phase::controlling && settles_rad) {
-      page::include(offset_deg, text::degrees(row.truth->disturbance_rad));
-      page::include(rest_deg, text::degrees(*settles_rad - row.reference_rad));
+      offsets_deg.push_back(text::degrees(row.truth->disturbance_rad));
+      rests_deg.push_back(text::degrees(*settles_rad - row.reference_rad));
     }
   }
-  if (!offset_deg || !rest_deg) {
+  if (rests_deg.empty()) {
     return {};
   }
-  const std::string lowest = brief(rest_deg->low);
-  const std::string highest = brief(rest_deg->high);
+  const std::string lowest = brief(std::ranges::min(rests_deg));
+  const std::string highest = brief(std::ranges::max(rests_deg));
   if (lowest != highest) {
     return fmt::format(" Here that is between {} and {} deg from R.", lowest, highest);
   }
-  const std::string offset = brief(offset_deg->low);
+  const std::string offset = brief(std::ranges::min(offsets_deg));
   const std::string gain = brief(static_cast<double>(flight.plan.controller.proportional_gain));
   return flight.left_by_fins != 1.0
              ? fmt::format(

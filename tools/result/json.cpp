@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -19,9 +18,7 @@ using json::Value;
 std::string key(const Column& column) { return column.key + std::string{column.unit.suffix}; }
 
 double with_digits(double value, int digits) {
-  double result = value;
-  const std::string text = fmt::format("{:.{}g}", value, digits);
-  std::from_chars(text.data(), text.data() + text.size(), result);
+  const double result = text::decimal(fmt::format("{:.{}g}", value, digits)).value_or(value);
   return result == 0.0 ? 0.0 : result;
 }
 

@@ -7,11 +7,13 @@
 #include "result/document.hpp"
 #include "result/parts.hpp"
 #include "text/layout.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::result {
 namespace {
 
-std::string line(std::string_view sentence) { return fmt::format("  {}\n", sentence); }
+/// What stands in a file makes no lines of its own.
+std::string line(std::string_view sentence) { return fmt::format("  {}\n", text::printable(sentence)); }
 
 std::string text(const std::string& paragraph) { return line(paragraph); }
 std::string text(const Picture&) { return {}; }
@@ -92,7 +94,7 @@ std::string text(const Table& table, std::size_t columns) {
   };
   add([&](std::size_t i) { return heading(table.columns[i]); });
   for (const std::vector<Cell>& row : table.rows) {
-    add([&](std::size_t i) { return shown(table.columns[i], row[i]); });
+    add([&](std::size_t i) { return text::printable(shown(table.columns[i], row[i])); });
   }
   return lines.text(text::any_width);
 }
@@ -102,11 +104,12 @@ std::string text(const Table& table, std::size_t columns) {
 std::string text(const Document& document, Paint paint, std::size_t columns) {
   const Verdict& verdict = document.verdict;
   const bool leads = verdict.sentence.starts_with(verdict.heading + ":");
-  std::string all = fmt::format("{}{}{}\n", document.title, document.subtitle.empty() ? "" : ": ", document.subtitle);
+  std::string all = fmt::format("{}{}{}\n", text::printable(document.title), document.subtitle.empty() ? "" : ": ",
+                                text::printable(document.subtitle));
   all += paint != nullptr ? paint(tone(verdict), verdict.heading) : verdict.heading;
-  all += leads ? verdict.sentence.substr(verdict.heading.size()) : ": " + verdict.sentence;
+  all += text::printable(leads ? verdict.sentence.substr(verdict.heading.size()) : ": " + verdict.sentence);
   for (const std::string& sentence : verdict.beside) {
-    all += "\n" + sentence;
+    all += "\n" + text::printable(sentence);
   }
   all += verdict.not_in_it.empty() ? "\n" : "\n\n" + verdict.not_in_it_heading + "\n";
   for (const std::string& sentence : verdict.not_in_it) {
@@ -124,7 +127,7 @@ std::string text(const Document& document, Paint paint, std::size_t columns) {
   }
   all += "\n";
   for (const auto& [label, value] : read_facts(document)) {
-    all += value.empty() ? "" : fmt::format("  {:<8} {}\n", label, value);
+    all += value.empty() ? "" : fmt::format("  {:<8} {}\n", label, text::printable(value));
   }
   return all;
 }
