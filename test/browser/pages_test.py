@@ -151,6 +151,7 @@ class Pages(unittest.TestCase):
     def look_at(self, name, file):
         self.page.screen(PHONE_PX, 844, phone=True)
         self.page.open(file.as_uri())
+        self.assertNotIn("Fantail Fantail", file.read_text(encoding="utf-8"), name)
         self.judge(name)
 
     def judge(self, name):

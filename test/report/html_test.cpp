@@ -96,6 +96,22 @@ TEST(Html, OfARollThatIsNotJudgedNoHoldErrorAndNoSettlePointIsTold) {
   }
 }
 
+TEST(Html, OfALoopThatSwingsWithLessGainPageAndTerminalSaySo) {
+  SyntheticFlight synthetic;
+  const flight::Flight& flight = synthetic.flight;
+  synthetic.flight.loop_margins = {{.speed_m_s = 20.0, .phase_margin_rad = 0.5, .gain_margin = 0.4},
+                                   {.speed_m_s = 50.0, .phase_margin_rad = 0.6, .gain_margin = 3.0},
+                                   {.speed_m_s = 80.0, .phase_margin_rad = 0.7}};
+  const Figures f = figures(flight);
+  const result::Document document = summary(flight, f, verdict(flight, f));
+  for (const std::string& out : {result::text(document), page_of(flight)}) {
+    EXPECT_NE(out.find("0.4 times, and swings with less"), std::string::npos);
+    EXPECT_NE(out.find("3 times"), std::string::npos);
+    EXPECT_NE(out.find("any"), std::string::npos);
+  }
+  EXPECT_EQ(json::parse(result::json(document))["loop_margins"][0]["gain_margin"], 0.4);
+}
+
 TEST(Html, SaysWhichSpeedItShows) {
   SyntheticFlight synthetic;
   EXPECT_NE(page_of(synthetic.flight).find("<dt>top speed</dt>"), std::string::npos);

@@ -195,7 +195,7 @@ result::Document answer(const Report& report) {
   const Campaign& campaign = report.campaign;
   const result::Table figures = result::table("figures", a.figures, column_fields);
   const result::Table quantities = result::table("quantities", a.quantities, column_fields);
-  return {.kind = "Fantail campaign",
+  return {.kind = "campaign",
           .title = report.flown.scenario,
           .subtitle = subtitle(report),
           .verdict = {.answer = answer_of(report), .heading = heading(report), .sentence = headline(report)},

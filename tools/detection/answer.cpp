@@ -257,7 +257,7 @@ std::vector<result::Listed> listed_fields() {
 result::Document answer(const Report& report) {
   const std::vector<Requirement> asked = requirements(report);
   const Verdict came = verdict(asked);
-  return {.kind = "Fantail campaign of detections",
+  return {.kind = "campaign of detections",
           .title = "Imagined and missed launches",
           .subtitle = fmt::format("{} events and launches, seed {}; shares \"at most\" are 95 % bounds (Clopper and "
                                   "Pearson, one-sided)",

@@ -195,7 +195,7 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
 result::Document event_answer(const Campaign& campaign, Kind kind, std::uint64_t event, const result::Made& made) {
   const ShownEvent shown = show_event(campaign, kind, event);
   return {
-      .kind = "Fantail campaign of detections",
+      .kind = "campaign of detections",
       .title = fmt::format("{} {}", info(kind).name, event),
       .subtitle = command_of(campaign, kind, event),
       .verdict = {.answer = shown.is_bad ? result::Answer::no : result::Answer::none,

@@ -180,7 +180,7 @@ std::vector<result::Listed> listed_fields() {
 
 result::Document answer(const Result& result, const result::Made& made) {
   return {
-      .kind = "Fantail campaign of faults",
+      .kind = "campaign of faults",
       .title = result.scenario,
       .subtitle = fmt::format("{}, plan {}; {}", result.vehicle, result.plan, onsets_of(result.campaign)),
       .verdict = {.answer = answer_of(result),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -80,6 +79,18 @@ result::Figures shown_figures(const flight::Flight& flight, const Figures& f, bo
                    "about the long axis; taken off"});
   }
   return {.all = std::move(all)};
+}
+
+/// With words for a gain margin: a loop may swing with less gain, too.
+result::Table margins(const flight::Flight& flight) {
+  const std::vector<flight::LoopMargin> all = different_margins(flight);
+  result::Table table = result::table({}, all, fields::margins);
+  const std::size_t gain = table.column("gain_margin");
+  table.columns[gain].unit = result::units::none;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    table.rows[i][gain] = gain_margin_text(all[i]);
+  }
+  return table;
 }
 
 struct Moment {
@@ -180,9 +191,7 @@ std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const 
 }
 
 result::Section figures_section(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
-  std::vector<flight::LoopMargin> margins = different_margins(flight);
-  result::Section section{
-      "Figures", {shown_figures(flight, figures, verdict.roll_is_judged), result::table({}, margins, fields::margins)}};
+  result::Section section{"Figures", {shown_figures(flight, figures, verdict.roll_is_judged), margins(flight)}};
   if (verdict.roll_is_judged && figures.largest_hold_error_rad) {
     section.blocks.emplace_back(settle_point_text(flight));
   }

@@ -38,9 +38,13 @@ std::string packed(const std::string& text, int header) {
   return bytes;
 }
 
-std::optional<std::string> unpacked(std::string_view bytes, int header, std::size_t most) {
+}  // namespace
+
+std::string gzip(const std::string& text) { return packed(text, with_gzip_header); }
+
+std::optional<std::string> gunzip(std::string_view bytes, std::size_t most) {
   z_stream stream{};
-  if (inflateInit2(&stream, header) != Z_OK) {
+  if (inflateInit2(&stream, with_gzip_header) != Z_OK) {
     throw std::runtime_error{"zlib cannot begin"};
   }
   std::size_t left = bytes.size();
@@ -59,29 +63,13 @@ std::optional<std::string> unpacked(std::string_view bytes, int header, std::siz
     result = inflate(&stream, Z_NO_FLUSH);
     text.append(portion.data(), portion.size() - stream.avail_out);
     if (result == Z_STREAM_END && stream.avail_in + left > 0) {
-      result = header == with_gzip_header ? inflateReset(&stream) : Z_DATA_ERROR;
+      result = inflateReset(&stream);
     }
   }
   inflateEnd(&stream);
   return result == Z_STREAM_END && text.size() <= most ? std::optional{text} : std::nullopt;
 }
 
-}  // namespace
-
-std::string gzip(const std::string& text) { return packed(text, with_gzip_header); }
-
-std::optional<std::string> gunzip(std::string_view bytes, std::size_t most) {
-  return unpacked(bytes, with_gzip_header, most);
-}
-
 std::string zlib_packed(const std::string& text) { return packed(text, with_zlib_header); }
-
-std::optional<std::string> zlib_unpacked(std::string_view bytes, std::size_t most) {
-  return unpacked(bytes, with_zlib_header, most);
-}
-
-std::uint32_t crc32(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(0, bytes_of(bytes), bytes.size()));
-}
 
 }  // namespace fantail::text

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,11 +16,7 @@ namespace fantail::text {
 /// unpacked: a bomb has.
 [[nodiscard]] std::optional<std::string> gunzip(std::string_view bytes, std::size_t most = std::size_t{512} << 20U);
 
-/// The same in zlib's own format (RFC 1950), of which there is one in a row.
+/// The same text in zlib's own format (RFC 1950).
 [[nodiscard]] std::string zlib_packed(const std::string& text);
-[[nodiscard]] std::optional<std::string> zlib_unpacked(std::string_view bytes, std::size_t most);
-
-/// The checksum of gzip, zip and PNG.
-[[nodiscard]] std::uint32_t crc32(std::string_view bytes);
 
 }  // namespace fantail::text
