@@ -107,6 +107,8 @@ TEST(Load, KeepsTheLinesOfTheFile) {
   const Loaded loaded = load(folder.write("a.csv", "# AltOS\n#time,x,x\n\n1,2,3\n"), Writer::logger);
   EXPECT_EQ(loaded.table.place(0), "line 4");
   EXPECT_EQ(loaded.table.columns(), (Names{"time", "x", "x.1"}));
+  ASSERT_EQ(loaded.notes.size(), 1U);
+  EXPECT_NE(loaded.notes[0].find("x.1"), std::string::npos) << "which of two columns is taken is said";
 }
 
 TEST(Load, RefusesWhatIsNoTable) {

@@ -71,6 +71,9 @@ TEST(Sources, AreRefusedWithWhatIsAllowed) {
   refused("time=t:s,", {"expected QUANTITY=COLUMN:UNIT"});
   refused("axial=x*a:g", {"\"x\" is no scale", "0.5*a"});
   refused("axial=0*a:g", {"no scale"});
+  refused("axial=1e308*a:g", {"no scale", "1e12"});
+  refused("axial=inf*a:g", {"no scale"});
+  refused("time=-t:s", {"time", "backwards"});
   refused("axial=-:g", {"name of the column is missing"});
   refused("axial=a:g,axial_from_rest=b:g", {"axial appears twice"});
   expect_refused(ErrorKind::bad_configuration,

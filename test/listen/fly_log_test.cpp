@@ -46,6 +46,12 @@ TEST(FlyLog, OfAConstantPushHasTheSpeedAndApogeeOfTheClosedForm) {
   EXPECT_EQ(heard.events.back().reason, core::PhaseReason::apogee);
 }
 
+TEST(FlyLog, HasAPeakThatASensorCanHaveMeasured) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.axial.value[550] = 1e39;
+  EXPECT_NEAR(fly_log(log, question()).hardest.value, 5.0 * g, 1e-9);
+}
+
 TEST(FlyLog, OfATiltedGuideAndAnOffsetGyroTakesBothFromThePad) {
   ImuLog log = log_of(signal(20.0, 0.01, [](double t) { return t < 5.0 ? g * std::cos(0.1) : constant_push(t); }));
   log.lateral_y = signal(20.0, 0.01, [](double t) { return t < 5.0 ? g * std::sin(0.1) : 0.0; });

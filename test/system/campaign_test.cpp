@@ -70,6 +70,7 @@ TEST(Campaign, InShardsIsTheSameBytesAsInOne) {
   EXPECT_FALSE(fs::exists(folder / "merged"));
   const Outcome merged = fantail({"campaign", "merge", folder / "2", folder / "1", "--out", folder / "merged"});
   EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_NE(merged.out.find("--out " + (folder / "merged")), std::string::npos) << merged.out;
   for (const char* name : {"merged", "whole"}) {
     EXPECT_EQ(fantail({"campaign", "--runs", "100", "--sampling", "independent", "--out", folder / name}).exit_code, 0);
   }

@@ -58,7 +58,11 @@ result::Made made_with(const std::vector<fs::path>& inputs, std::optional<std::u
   for (const fs::path& input : inputs) {
     std::error_code unknown;
     if (!fs::is_directory(input, unknown)) {
-      add_input(made, input, input.filename());
+      const auto is_called_so = [&](const fs::path& other) {
+        return other.filename() == input.filename() && other != input;
+      };
+      const fs::path folder = fs::absolute(input, unknown).parent_path().filename();
+      add_input(made, input, std::ranges::any_of(inputs, is_called_so) ? folder / input.filename() : input.filename());
       continue;
     }
     const fs::path folder = fs::weakly_canonical(input).filename();  // of "." and "out/x/", too

@@ -23,6 +23,7 @@
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "text/number.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -161,6 +162,11 @@ void merge(const MergeOptions& options) {
   const std::uint64_t runs = campaign::merge(shards, options.out);
   chapters.end();
   show("{} shards, {} runs: {}\n", shards.size(), runs, (fs::path{options.out} / campaign::runs_name).string());
+  show(
+      "The answer is not written yet: give the command of the shards without --shard and with --out {}. It flies "
+      "nothing "
+      "again.\n",
+      text::shell_word(options.out));
 }
 
 void fill_merge(const Verb& verb) {

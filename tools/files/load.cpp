@@ -14,6 +14,7 @@
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 #include "text/number.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::files {
 namespace {
@@ -110,7 +111,7 @@ void make_commas(std::string& text, const std::string& name, char separator) {
 }
 
 // Names have no commas in quotes here: a header that has quotes is left as it is.
-std::string distinct(std::string_view header) {
+std::string distinct(std::string_view header, std::vector<std::string>& notes) {
   std::string names;
   std::map<std::string, int, std::less<>> seen;
   while (true) {
@@ -118,6 +119,11 @@ std::string distinct(std::string_view header) {
     const std::string name{text::trimmed(header.substr(0, comma))};
     const int before = name.empty() ? 0 : seen[name]++;
     names += before == 0 ? name : fmt::format("{}.{}", name, before);
+    if (before == 1) {
+      notes.push_back(
+          fmt::format("The header has {0} more than once: {0} is the first column of that name, {0}.1 the second.",
+                      text::printable(name)));
+    }
     if (comma == header.size()) {
       return names;
     }
@@ -156,7 +162,7 @@ void tidy(std::string& text, const std::string& name, Writer writer, std::vector
   if (header->of(text).find('"') != std::string_view::npos) {
     return;
   }
-  const std::string names = distinct(header->of(text));
+  const std::string names = distinct(header->of(text), notes);
   text.replace(header->begin, header->end - header->begin, names);
   drop_cut_line(text, std::ranges::count(names, ','), notes);
 }

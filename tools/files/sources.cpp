@@ -2,6 +2,7 @@
 #include "files/sources.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -77,8 +78,9 @@ double sign_and_scale(const std::string& where, std::string& column) {
   }
   if (const std::size_t star = column.find('*'); star != std::string::npos) {
     const auto scale = text::number(column.substr(0, star));
-    if (!scale || *scale == 0.0) {
-      refuse(where, fmt::format("{} is no scale; a number other than 0 is expected before the *, as in 0.5*{}",
+    constexpr double largest = 1e12;
+    if (!scale || !(std::abs(*scale) >= 1.0 / largest && std::abs(*scale) <= largest)) {
+      refuse(where, fmt::format("{} is no scale; a number from 1e-12 to 1e12 is expected before the *, as in 0.5*{}",
                                 flight::in_quotes(column.substr(0, star)), column.substr(star + 1)));
     }
     factor *= *scale;
@@ -125,6 +127,9 @@ Source source_of(const Said& said, std::span<const Quantity> asked) {
                 .offset = unit->offset + (known.from_rest ? one_g_m_s2 : 0.0),
                 .words = said.source};
   source.factor = sign_and_scale(said.where, source.column) * unit->si;
+  if (source.quantity == Quantity::time && source.factor < 0.0) {
+    refuse(said.where, "a time cannot run backwards; allowed: a scale above 0");
+  }
   return source;
 }
 

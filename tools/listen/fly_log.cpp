@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -137,18 +138,21 @@ double interval_around_s(const Signal& axial, double lift_off_s, double usual_s)
 void find_peaks(Heard& heard) {
   const double from_s = heard.lift_off_s.value_or(heard.log.begin_s());
   const double to_s = heard.log_height.apogee_s.value_or(heard.apogee_s.value_or(heard.log.end_s()));
-  const auto peak = [&](const Signal& signal, double until_s) {
+  const auto peak = [&](const Signal& signal, double until_s, double largest) {
     std::optional<Peak> found;
     for (std::size_t i = 0; i < signal.time_s.size(); ++i) {
-      if (signal.time_s[i] >= from_s && signal.time_s[i] <= until_s && (!found || signal.value[i] > found->value)) {
+      const bool is_within = signal.time_s[i] >= from_s && signal.time_s[i] <= until_s && signal.value[i] <= largest;
+      if (is_within && (!found || signal.value[i] > found->value)) {
         found = Peak{signal.value[i], signal.time_s[i]};
       }
     }
     return found;
   };
-  heard.log_fastest = peak(heard.log.speed, to_s);
+  heard.log_fastest = peak(heard.log.speed, to_s, std::numeric_limits<double>::infinity());
   // The charge that throws out the parachute pushes, too, but behind top speed.
-  heard.hardest = peak(heard.log.axial, heard.control ? heard.fastest.time_s : to_s).value_or(Peak{});
+  heard.hardest = peak(heard.log.axial, heard.control ? heard.fastest.time_s : to_s,
+                       static_cast<double>(core::largest_specific_force_m_s2))
+                      .value_or(Peak{});
 }
 
 void find_clipped(Heard& heard) {
