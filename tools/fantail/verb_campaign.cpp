@@ -162,11 +162,8 @@ void merge(const MergeOptions& options) {
   const std::uint64_t runs = campaign::merge(shards, options.out);
   chapters.end();
   show("{} shards, {} runs: {}\n", shards.size(), runs, (fs::path{options.out} / campaign::runs_name).string());
-  show(
-      "The answer is not written yet: give the command of the shards without --shard and with --out {}. It flies "
-      "nothing "
-      "again.\n",
-      text::shell_word(options.out));
+  show("No answer yet: give the shards' command without --shard and with --out {}; no run is flown again.\n",
+       text::shell_word(options.out));
 }
 
 void fill_merge(const Verb& verb) {
