@@ -28,7 +28,9 @@ sim::Vehicle rocket() {
   return vehicle;
 }
 
-bool says(const Summary& summary, const std::string& part) { return summary.sentence.find(part) != std::string::npos; }
+bool sentence_says(const Summary& summary, const std::string& part) {
+  return summary.sentence.find(part) != std::string::npos;
+}
 
 TEST(DesignCheck, SaysThatVehicleAndDesignAgree) {
   const sim::Vehicle vehicle = rocket();
@@ -36,8 +38,8 @@ TEST(DesignCheck, SaysThatVehicleAndDesignAgree) {
   const Summary summary = summarize(vehicle);
   EXPECT_EQ(summary.stability, Stability::stable);
   EXPECT_TRUE(summary.agrees_with_design.value());
-  EXPECT_TRUE(says(summary, "Stable: the static margin is")) << summary.sentence;
-  EXPECT_TRUE(says(summary, "the flight \"Calm\" stored in tasha.ork agree.")) << summary.sentence;
+  EXPECT_TRUE(sentence_says(summary, "Stable: the static margin is")) << summary.sentence;
+  EXPECT_TRUE(sentence_says(summary, "the flight \"Calm\" stored in tasha.ork agree.")) << summary.sentence;
 }
 
 TEST(DesignCheck, DoubtsAMassThatDiffersByMoreThanTwoPercent) {
@@ -47,7 +49,7 @@ TEST(DesignCheck, DoubtsAMassThatDiffersByMoreThanTwoPercent) {
     const Summary summary = summarize(vehicle);
     EXPECT_EQ(summary.stability, Stability::doubtful) << factor;
     EXPECT_TRUE(summary.sentence.starts_with("Doubtful: tasha.ork stores a mass at lift-off of ")) << summary.sentence;
-    EXPECT_TRUE(says(summary, "As it stands: Stable: ")) << summary.sentence;
+    EXPECT_TRUE(sentence_says(summary, "As it stands: Stable: ")) << summary.sentence;
     *vehicle.geometry->design->mass_kg = (1.0 + (factor - 1.0) * 0.7) * vehicle.mass_kg;
     EXPECT_EQ(summarize(vehicle).stability, Stability::stable) << factor;
   }
@@ -63,7 +65,7 @@ TEST(DesignCheck, DoubtsACentreThatDiffersByMoreThanAFifthOfACalibre) {
       const Summary summary = summarize(vehicle);
       const bool is_far = std::abs(calibres) > 0.2;
       EXPECT_EQ(summary.stability, is_far ? Stability::doubtful : Stability::stable) << calibres;
-      EXPECT_EQ(says(summary, "0.21 calibres away"), is_far) << summary.sentence;
+      EXPECT_EQ(sentence_says(summary, "0.21 calibres away"), is_far) << summary.sentence;
       EXPECT_EQ(summary.doubts.size(), is_far ? 1U : 0U);
     }
   }
@@ -93,7 +95,7 @@ TEST(DesignCheck, ComparesTheMarginWhereNoCentresAreStored) {
   EXPECT_TRUE(summarize(vehicle).agrees_with_design.value());
   *design.margin_calibres -= 0.25;  // it grows while the motor burns
   EXPECT_EQ(summarize(vehicle).stability, Stability::doubtful);
-  EXPECT_TRUE(says(summarize(vehicle), "stores a static margin of ")) << summarize(vehicle).sentence;
+  EXPECT_TRUE(sentence_says(summarize(vehicle), "stores a static margin of ")) << summarize(vehicle).sentence;
 }
 
 TEST(DesignCheck, SaysBehindTheVerdictThatNothingWasCompared) {
@@ -101,7 +103,8 @@ TEST(DesignCheck, SaysBehindTheVerdictThatNothingWasCompared) {
   vehicle.geometry->design = sim::Geometry::Design{.file = "tasha.ork"};
   const Summary summary = summarize(vehicle);
   EXPECT_TRUE(summary.sentence.starts_with("Stable, not compared with its design: ")) << summary.sentence;
-  EXPECT_TRUE(says(summary, "tasha.ork stores no up-to-date simulated flight with this motor")) << summary.sentence;
+  EXPECT_TRUE(sentence_says(summary, "tasha.ork stores no up-to-date simulated flight with this motor"))
+      << summary.sentence;
   EXPECT_FALSE(summary.agrees_with_design.value());
   EXPECT_EQ(answer(vehicle, summary, {}).verdict.heading, "Stable, not compared with its design");
   EXPECT_EQ(json::parse(result::json(answer(vehicle, summary, {})))["agrees_with_design"], json::Value{false});
@@ -114,7 +117,7 @@ TEST(DesignCheck, DoubtsWhatWasLeftOutUnlessTheStoredNumbersAgree) {
   vehicle.geometry->design->centre_of_pressure_m.reset();
   const Summary summary = summarize(vehicle);
   EXPECT_EQ(summary.stability, Stability::doubtful);
-  EXPECT_TRUE(says(summary, "podset \"Pods\": not read")) << summary.sentence;
+  EXPECT_TRUE(sentence_says(summary, "podset \"Pods\": not read")) << summary.sentence;
   EXPECT_EQ(answer(vehicle, summary, {}).verdict.answer, result::Answer::undecided);
 }
 

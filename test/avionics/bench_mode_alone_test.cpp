@@ -18,13 +18,13 @@ using protocol::SessionReason;
 using protocol::SessionState;
 using namespace core::literals;
 
-constexpr std::uint16_t number = 0x1234;
+constexpr std::uint16_t first_session = 0x1234;
 
 struct Bench {
   Situation now{.time = Microseconds{5'000'000}, .at_rest = true};
   BenchMode mode;
 
-  bool say(SessionAction action, std::uint16_t session = number, bool self_test_runs = false) {
+  bool say(SessionAction action, std::uint16_t session = first_session, bool self_test_runs = false) {
     return mode.receive(now, self_test_runs, {.action = action, .session = session});
   }
   void wait(std::int64_t us) {
@@ -52,8 +52,8 @@ TEST(BenchModeAlone, KeepingAndClosingAreOfTheOpenSessionOnly) {
   EXPECT_FALSE(bench.say(SessionAction::close));
   EXPECT_FALSE(bench.mode.take_news());
   EXPECT_TRUE(bench.say(SessionAction::open));
-  EXPECT_EQ(bench.mode.session(), number);
-  EXPECT_FALSE(bench.say(SessionAction::close, number + 1));
+  EXPECT_EQ(bench.mode.session(), first_session);
+  EXPECT_FALSE(bench.say(SessionAction::close, first_session + 1));
   EXPECT_TRUE(bench.mode.open());
   EXPECT_TRUE(bench.say(SessionAction::keep));
   EXPECT_TRUE(bench.say(SessionAction::close));
@@ -66,7 +66,7 @@ TEST(BenchModeAlone, AnAnswerIsNewsOnce) {
   bench.say(SessionAction::open);
   EXPECT_EQ(bench.mode.reply().state, SessionState::open);
   EXPECT_EQ(bench.mode.reply().reason, SessionReason::opened);
-  EXPECT_EQ(bench.mode.reply().session, number);
+  EXPECT_EQ(bench.mode.reply().session, first_session);
   EXPECT_TRUE(bench.mode.take_news());
   EXPECT_FALSE(bench.mode.take_news());
   bench.say(SessionAction::open);
@@ -84,12 +84,12 @@ TEST(BenchModeAlone, SilenceOfAHundredMillisecondsIsBorneAndNotAMicrosecondMore)
     bench.wait(1);
     EXPECT_FALSE(bench.mode.open());
     EXPECT_EQ(bench.mode.reply().reason, SessionReason::heartbeat_lost);
-    EXPECT_EQ(bench.mode.reply().session, number);
+    EXPECT_EQ(bench.mode.reply().session, first_session);
   }
   Bench bench;
   bench.say(SessionAction::open);
   bench.wait(60'000);
-  bench.say(SessionAction::keep, number + 1);
+  bench.say(SessionAction::keep, first_session + 1);
   bench.wait(40'001);
   EXPECT_FALSE(bench.mode.open()) << "another one's heartbeat";
 }
@@ -98,14 +98,14 @@ TEST(BenchModeAlone, EachObjectionRefusesASessionAndLeavesTheStateAsItWas) {
   const auto refused = [](auto change, SessionReason expected, bool self_test_runs = false) {
     Bench bench;
     change(bench.now);
-    EXPECT_TRUE(bench.say(SessionAction::open, number, self_test_runs));
+    EXPECT_TRUE(bench.say(SessionAction::open, first_session, self_test_runs));
     EXPECT_FALSE(bench.mode.open());
     EXPECT_FALSE(bench.mode.take_news());
     const auto refusal = bench.mode.take_refusal();
     ASSERT_TRUE(refusal);
     EXPECT_EQ(refusal->state, SessionState::closed);
     EXPECT_EQ(refusal->reason, expected);
-    EXPECT_EQ(refusal->session, number);
+    EXPECT_EQ(refusal->session, first_session);
     EXPECT_FALSE(bench.mode.take_refusal()) << "once";
   };
   refused([](Situation& now) { now.phase = core::Phase::armed; }, SessionReason::not_safe);
@@ -113,15 +113,15 @@ TEST(BenchModeAlone, EachObjectionRefusesASessionAndLeavesTheStateAsItWas) {
   refused([](Situation&) {}, SessionReason::self_test_runs, true);
   Bench bench;
   bench.say(SessionAction::open);
-  bench.say(SessionAction::open, number + 1);
+  bench.say(SessionAction::open, first_session + 1);
   EXPECT_EQ(bench.mode.take_refusal()->reason, SessionReason::other_session);
-  EXPECT_EQ(bench.mode.session(), number);
+  EXPECT_EQ(bench.mode.session(), first_session);
 }
 
-// Frames carry eight bits that are made of the number.
+// Frames carry eight bits that are made of the session.
 TEST(BenchModeAlone, ANumberThatFramesDoNotTellFromTheLastOneIsRefused) {
-  std::uint16_t alike = number + 1;
-  while (protocol::told_apart(number, alike)) {
+  std::uint16_t alike = first_session + 1;
+  while (protocol::told_apart(first_session, alike)) {
     alike += 1;
   }
   Bench first;
@@ -136,8 +136,8 @@ TEST(BenchModeAlone, ANumberThatFramesDoNotTellFromTheLastOneIsRefused) {
   bench.say(SessionAction::open);
   EXPECT_TRUE(bench.mode.open()) << "the same bench, which has begun anew";
   bench.say(SessionAction::close);
-  bench.say(SessionAction::open, number + 1);
-  EXPECT_EQ(bench.mode.session(), number + 1);
+  bench.say(SessionAction::open, first_session + 1);
+  EXPECT_EQ(bench.mode.session(), first_session + 1);
 }
 
 TEST(BenchModeAlone, EndsWithThePhaseAndWithMotion) {

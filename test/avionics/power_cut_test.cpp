@@ -86,9 +86,9 @@ class Cutter {
     while (!found.finished()) {
       found.update({});
     }
-    const auto sector = found.open();
-    ASSERT_TRUE(sector.has_value());
-    const auto rest = region().subspan(std::size_t{*sector} * 4096);
+    const auto next_sector = found.open();
+    ASSERT_TRUE(next_sector.has_value());
+    const auto rest = region().subspan(std::size_t{*next_sector} * 4096);
     const bool blank = std::ranges::all_of(rest.first(4096), [](std::byte b) { return b == std::byte{0xFF}; });
     outcome.boots += blank ? 1 : 0;
   }

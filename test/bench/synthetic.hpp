@@ -5,16 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 
 #include "../core/random_stream.hpp"
 #include "bench/exercise.hpp"
+#include "degree.hpp"
 #include "link/avionics_link.hpp"
 
 namespace fantail::bench {
-
-inline constexpr double degree = std::numbers::pi / 180.0;
 
 inline Bounds six_degrees(double limit_deg = 6.0, double centre_deg = 0.0) {
   Bounds b;

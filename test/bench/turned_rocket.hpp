@@ -3,17 +3,15 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "bench/axes.hpp"
+#include "degree.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::bench {
 
 using sim::Vector3;
 using sim::operator*;
-
-inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// What a sensor makes of a vector of the body, row by row.
 using Matrix = std::array<std::array<double, 3>, 3>;

@@ -64,14 +64,14 @@ TEST(Question, SaysWhatIsAllowed) {
 }
 
 TEST(Question, RanksRunsThatDoNotMeetItFirstThenThoseWithoutAFigureThenByTheFigure) {
-  std::vector<FlownRun> runs{run_with("held", 2.0), run_with("not_held", 12.0), run_with("held", 8.0),
-                             run_with("no_control", {}), run_with("not_held", 30.0)};
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i].run = i;
+  std::vector<FlownRun> flown{run_with("held", 2.0), run_with("not_held", 12.0), run_with("held", 8.0),
+                              run_with("no_control", {}), run_with("not_held", 30.0)};
+  for (std::size_t i = 0; i < flown.size(); ++i) {
+    flown[i].run = i;
   }
-  std::ranges::sort(runs, [](const FlownRun& a, const FlownRun& b) { return Question{}.is_worse(a, b); });
+  std::ranges::sort(flown, [](const FlownRun& a, const FlownRun& b) { return Question{}.is_worse(a, b); });
   std::vector<std::uint64_t> order;
-  std::ranges::transform(runs, std::back_inserter(order), &FlownRun::run);
+  std::ranges::transform(flown, std::back_inserter(order), &FlownRun::run);
   EXPECT_EQ(order, (std::vector<std::uint64_t>{3, 4, 1, 2, 0}));
 
   const Question high = parse_question("apogee_m>=100");
@@ -87,9 +87,9 @@ TEST(Question, IsNotMetByARunWithAFigureThatIsNoNumber) {
 }
 
 std::vector<FlownRun> runs_held(std::size_t held, std::size_t of) {
-  std::vector<FlownRun> runs(of, run_with("not_held", 20.0));
-  std::fill_n(runs.begin(), held, run_with("held", 1.0));
-  return runs;
+  std::vector<FlownRun> flown(of, run_with("not_held", 20.0));
+  std::fill_n(flown.begin(), held, run_with("held", 1.0));
+  return flown;
 }
 
 // Of n runs that are all held the sequence's low bound is where (n + 1) s^n = 0.05: 0.9 from 72 runs on (0.9^72
@@ -103,11 +103,11 @@ TEST(StopRule, StopsAfterTheChunkWithWhichItIsDecided) {
 }
 
 TEST(StopRule, StopsWhenTheShareIsKnownAsCloselyAsAsked) {
-  std::vector<FlownRun> runs;
+  std::vector<FlownRun> flown;
   for (int i = 0; i < 6400; ++i) {
-    runs.push_back(run_with(i % 2 == 0 ? "held" : "not_held", 1.0));
+    flown.push_back(run_with(i % 2 == 0 ? "held" : "not_held", 1.0));
   }
-  const std::size_t after = stops_at({.within = 0.05}, runs);
+  const std::size_t after = stops_at({.within = 0.05}, flown);
   const Bounds bounds = confidence_sequence(after / 2, after);
   EXPECT_LE(bounds.high - bounds.low, 0.1);
   const Bounds before = confidence_sequence(after / 2 - 32, after - 64);

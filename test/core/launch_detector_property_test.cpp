@@ -104,9 +104,9 @@ class NaiveDetector {
  private:
   bool disagree() {
     const double excess = first_.filtered() - second_.filtered();
-    const auto limit = static_cast<double>(plan_.disagreement_m_s2);
-    closest_call_ = std::min(closest_call_, std::abs(std::abs(excess) - limit));
-    return (excess > limit && !second_.saturated()) || (-excess > limit && !first_.saturated());
+    const auto allowed = static_cast<double>(plan_.disagreement_m_s2);
+    closest_call_ = std::min(closest_call_, std::abs(std::abs(excess) - allowed));
+    return (excess > allowed && !second_.saturated()) || (-excess > allowed && !first_.saturated());
   }
 
   LaunchDetectionPlan plan_;

@@ -9,6 +9,7 @@ namespace fantail::core {
 namespace {
 
 using namespace literals;
+using Limits = std::numeric_limits<float>;
 
 TEST(Angle, DegreesAndRadiansNameTheSameAngle) {
   EXPECT_FLOAT_EQ((180_deg).radians(), 3.14159265F);
@@ -31,9 +32,8 @@ TEST(Angle, ClampAcceptsTheLimitsThemselvesAndALimitOfZero) {
 }
 
 TEST(Angle, ClampStopsInfinitiesAndLetsANotANumberBeSeen) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(clamp(Angle::from_radians(infinity), 6_deg), 6_deg);
-  EXPECT_EQ(clamp(Angle::from_radians(-infinity), 6_deg), -6_deg);
+  EXPECT_EQ(clamp(Angle::from_radians(Limits::infinity()), 6_deg), 6_deg);
+  EXPECT_EQ(clamp(Angle::from_radians(-Limits::infinity()), 6_deg), -6_deg);
   EXPECT_TRUE(std::isnan(clamp(Angle::from_radians(std::numeric_limits<float>::quiet_NaN()), 6_deg).radians()));
 }
 
@@ -77,8 +77,6 @@ TEST(Angle, ArithmeticIsThatOfItsRadians) {
   EXPECT_EQ(abs(-2_deg), 2_deg);
   EXPECT_LT(-2_deg, 1_deg);
 }
-
-using Limits = std::numeric_limits<float>;
 
 TEST(Finite, IsEveryNumberAndNothingElse) {
   for (const float number : {0.0F, -0.0F, Limits::denorm_min(), Limits::min(), Limits::max(), Limits::lowest()}) {

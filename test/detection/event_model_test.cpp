@@ -9,13 +9,12 @@
 
 #include "detection/event_models.hpp"
 #include "detection/readings.hpp"
+#include "detection/shapes.hpp"
 #include "seed.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::detection {
 namespace {
-
-constexpr double g = sim::gravity_m_s2;
 
 /// The motion of one event.
 class EventModel : public testing::Test {

@@ -17,8 +17,6 @@
 namespace fantail::detection {
 namespace {
 
-constexpr double g = sim::gravity_m_s2;
-
 enum class Shape : std::uint8_t { half_sine, square };
 
 /// Along the axis, as an accelerometer reads it.

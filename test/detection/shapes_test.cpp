@@ -15,11 +15,11 @@
 namespace fantail::detection {
 namespace {
 
-constexpr float g = core::standard_gravity_m_s2;
+constexpr float one_g = core::standard_gravity_m_s2;
 
 core::LaunchDetectionPlan raw_rule(float threshold_g, int hold_ms) {
   core::LaunchDetectionPlan plan = core::default_plan().launch_detection;
-  plan.threshold_m_s2 = threshold_g * g;
+  plan.threshold_m_s2 = threshold_g * one_g;
   plan.hold = core::Microseconds{hold_ms * 1'000};
   plan.accelerometers = core::AccelerometerRule::one;
   plan.low_pass = false;
@@ -57,7 +57,7 @@ TEST(Shapes, AShockFiresExactlyWhenItsClosedFormTimeAboveTheThresholdReachesTheH
   int all = 0;
   for (int width_ms = 20; width_ms <= 400; width_ms += 7) {
     for (const double peak_g : {0.9, 1.6, 2.0, 4.0, 9.0}) {
-      std::vector<float> values(600, g);
+      std::vector<float> values(600, one_g);
       const double width = 1e-3 * width_ms;
       add_half_sine(values, 0.05, width, peak_g * 9.80665);
       const double sine = 1.5 / peak_g;
@@ -77,8 +77,8 @@ TEST(Shapes, AShockFiresExactlyWhenItsClosedFormTimeAboveTheThresholdReachesTheH
 }
 
 TEST(Shapes, AConstantThreeGIsDetectedOneHoldAfterItsFirstSample) {
-  std::vector<float> values(400, g);
-  std::fill(values.begin() + 100, values.end(), 3.0F * g);
+  std::vector<float> values(400, one_g);
+  std::fill(values.begin() + 100, values.end(), 3.0F * one_g);
   EXPECT_EQ(detected(raw_rule(2.0F, 200), values), 300U);
   EXPECT_EQ(detected(raw_rule(2.5F, 100), values), 200U);
 }
@@ -89,8 +89,8 @@ TEST(Shapes, BehindALowPassAConstantThreeGIsLateByTheLagsClosedForm) {
   plan.low_pass = true;
   for (const float cutoff_hz : {4.0F, 8.0F, 16.0F, 50.0F}) {
     plan.low_pass_hz = cutoff_hz;
-    std::vector<float> values(600, g);
-    std::fill(values.begin() + 100, values.end(), 3.0F * g);
+    std::vector<float> values(600, one_g);
+    std::fill(values.begin() + 100, values.end(), 3.0F * one_g);
     const double lag_ms = 1e3 * std::log(4.0) / (2.0 * std::numbers::pi * static_cast<double>(cutoff_hz));
     const auto at = detected(plan, values);
     ASSERT_TRUE(at);

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <functional>
-#include <numbers>
 #include <vector>
 
+#include "degree.hpp"
 #include "faults/judge.hpp"
 
 namespace fantail::faults {
 
 // A flight written by hand: ignition at 0, detection at 0.1 s, control from 0.6 s to 10 s, and the end at 11 s.
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double control_begin_s = 0.6;
 constexpr double control_end_s = 10.0;
 

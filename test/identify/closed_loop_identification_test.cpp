@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "degree.hpp"
 #include "identify/closed_loop/runs.hpp"
 #include "identify/identification.hpp"
 #include "identify/model/planted.hpp"
@@ -20,8 +21,6 @@ namespace {
 using namespace closed_loop;
 using namespace model;
 using namespace result;
-
-constexpr double degree = paper::radians_per_degree;
 
 Options closed_loop_options(const paper::Loop& loop, const NodeTimes& nodes) {
   return {.nodes = nodes, .closed_loop = controller_of(loop), .with_error_map = false};

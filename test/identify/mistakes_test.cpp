@@ -194,12 +194,13 @@ TEST(Mistakes, ALagIsNotNamedWhereThereIsNone) {
 
 // The node in the middle of each interval is missing; there is no lag.
 TEST(Mistakes, ALagThatMoreNodesTakeAwayIsOneOfTwoCauses) {
-  const Planting bent{
+  const Planting curved{
       .node_time_s = {0.0, 1.0, 2.0, 3.0, 4.0}, .node_deg = {-5.0, -4.8, -5.0, -5.2, -5.0}, .sample_hz = 500.0};
   Question question = asked();
   question.options.start = Start::fitted;
   question.nodes = "even:2";
-  const std::string text = said(study(noisy_log(bent, {.angle_deg = 0.02, .rate_deg_s = 0.1}, 3), question).windows[0]);
+  const std::string text =
+      said(study(noisy_log(curved, {.angle_deg = 0.02, .rate_deg_s = 0.1}, 3), question).windows[0]);
   EXPECT_EQ(text.find("canard column seems to be"), std::string::npos) << text;
   EXPECT_NE(text.find("5 nodes of the disturbance instead of 3"), std::string::npos) << text;
 }
@@ -262,8 +263,8 @@ TEST(Mistakes, HubersLossIsRecommendedForOutliersWithWhatItGives) {
 }
 
 TEST(Mistakes, MissingNodesAreNamed) {
-  const Planting bent{.node_time_s = {0.0, 2.0, 4.0}, .node_deg = {-4.0, -6.0, -4.5}};
-  const std::string text = said(study(noisy_log(bent, {.angle_deg = 0.1}, 3), asked()).windows[0]);
+  const Planting curved{.node_time_s = {0.0, 2.0, 4.0}, .node_deg = {-4.0, -6.0, -4.5}};
+  const std::string text = said(study(noisy_log(curved, {.angle_deg = 0.1}, 3), asked()).windows[0]);
   EXPECT_NE(text.find("ore nodes"), std::string::npos) << text;
 }
 

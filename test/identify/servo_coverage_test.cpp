@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "degree.hpp"
 #include "identify/closed_loop/runs.hpp"
 #include "identify/doubts.hpp"
 #include "identify/identification.hpp"
@@ -22,8 +23,6 @@ namespace {
 using namespace closed_loop;
 using namespace model;
 using namespace result;
-
-constexpr double degree = paper::radians_per_degree;
 
 struct ServoCase {
   const char* name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "live/feed.hpp"
 
+#include "degree.hpp"
 #include "test.hpp"
 
 namespace fantail::live {
@@ -14,8 +15,6 @@ using telemetry::Health;
 using telemetry::Packet;
 using telemetry::Stamp;
 using telemetry::State;
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /// A page that hears what it is given; both clocks go on together.
 struct Heard {

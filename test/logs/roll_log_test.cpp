@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "degree.hpp"
 #include "logs/refused.hpp"
 #include "system/folder.hpp"
 #include "text/error.hpp"
@@ -17,7 +18,6 @@ namespace {
 using test::expect_refused;
 using text::ErrorKind;
 
-constexpr double degree = std::numbers::pi / 180.0;
 const std::string head = "time_s,roll_angle_deg,roll_rate_deg_s,canard_deg,speed_m_s\n";
 
 files::Sources named(const std::string& text) { return files::parse_columns(text, "--columns", files::of_flight_csv); }

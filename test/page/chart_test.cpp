@@ -7,7 +7,8 @@
 namespace fantail::page {
 namespace {
 
-constexpr double gone = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_drawn = std::numeric_limits<double>::quiet_NaN();
+
 constexpr double pixel = 0.06;  // coordinates are written to a tenth
 
 Series line(std::vector<double> x, std::vector<double> y) {
@@ -30,7 +31,7 @@ TEST(Chart, APointInTheMiddleOfTheRangesLandsInTheMiddleOfTheFrame) {
 }
 
 TEST(Chart, AGapBreaksTheLine) {
-  const SvgReader read{svg(with_ranges(line({0, 1, 2, 3, 4, 5, 6}, {0, 1, gone, 1, 0, gone, 0.5})))};
+  const SvgReader read{svg(with_ranges(line({0, 1, 2, 3, 4, 5, 6}, {0, 1, not_drawn, 1, 0, not_drawn, 0.5})))};
   const auto strokes = SvgReader::strokes(read.tags("path", "line measured").at(0));
   ASSERT_EQ(strokes.size(), 2U);
   EXPECT_NEAR(strokes[0].back().x, read.at(0.1, 0.0).x, pixel);
@@ -46,7 +47,7 @@ TEST(Chart, AGapOfOneSampleInAHundredThousandStillBreaksTheLine) {
   Series series = line({}, {});
   for (int i = 0; i < 100'000; ++i) {
     series.x.push_back(1e-4 * i);
-    series.y.push_back(i == 43'210 ? gone : 0.5);
+    series.y.push_back(i == 43'210 ? not_drawn : 0.5);
   }
   const SvgReader read{svg(with_ranges(series))};
   EXPECT_EQ(SvgReader::strokes(read.tags("path", "line measured").at(0)).size(), 2U);
@@ -109,7 +110,7 @@ TEST(Chart, AStepHoldsItsValueUntilTheNextSample) {
 }
 
 TEST(Chart, PointsOutsideTheRangesAreNotDrawnIntoTheTexts) {
-  Series series = line({5.0, 20.0, 5.0, -3.0, gone}, {0.0, 0.0, 7.0, 0.0, 0.0});
+  Series series = line({5.0, 20.0, 5.0, -3.0, not_drawn}, {0.0, 0.0, 7.0, 0.0, 0.0});
   series.mark = Mark::points;
   const SvgReader read{svg(with_ranges(series))};
   EXPECT_EQ(SvgReader::strokes(read.tags("path", "dots measured").at(0)).size(), 1U);

@@ -7,7 +7,7 @@
 namespace fantail::page {
 namespace {
 
-constexpr double gone = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 HeatMap two_by_two(std::vector<double> value) { return {.x = {1, 2}, .y = {10, 20}, .value = std::move(value)}; }
 
@@ -82,7 +82,7 @@ TEST(HeatMap, AZeroAmongErrorsDoesNotWashOutTheRest) {
 }
 
 TEST(HeatMap, CellsWithoutAValueStayEmpty) {
-  EXPECT_EQ(fills(svg(two_by_two({1.0, gone, 3.0, 9.0})), "cells").size(), 3U);
+  EXPECT_EQ(fills(svg(two_by_two({1.0, no_value, 3.0, 9.0})), "cells").size(), 3U);
 }
 
 TEST(HeatMap, LabelsOfSpotsAtOnePlaceDoNotCoverEachOtherOrARing) {
@@ -130,7 +130,7 @@ TEST(HeatMap, TextIsEscapedAndEmptyDataSaySo) {
   EXPECT_FALSE(SvgReader{svg(map)}.holds("<b>"));
   EXPECT_FALSE(SvgReader{svg(map)}.holds("<i>"));
   EXPECT_TRUE(SvgReader{svg(HeatMap{})}.has_text("no data"));
-  EXPECT_TRUE(SvgReader{svg(two_by_two({gone, gone, gone, gone}))}.has_text("no data"));
+  EXPECT_TRUE(SvgReader{svg(two_by_two({no_value, no_value, no_value, no_value}))}.has_text("no data"));
   EXPECT_TRUE(SvgReader{svg(two_by_two({1.0}))}.has_text("no data"));  // too few values
 }
 
@@ -139,12 +139,12 @@ TEST(HeatMap, DegenerateDataGiveFiniteDrawings) {
     for (const auto& value : std::vector<std::vector<double>>{{5, 5, 5, 5},
                                                               {0, 0, 0, 0},
                                                               {-1, -2, -3, -4},
-                                                              {gone, 1, gone, gone},
+                                                              {no_value, 1, no_value, no_value},
                                                               {1e-300, 1e300, 0, 1},
-                                                              {0, 1, 2, gone}}) {
+                                                              {0, 1, 2, no_value}}) {
       HeatMap map = two_by_two(value);
       map.logarithmic = logarithmic;
-      map.spots = {{gone, 1, "nowhere"}, {500, 1, "outside"}};
+      map.spots = {{no_value, 1, "nowhere"}, {500, 1, "outside"}};
       EXPECT_TRUE(SvgReader{svg(map)}.finite()) << svg(map);
       EXPECT_FALSE(SvgReader{svg(map)}.has_text("outside"));
     }

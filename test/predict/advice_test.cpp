@@ -5,6 +5,7 @@
 
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
+#include "look_away.hpp"
 #include "predict/decision.hpp"
 #include "predict/sentences.hpp"
 #include "test.hpp"
@@ -14,8 +15,6 @@ namespace fantail::predict {
 namespace {
 
 using text::radians;
-
-const auto look_away = [](std::size_t) {};
 
 /// Runs with these offsets on the vehicle of the second launch.
 Prediction with_offsets(const std::vector<double>& offsets_deg) {

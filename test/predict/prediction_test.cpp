@@ -3,6 +3,7 @@
 
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
+#include "look_away.hpp"
 #include "predict/answer.hpp"
 #include "test.hpp"
 #include "text/error.hpp"
@@ -11,8 +12,6 @@ namespace fantail::predict {
 namespace {
 
 using text::degrees;
-
-const auto look_away = [](std::size_t) {};
 
 Prediction predicted(const std::string& scenario_name, const Options& options) {
   const sim::Scenario scenario = input::load_scenario(scenario_name, {});

@@ -2,14 +2,13 @@
 
 #include "predict/roll_resonance.hpp"
 
+#include "degree.hpp"
 #include "input/scenario_file.hpp"
 #include "predict/decision.hpp"
 #include "test.hpp"
 
 namespace fantail::predict {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // Slope 10 on a body of 80 mm, margin 0.12 m, inertia 0.6 kg m2, density 1.2 kg/m3: k = 0.077665 rad/m, as in the
 // oracle of the tunnel's stability (1.165, 1.553 and 2.330 rad/s at 15, 20 and 30 m/s). After burn-out the same.

@@ -2,6 +2,7 @@
 
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
+#include "look_away.hpp"
 #include "predict/answer.hpp"
 #include "predict/prediction.hpp"
 #include "predict/run.hpp"
@@ -15,8 +16,6 @@ namespace fantail::predict {
 namespace {
 
 // A launch in six degrees of freedom, in a wind that is known roughly.
-
-const auto look_away = [](std::size_t) {};
 
 sim::Scenario scenario(const std::vector<std::string>& changes) {
   return input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
@@ -147,13 +146,13 @@ using text::radians;
 
 constexpr int draws = 40000;
 
-struct Moments {
+struct WindMoments {
   double mean = 0.0;
   double deviation = 0.0;
 };
 
 template <typename ValueOf>
-Moments moments(const sim::WindParameters& stated, const sim::WindSpread& spread, ValueOf value_of) {
+WindMoments moments(const sim::WindParameters& stated, const sim::WindSpread& spread, ValueOf value_of) {
   double sum = 0.0;
   double squares = 0.0;
   for (int seed = 0; seed < draws; ++seed) {
@@ -176,14 +175,14 @@ TEST(DrawnWind, WithoutSpreadIsTheStatedOne) {
 }
 
 TEST(DrawnWind, HasANormalSpeed) {
-  const Moments found = moments({.speed_m_s = 8.0}, {.speed_m_s = 1.5}, speed);
+  const WindMoments found = moments({.speed_m_s = 8.0}, {.speed_m_s = 1.5}, speed);
   EXPECT_NEAR(found.mean, 8.0, 4.0 * 1.5 / std::sqrt(draws));
   EXPECT_NEAR(found.deviation, 1.5, 4.0 * 1.5 / std::sqrt(2.0 * draws));
 }
 
 // About zero, what is left of a normal distribution is one side of it: its mean is sqrt(2 / pi) of the deviation.
 TEST(DrawnWind, IsCutAtZero) {
-  const Moments found = moments({.speed_m_s = 0.0}, {.speed_m_s = 2.0}, speed);
+  const WindMoments found = moments({.speed_m_s = 0.0}, {.speed_m_s = 2.0}, speed);
   const double mean = 2.0 * std::sqrt(2.0 / std::numbers::pi);
   const double deviation = 2.0 * std::sqrt(1.0 - 2.0 / std::numbers::pi);
   EXPECT_NEAR(found.mean, mean, 4.0 * deviation / std::sqrt(draws));
@@ -192,7 +191,7 @@ TEST(DrawnWind, IsCutAtZero) {
 
 TEST(DrawnWind, ComesFromAnywhereWithinTheSpreadAlike) {
   const sim::WindParameters stated{.speed_m_s = 5.0, .from_rad = radians(90.0)};
-  const Moments found = moments(stated, {.direction_rad = radians(30.0)}, [](const sim::WindParameters& wind) {
+  const WindMoments found = moments(stated, {.direction_rad = radians(30.0)}, [](const sim::WindParameters& wind) {
     EXPECT_EQ(wind.speed_m_s, 5.0);
     EXPECT_GE(wind.from_rad, radians(60.0));
     EXPECT_LE(wind.from_rad, radians(120.0));
@@ -205,11 +204,11 @@ TEST(DrawnWind, ComesFromAnywhereWithinTheSpreadAlike) {
 TEST(DrawnWind, OfNoKnownDirectionComesFromEverywhereAlike) {
   const sim::WindParameters stated{.speed_m_s = 5.0, .from_rad = radians(350.0)};
   const sim::WindSpread unknown{.direction_rad = radians(180.0)};
-  const Moments angle =
+  const WindMoments angle =
       moments(stated, unknown, [](const sim::WindParameters& wind) { return degrees(wind.from_rad); });
   EXPECT_NEAR(angle.mean, 180.0, 2.1);
   EXPECT_NEAR(angle.deviation, 360.0 / std::sqrt(12.0), 1.5);
-  const Moments north =
+  const WindMoments north =
       moments(stated, unknown, [](const sim::WindParameters& wind) { return std::cos(wind.from_rad); });
   EXPECT_NEAR(north.mean, 0.0, 0.015);
 }

@@ -10,15 +10,15 @@ namespace {
 using core::Angle;
 using core::Microseconds;
 
-constexpr Microseconds now{5'000'000};
+constexpr Microseconds tick_time{5'000'000};
 
 LogTick some_tick() {
-  return {.time = now,
-          .imu_time = now - Microseconds{120},
+  return {.time = tick_time,
+          .imu_time = tick_time - Microseconds{120},
           .rate_counts = {1, -2, 32767},
           .specific_force_counts = {-32768, 5, 6},
           .imu_status = DeviceStatus::ok,
-          .accelerometer_time = now - Microseconds{65'534},
+          .accelerometer_time = tick_time - Microseconds{65'534},
           .accelerometer_counts = {7, 8, -9},
           .accelerometer_status = DeviceStatus::error,
           .encoder_counts = {0, 1, 8192, 16383},
@@ -41,9 +41,9 @@ TEST(LogTick, ComesBackWithEverythingInIt) {
   SampleTimes packing;
   const PackedTick bytes = pack(tick, packing);
   SampleTimes unpacking;
-  const auto back = unpack_tick(now, bytes, unpacking);
+  const auto back = unpack_tick(tick_time, bytes, unpacking);
   ASSERT_TRUE(back);
-  EXPECT_EQ(back->time, now);
+  EXPECT_EQ(back->time, tick_time);
   EXPECT_EQ(back->imu_time, tick.imu_time);
   EXPECT_EQ(back->rate_counts, tick.rate_counts);
   EXPECT_EQ(back->specific_force_counts, tick.specific_force_counts);
@@ -68,14 +68,15 @@ TEST(LogTick, ComesBackWithEverythingInIt) {
 // What a second gyro said lies behind all that a tick of one gyro has.
 TEST(LogTick, ASecondGyroComesBackAndChangesNoOtherByte) {
   LogTick tick = some_tick();
-  tick.second_gyro = {.time = now - Microseconds{400}, .rate_counts = {10, -20, -32768}, .status = DeviceStatus::error};
+  tick.second_gyro = {
+      .time = tick_time - Microseconds{400}, .rate_counts = {10, -20, -32768}, .status = DeviceStatus::error};
   SampleTimes packing;
   std::array<std::byte, largest_log_tick> bytes{};
   pack(tick, packing, bytes);
   SampleTimes of_one;
   EXPECT_TRUE(std::ranges::equal(std::span{bytes}.first(log_tick_size), pack(some_tick(), of_one)));
   SampleTimes unpacking;
-  const auto back = unpack_tick(now, bytes, unpacking);
+  const auto back = unpack_tick(tick_time, bytes, unpacking);
   ASSERT_TRUE(back && back->second_gyro);
   EXPECT_EQ(back->second_gyro->time, tick.second_gyro->time);
   EXPECT_EQ(back->second_gyro->rate_counts, tick.second_gyro->rate_counts);
@@ -83,12 +84,12 @@ TEST(LogTick, ASecondGyroComesBackAndChangesNoOtherByte) {
   EXPECT_EQ(unpacking.second_gyro, packing.second_gyro);
 
   bytes.back() = std::byte{3};
-  EXPECT_FALSE(unpack_tick(now, bytes, unpacking)) << "there are three states of a device";
+  EXPECT_FALSE(unpack_tick(tick_time, bytes, unpacking)) << "there are three states of a device";
 }
 
 TEST(LogTick, ASecondGyroThatFindsNoRoomIsLeftOutAndNothingBehindTheTickIsWritten) {
   LogTick tick = some_tick();
-  tick.second_gyro = {.time = now, .rate_counts = {1, 2, 3}, .status = DeviceStatus::ok};
+  tick.second_gyro = {.time = tick_time, .rate_counts = {1, 2, 3}, .status = DeviceStatus::ok};
   std::array<std::byte, largest_log_tick> bytes{};
   SampleTimes packing;
   pack(tick, packing, std::span{bytes}.first(log_tick_size));
@@ -100,7 +101,7 @@ TEST(LogTick, ASecondGyroThatFindsNoRoomIsLeftOutAndNothingBehindTheTickIsWritte
 
 TEST(LogTick, ACanardsCommandIsKeptToAThousandthOfADegree) {
   SampleTimes times;
-  const auto back = unpack_tick(now, pack(some_tick(), times), times);
+  const auto back = unpack_tick(tick_time, pack(some_tick(), times), times);
   ASSERT_TRUE(back);
   EXPECT_NEAR(back->canard_commands[0]->degrees(), 1.234, 1e-5);
   EXPECT_FALSE(back->canard_commands[1]);
@@ -136,11 +137,11 @@ TEST(LogTick, ASampleBecomesOldWithoutAJump) {
 
 TEST(LogTick, ASampleFromTheFutureIsAnOldOne) {
   LogTick tick = some_tick();
-  tick.imu_time = now + Microseconds{1};
+  tick.imu_time = tick_time + Microseconds{1};
   SampleTimes packing;
   const PackedTick bytes = pack(tick, packing);
   SampleTimes unpacking;
-  const auto back = unpack_tick(now, bytes, unpacking);
+  const auto back = unpack_tick(tick_time, bytes, unpacking);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->imu_time, SampleTimes{}.imu) << "that of the tick before";
 }
@@ -151,7 +152,7 @@ TEST(LogTick, ACommandBeyondItsFieldIsKeptAtTheEndOfIt) {
   SampleTimes packing;
   const PackedTick bytes = pack(tick, packing);
   SampleTimes unpacking;
-  const auto back = unpack_tick(now, bytes, unpacking);
+  const auto back = unpack_tick(tick_time, bytes, unpacking);
   ASSERT_TRUE(back);
   EXPECT_NEAR(back->canard_commands[0]->degrees(), 32.767F, 1e-5F);
   EXPECT_EQ(back->canard_commands[1], back->canard_commands[0]);
@@ -163,16 +164,16 @@ TEST(LogTick, ALongTickIsKeptAsLongAsThereIsRoom) {
   LogTick tick = some_tick();
   tick.duration_before = Microseconds{70'000};
   SampleTimes times;
-  EXPECT_EQ(unpack_tick(now, pack(tick, times), times)->duration_before, Microseconds{65'535});
+  EXPECT_EQ(unpack_tick(tick_time, pack(tick, times), times)->duration_before, Microseconds{65'535});
 }
 
 TEST(LogTick, APayloadOfAnotherSizeIsRefused) {
   SampleTimes times;
   const PackedTick bytes = pack(some_tick(), times);
-  EXPECT_FALSE(unpack_tick(now, std::span{bytes}.first(log_tick_size - 1), times));
+  EXPECT_FALSE(unpack_tick(tick_time, std::span{bytes}.first(log_tick_size - 1), times));
   std::vector<std::byte> longer{bytes.begin(), bytes.end()};
   longer.push_back(std::byte{});
-  EXPECT_FALSE(unpack_tick(now, longer, times));
+  EXPECT_FALSE(unpack_tick(tick_time, longer, times));
 }
 
 TEST(LogTick, ValuesThatNoTickHasAreRefused) {
@@ -180,7 +181,7 @@ TEST(LogTick, ValuesThatNoTickHasAreRefused) {
     SampleTimes times;
     PackedTick bytes = pack(some_tick(), times);
     put<decltype(width)::value>(bytes, at, value);
-    return unpack_tick(now, bytes, times).has_value();
+    return unpack_tick(tick_time, bytes, times).has_value();
   };
   constexpr std::integral_constant<std::size_t, 2> two;
   constexpr std::integral_constant<std::size_t, 4> four;
@@ -199,7 +200,7 @@ RC_GTEST_PROP(LogTick, WhatUnpacksPacksToTheSameBytes, ()) {
   }
   SampleTimes unpacking{.imu = Microseconds{1}, .accelerometer = Microseconds{2}};
   SampleTimes packing = unpacking;
-  const auto tick = unpack_tick(now, bytes, unpacking);
+  const auto tick = unpack_tick(tick_time, bytes, unpacking);
   RC_PRE(tick.has_value());
   const PackedTick again = pack(*tick, packing);
   put<2>(bytes, 0, get<2>(bytes, 0) & 0x3FFFU);  // the two bits that mean nothing

@@ -2,13 +2,12 @@
 #include "sil/any_rocket.hpp"
 
 #include "core/flight_plan_members.hpp"
+#include "degree.hpp"
 #include "input/scenario_file.hpp"
 #include "sim/units.hpp"
 
 namespace fantail::sil {
 namespace {
-
-constexpr double degree = sim::radians_per_degree;
 
 float real(double value) { return static_cast<float>(value); }
 core::Angle angle(double degrees) { return core::Angle::from_degrees(real(degrees)); }

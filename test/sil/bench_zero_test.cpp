@@ -4,6 +4,7 @@
 #include "bench/axes.hpp"
 #include "bench/zero.hpp"
 #include "core/flight_plan_members.hpp"
+#include "degree.hpp"
 #include "link/plan_transfer.hpp"
 #include "protocol/bus_codec.hpp"
 #include "sil/bench_at_world.hpp"
@@ -73,8 +74,6 @@ TEST(BenchZero, AnOffsetIsFoundAndGoneOnceItsPlanIsLoaded) {
 
 // The whole way from hands that turn a rocket to the verdict. What a sensor can have wrong is in axes_verdict_test;
 // here a person turns it wrong, and the rates are as a real gyro gives them.
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 bench::TurnsSeen turns_of(const std::function<void(sim::Scenario&)>& change) {
   sim::Scenario scenario = input::load_scenario("bench_axes", {});

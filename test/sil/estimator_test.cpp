@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "degree.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "seed.hpp"
@@ -12,8 +13,6 @@
 
 namespace fantail::sil {
 namespace {
-
-constexpr double degree = sim::radians_per_degree;
 
 /// An IMU as data sheets of its price have it, glued in by hand in the nose.
 void draw_sensor(Draw& draw, sim::InertialParameters& sensor, sim::FeltMotionParameters& feels) {

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "degree.hpp"
 #include "predict/decision.hpp"
 #include "predict/prediction.hpp"
 #include "runs/runner.hpp"
@@ -19,7 +20,6 @@ namespace {
 using predict::TunnelStep;
 
 constexpr std::size_t runs = 24;
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// Rockets of one make: each has its own damping, torque and offset.
 struct Make {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sil/random_launch.hpp"
 
+#include "degree.hpp"
 #include "input/fault_file.hpp"
 #include "input/scenario_file.hpp"
 #include "sim/units.hpp"
@@ -8,7 +9,6 @@
 namespace fantail::sil {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double before_power_up_s = -1000.0;
 
 void draw_plan(core::FlightPlan& plan, Draw& draw) {

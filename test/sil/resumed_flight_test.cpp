@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The processor is reset in flight and the world goes on: what is flown, recorded, replayed and said of it.
 
+#include "degree.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
 #include "flight_log/to_report.hpp"
@@ -12,8 +13,6 @@
 
 namespace fantail::sil {
 namespace {
-
-constexpr double degree = 3.14159265358979 / 180.0;
 
 sim::Scenario with_resets(const std::vector<double>& times_s, const sim::Reset& reset = {}) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});

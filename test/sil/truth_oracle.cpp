@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "degree.hpp"
+
 namespace fantail::sil {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /// The factor on the gains, by the plan's words alone.
 double factor(const core::GainSchedulePlan& plan, double speed_m_s, bool is_lower_bound) {

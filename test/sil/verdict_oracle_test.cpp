@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "campaign/flown_run.hpp"
+#include "degree.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
@@ -20,8 +21,6 @@ namespace {
 // shares nothing with the report.
 
 using report::Outcome;
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /// The IMU of a rocket with good fins dies late: control is cut short and little comes of it.
 void draw_a_quiet_end(sim::Scenario& scenario, Draw& draw) {

@@ -3,13 +3,12 @@
 
 #include <filesystem>
 
+#include "degree.hpp"
 #include "input/rasp_file.hpp"
 #include "test.hpp"
 
 namespace fantail::sim {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 AscentParameters tasha(double mass_kg) {
   return {.mass_kg = mass_kg,

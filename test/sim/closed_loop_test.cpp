@@ -2,6 +2,7 @@
 
 #include "core/autopilot.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "degree.hpp"
 #include "sim/roll_plant.hpp"
 #include "sim/servo.hpp"
 #include "test.hpp"
@@ -13,7 +14,6 @@ namespace {
 
 using core::Microseconds;
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double density_kg_m3 = 1.2;
 constexpr double speed_m_s = 22.0;
 constexpr RollPlant rocket{

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "degree.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "sim/world.hpp"
@@ -73,7 +74,5 @@ inline FlownWorld fly(const std::string& name, const std::vector<std::string>& c
   const Scenario loaded = scenario(name, changes);
   return fly(loaded);
 }
-
-inline constexpr double degree = 3.14159265358979323846 / 180.0;
 
 }  // namespace fantail::sim

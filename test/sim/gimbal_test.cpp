@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/gimbal.hpp"
 
+#include "degree.hpp"
 #include "test.hpp"
 
 namespace fantail::sim {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 Gimbal turned(const std::vector<HandTurn>& turns, double until_s, double step_s = 1e-3) {
   Gimbal gimbal{turns};

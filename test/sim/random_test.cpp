@@ -6,7 +6,7 @@
 namespace fantail::sim {
 namespace {
 
-constexpr std::uint64_t seed = 20160623;
+constexpr std::uint64_t first_seed = 20160623;
 constexpr std::size_t many = 4'000'000;
 
 std::vector<double> gaussians(Random random, std::size_t count) {
@@ -29,11 +29,11 @@ TEST(Random, GivesThePublishedOutputsOfItsGenerator) {
 }
 
 TEST(Random, IsRepeatedBySeedAndStreamAndChangedByEither) {
-  Random first{seed, 3};
-  Random again{seed, 3};
-  Random other_stream{seed, 4};
-  Random other_seed{seed + 1, 3};
-  Random swapped{3, seed};
+  Random first{first_seed, 3};
+  Random again{first_seed, 3};
+  Random other_stream{first_seed, 4};
+  Random other_seed{first_seed + 1, 3};
+  Random swapped{3, first_seed};
   const std::uint64_t bits = first.bits();
   EXPECT_EQ(again.bits(), bits);
   EXPECT_NE(other_stream.bits(), bits);
@@ -43,7 +43,7 @@ TEST(Random, IsRepeatedBySeedAndStreamAndChangedByEither) {
 }
 
 TEST(Random, UniformFillsItsRangeEvenly) {
-  Random random{seed, 0};
+  Random random{first_seed, 0};
   std::array<double, 64> bins{};
   for (std::size_t i = 0; i < many; ++i) {
     const double value = random.uniform();
@@ -66,7 +66,7 @@ TEST(Random, GaussianHasTheMomentsOfTheNormalDistribution) {
   double sum2 = 0.0;
   double sum3 = 0.0;
   double sum4 = 0.0;
-  for (const double x : gaussians({seed, 1}, many)) {
+  for (const double x : gaussians({first_seed, 1}, many)) {
     sum1 += x;
     sum2 += x * x;
     sum3 += x * x * x;
@@ -81,7 +81,7 @@ TEST(Random, GaussianHasTheMomentsOfTheNormalDistribution) {
 }
 
 TEST(Random, GaussianFollowsTheNormalDistributionIntoTheTails) {
-  std::vector<double> values = gaussians({seed, 2}, many);
+  std::vector<double> values = gaussians({first_seed, 2}, many);
   std::ranges::sort(values);
   // 3.654 is where the lowest box ends and the tail begins.
   for (const double x : {-4.5, -4.0, -3.8, -3.66, -3.6, -3.0, -2.5, -2.0, -1.5, -1.0, -0.5, -0.2, 0.0,
@@ -96,7 +96,7 @@ TEST(Random, GaussianFollowsTheNormalDistributionIntoTheTails) {
 }
 
 TEST(Random, SeveralGaussiansAtOnceAreNormalInEveryPlace) {
-  Random random{seed, 7};
+  Random random{first_seed, 7};
   std::array<double, 5> sums{};
   std::array<double, 5> squares{};
   double neighbours = 0.0;
@@ -119,8 +119,9 @@ TEST(Random, SeveralGaussiansAtOnceAreNormalInEveryPlace) {
 
 TEST(Random, StreamsAndNeighbouringSeedsDoNotCorrelate) {
   constexpr std::size_t count = 500'000;
-  const std::vector<double> reference = gaussians({seed, 0}, count);
-  const Random others[] = {{seed, 1}, {seed, 2}, {seed, 1ULL << 63U}, {seed + 1, 0}, {seed + 1, 1}, {0, 0}};
+  const std::vector<double> reference = gaussians({first_seed, 0}, count);
+  const Random others[] = {{first_seed, 1},     {first_seed, 2},     {first_seed, 1ULL << 63U},
+                           {first_seed + 1, 0}, {first_seed + 1, 1}, {0, 0}};
   for (const Random& other : others) {
     const std::vector<double> values = gaussians(other, count);
     for (const std::size_t shift : {0U, 1U, 2U}) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/roll_plant.hpp"
 
+#include "degree.hpp"
 #include "seed.hpp"
 #include "test.hpp"
 
 namespace fantail::sim {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double density_kg_m3 = 1.2;
 constexpr RollPlant tunnel_rocket{
     .inertia_kg_m2 = 0.00393, .reference_area_m2 = 5.0265e-5, .damping_m2 = 19.4, .torque_m = 9.6};

@@ -7,10 +7,10 @@
 namespace fantail::sim {
 namespace {
 
-constexpr std::uint64_t seed = 5;
+constexpr std::uint64_t spread_seed = 5;
 
 std::vector<ServoParameters> draw(int count, const ServoParameters& typical, const ServoSpread& spread) {
-  Random random{seed, 0};
+  Random random{spread_seed, 0};
   std::vector<ServoParameters> servos;
   for (int i = 0; i < count; ++i) {
     servos.push_back(one_of_the_spread(typical, spread, random));

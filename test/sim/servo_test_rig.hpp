@@ -2,14 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "degree.hpp"
 #include "sim/servo.hpp"
 
 namespace fantail::sim {
-
-inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// Nothing but the lag, and a frame at every millisecond.
 inline ServoParameters ideal() {

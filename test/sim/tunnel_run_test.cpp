@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include "degree.hpp"
 #include "input/document.hpp"
 #include "input/scenario_file.hpp"
 #include "sim/units.hpp"
@@ -8,8 +9,6 @@
 
 namespace fantail::sim {
 namespace {
-
-constexpr double degree = radians_per_degree;
 
 struct Reading {
   double time_s;  ///< after the start command

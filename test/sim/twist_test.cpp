@@ -2,13 +2,13 @@
 // What a camera sees of the roll, and the integral of the roll rate: a closed form, and the same by rotation matrices.
 #include "sim/twist.hpp"
 
+#include "degree.hpp"
 #include "flown_world.hpp"
 #include "test.hpp"
 
 namespace fantail::sim {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr Quaternion upright{.w = 0.5, .x = 0.5, .y = -0.5, .z = 0.5};  // x up
 
 using Matrix = std::array<std::array<double, 3>, 3>;

@@ -29,13 +29,13 @@ sim::Scenario steady_stream(double gain_factor) {
 
 /// Largest roll rate from 8 s after control start on: noise, or a loop that swings.
 double late_roll_rate_deg_s(const sim::Scenario& scenario) {
-  double largest = 0.0;
+  double fastest = 0.0;
   for (const flight::Row& row : fly::fly_scenario(scenario).rows) {
     if (row.time_s > 8.0 && row.phase == core::Phase::controlling) {
-      largest = std::max(largest, std::abs(text::degrees(row.truth->roll_rate_rad_s)));
+      fastest = std::max(fastest, std::abs(text::degrees(row.truth->roll_rate_rad_s)));
     }
   }
-  return largest;
+  return fastest;
 }
 
 // The dead time of the loop is an assumption about pulses, frames and ticks; the flown rocket knows nothing of it.

@@ -10,7 +10,7 @@ const std::string names_of_scenarios =
     "tunnel_swirl_without";
 const std::string names_of_plans =
     "tasha3_launch1 tasha3_launch2 tasha3_launch2_integral tunnel_free tunnel_stability tunnel_steps";
-const std::string head = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
+const std::string first_lines = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
 
 std::string shipped(const std::string& file) { return content(std::string{FANTAIL_TEST_SOURCE} + "/sim/" + file); }
 
@@ -74,9 +74,10 @@ TEST(ScenarioWithoutAVehicle, IsRefused) {
 }
 
 TEST(BrokenToml, IsRefusedWithLineAndColumn) {
-  Refusal({{"s.toml", head + "seed = = 4\n"}}, {"fly", "s.toml"}, 65, {"s.toml:3:8: not valid TOML"});
+  Refusal({{"s.toml", first_lines + "seed = = 4\n"}}, {"fly", "s.toml"}, 65, {"s.toml:3:8: not valid TOML"});
   Refusal({{"s.toml", "vehicle = \"open\n"}}, {"fly", "s.toml"}, 65, {"s.toml:1:"});
-  Refusal({{"s.toml", head + "[timing]\npad_time_s = 5\npad_time_s = 6\n"}}, {"fly", "s.toml"}, 65, {"s.toml:5:"});
+  Refusal({{"s.toml", first_lines + "[timing]\npad_time_s = 5\npad_time_s = 6\n"}}, {"fly", "s.toml"}, 65,
+          {"s.toml:5:"});
   Refusal({{"s.toml", std::string{"\xFF\xFE\0\0", 4}}}, {"fly", "s.toml"}, 65, {"s.toml:1:"});
   Refusal({{"p.toml", "[run\n"}}, {"plan", "check", "p.toml"}, 65, {"p.toml:1:"});
   Refusal({{"s.toml", "vehicle = \"v.toml\"\nplan = \"tasha3_launch2\"\n"}, {"v.toml", "\n[body"}}, {"fly", "s.toml"},
@@ -84,10 +85,11 @@ TEST(BrokenToml, IsRefusedWithLineAndColumn) {
 }
 
 TEST(UnknownKey, IsRefusedWithItsLineAndASuggestion) {
-  Refusal({{"s.toml", head + "[timing]\npad_tim_s = 3\n"}}, {"fly", "s.toml"}, 78,
+  Refusal({{"s.toml", first_lines + "[timing]\npad_tim_s = 3\n"}}, {"fly", "s.toml"}, 78,
           {"s.toml:4: unknown key timing.pad_tim_s; did you mean timing.pad_time_s?"});
-  Refusal({{"s.toml", head + "sed = 3\n"}}, {"fly", "s.toml"}, 78, {"s.toml:3: unknown key sed; did you mean seed?"});
-  Refusal({{"s.toml", head + "[enviroment]\n"}}, {"fly", "s.toml"}, 78,
+  Refusal({{"s.toml", first_lines + "sed = 3\n"}}, {"fly", "s.toml"}, 78,
+          {"s.toml:3: unknown key sed; did you mean seed?"});
+  Refusal({{"s.toml", first_lines + "[enviroment]\n"}}, {"fly", "s.toml"}, 78,
           {"s.toml:3: unknown section [enviroment]; did you mean environment?"});
   Refusal({}, {"fly", "--set", "body.mass=3"}, 78,
           {"--set body.mass=3: unknown key body.mass; did you mean body.mass_kg?"});
@@ -107,10 +109,10 @@ TEST(OutOfRange, IsRefusedWithValueAndRange) {
 
 TEST(NotANumber, IsRefusedWhereverItStands) {
   for (const std::string value : {"nan", "inf", "-inf", "+nan"}) {
-    Refusal({{"s.toml", head + "[timing]\npad_time_s = " + value + "\n"}}, {"fly", "s.toml"}, 78,
+    Refusal({{"s.toml", first_lines + "[timing]\npad_time_s = " + value + "\n"}}, {"fly", "s.toml"}, 78,
             {"s.toml:4: timing.pad_time_s = "});
-    Refusal({{"s.toml", head + "[disturbance]\ntimes_s = [0]\nangles_deg = [" + value + "]\n"}}, {"fly", "s.toml"}, 78,
-            {"s.toml:5: disturbance.angles_deg = "});
+    Refusal({{"s.toml", first_lines + "[disturbance]\ntimes_s = [0]\nangles_deg = [" + value + "]\n"}},
+            {"fly", "s.toml"}, 78, {"s.toml:5: disturbance.angles_deg = "});
     Refusal({}, {"fly", "--set", "body.drag_area_m2=" + value}, 78, {"--set body.drag_area_m2=" + value});
     const std::string motor = replaced(shipped("motors/i150_canonical.eng"), "0.70 173", "0.70 " + value);
     Refusal({{"m.eng", motor}}, {"fly", "--set", "motor.file=m.eng"}, 65, {"m.eng:9: thrust \"" + value});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "telemetry/panel.hpp"
 
+#include "degree.hpp"
 #include "json/value.hpp"
 #include "test.hpp"
 
@@ -11,8 +12,6 @@ using hal::Microseconds;
 using Json = json::Value;
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-constexpr double degree = 0.017453292519943295;
 
 class PanelTest : public ::testing::Test {
  protected:

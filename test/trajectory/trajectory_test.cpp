@@ -250,8 +250,8 @@ TEST(Trajectory, HeightsThatDoNotFitTheSpeedsAreRemarkedOn) {
 }
 
 TEST(Trajectory, WhatIsNoFlightIsRefusedWithFileLineAndColumn) {
-  const auto refused = [](const std::string& text, std::initializer_list<const char*> words) {
-    expect_refused(ErrorKind::bad_data, words, [&] { (void)parse(text); });
+  const auto refused = [](const std::string& text, std::initializer_list<const char*> expected) {
+    expect_refused(ErrorKind::bad_data, expected, [&] { (void)parse(text); });
   };
   const auto with = [](const std::string& header) { return rows(header, height_and_speed); };
   refused(with("# Time (s),Altitude (m),Mass (g)"),

@@ -16,11 +16,11 @@
 namespace fantail::tune {
 namespace {
 
-void look_away(Stage /*stage*/, std::size_t /*done*/) {}
+void unwatched(Stage /*stage*/, std::size_t /*done*/) {}
 
 const Tuning& second_launch() {
   static const Tuning tuning = tune(input::load_scenario("tasha3_launch2", {}),
-                                    {.flights = 6, .command = "fantail tune tasha3_launch2"}, look_away);
+                                    {.flights = 6, .command = "fantail tune tasha3_launch2"}, unwatched);
   return tuning;
 }
 
@@ -80,7 +80,7 @@ TEST(Tuning, SaysOfWhichFlightsTheNewPlanHasFewer) {
 
 // 7.3 degrees of offset, and a limit of 6.
 TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
-  const Tuning t = tune(input::load_scenario("tasha3_launch1", {}), {.flights = 2}, look_away);
+  const Tuning t = tune(input::load_scenario("tasha3_launch1", {}), {.flights = 2}, unwatched);
   EXPECT_FALSE(t.is_proposed());
   EXPECT_NE(t.why_none.find("the fin offset of up to -7.3 degrees is beyond the 6 degree canard limit"),
             std::string::npos)
@@ -90,7 +90,7 @@ TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
 
 TEST(Tuning, SaysWhatTheShortestSettlingTimeIs) {
   const Tuning t =
-      tune(input::load_scenario("tunnel_steps", {}), {.settling_s = 0.1, .spread = 1.0, .flights = 1}, look_away);
+      tune(input::load_scenario("tunnel_steps", {}), {.settling_s = 0.1, .spread = 1.0, .flights = 1}, unwatched);
   EXPECT_FALSE(t.is_proposed());
   EXPECT_NE(t.why_none.find("settles in 0.1 s"), std::string::npos) << t.why_none;
   EXPECT_NE(t.why_none.find("no law with integral action that was tried"), std::string::npos) << t.why_none;
@@ -102,7 +102,7 @@ TEST(Tuning, OfCanardsThatTurnTheWrongWayIsRefused) {
     canard.direction = core::Direction::reversed;
   }
   try {
-    (void)tune(scenario, {.flights = 1}, look_away);
+    (void)tune(scenario, {.flights = 1}, unwatched);
     ADD_FAILURE() << "was not refused";
   } catch (const text::Error& error) {
     EXPECT_STREQ(error.what(),
@@ -112,7 +112,7 @@ TEST(Tuning, OfCanardsThatTurnTheWrongWayIsRefused) {
 }
 
 TEST(Tuning, WithoutAirIsRefused) {
-  EXPECT_THROW((void)tune(input::load_scenario("gimbal", {}), {}, look_away), text::Error);
+  EXPECT_THROW((void)tune(input::load_scenario("gimbal", {}), {}, unwatched), text::Error);
 }
 
 TEST(Tuning, OfARocketThatIsNotStableSaysSoFirst) {

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <vector>
 
+#include "degree.hpp"
 #include "sim/gaussian.hpp"
 #include "tunnel/tunnel_log.hpp"
 
 namespace fantail::tunnel {
-
-inline constexpr double degree = std::numbers::pi / 180.0;
 
 using test::Gaussian;
 

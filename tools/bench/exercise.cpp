@@ -141,10 +141,10 @@ std::size_t Exercise::turns_before(std::size_t stretch) const {
   return static_cast<std::size_t>(std::ranges::count_if(turns_, [&](const Turn& turn) { return turn.last < stretch; }));
 }
 
-Exercise Exercise::beginning(std::size_t turn_count) const {
-  require(turn_count >= 1 && turn_count <= turns_.size(), "an exercise has one turn at least");
+Exercise Exercise::beginning(std::size_t wanted) const {
+  require(wanted >= 1 && wanted <= turns_.size(), "an exercise has one turn at least");
   Exercise first = *this;
-  first.turns_.resize(turn_count);
+  first.turns_.resize(wanted);
   first.stretches_.resize(first.turns_.back().last + 1);
   return first;
 }

@@ -9,13 +9,9 @@
 #include "detection/event_models.hpp"
 #include "detection/shapes.hpp"
 #include "sim/rotation.hpp"
-#include "sim/units.hpp"
 
 namespace fantail::detection {
 namespace {
-
-constexpr double g = sim::gravity_m_s2;
-constexpr double degree = sim::radians_per_degree;
 
 std::span<float> used(std::array<float, Motion::most>& values, const Motion& motion) {
   return {values.data(), motion.length};

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double least_thrust = 3.0 * sim::gravity_m_s2;
 constexpr double after_ignition_s = 2.25;
-constexpr double largest_tilt_rad = 15.0 * sim::radians_per_degree;
 
 /// From step `first` on; ignition is that of the motion.
 void add_launch(Streams& streams, Motion& motion, double pitch_rad, std::size_t first, double rms_g, bool all) {

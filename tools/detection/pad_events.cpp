@@ -15,9 +15,6 @@
 namespace fantail::detection {
 namespace {
 
-constexpr double one_g = sim::gravity_m_s2;
-constexpr double largest_tilt_rad = 15.0 * sim::radians_per_degree;
-
 std::span<float> all_of(std::array<float, Motion::most>& values, const Motion& motion) {
   return {values.data(), motion.length};
 }
@@ -40,7 +37,7 @@ void add_knocks(sim::Random& random, Motion& motion, int most, double lowest_g, 
   for (int i = 0; i < count; ++i) {
     const double start_s = uniform(random, lead_s, step_s * static_cast<double>(motion.length));
     const double width_s = uniform(random, 0.003, widest_s);
-    const double peak = uniform(random, lowest_g, highest_g) * one_g * (random.uniform() < 0.5 ? -1.0 : 1.0);
+    const double peak = uniform(random, lowest_g, highest_g) * g * (random.uniform() < 0.5 ? -1.0 : 1.0);
     add_half_sine(all_of(motion.axial_m_s2, motion), start_s, width_s, peak * uniform(random, -0.5, 0.5));
     add_half_sine(all_of(motion.across_m_s2, motion), start_s, width_s, peak);
   }
@@ -50,9 +47,9 @@ void add_knocks(sim::Random& random, Motion& motion, int most, double lowest_g, 
 double add_chuff(Streams& streams, Motion& motion, double start_s, bool all) {
   constexpr double highest_rise_m = 3.5;
   sim::Random& random = streams.model;
-  const double thrust = uniform(random, 2.0, 12.0) * one_g;
+  const double thrust = uniform(random, 2.0, 12.0) * g;
   double burn_s = log_uniform(random, 0.02, 0.4);
-  const double weight = one_g * sim::sine_cosine(motion.start_pitch_rad).cosine;
+  const double weight = g * sim::sine_cosine(motion.start_pitch_rad).cosine;
   const double net = thrust - weight;
   // Risen by 0.5 net t^2 and then by (net t)^2 / (2 weight).
   const double rise_of_a_second = 0.5 * net * (1.0 + net / weight);
@@ -66,7 +63,7 @@ double add_chuff(Streams& streams, Motion& motion, double start_s, bool all) {
   for (float& axial : part_of(motion.axial_m_s2, motion, start_s, burn_s)) {
     axial += static_cast<float>(net);
   }
-  shake(streams, motion, start_s, burn_s, uniform(random, 0.2, 2.0) * one_g, log_uniform(random, 40.0, 450.0), all);
+  shake(streams, motion, start_s, burn_s, uniform(random, 0.2, 2.0) * g, log_uniform(random, 40.0, 450.0), all);
   // In the air the rail carries its part across, and nothing the part along the axis.
   for (float& axial : part_of(motion.axial_m_s2, motion, start_s + burn_s, flight_s)) {
     axial -= static_cast<float>(weight);
@@ -94,17 +91,17 @@ void make_misfire(Streams& streams, Motion& motion, bool all) {
   sim::Random& random = streams.model;
   motion.begin(steps(2.5), uniform(random, 0.0, largest_tilt_rad));
   add_half_sine(all_of(motion.axial_m_s2, motion), lead_s, uniform(random, 0.002, 0.005),
-                uniform(random, 0.5, 4.0) * one_g);
+                uniform(random, 0.5, 4.0) * g);
   // A thrust below the weight is taken off what the pad carries, and the accelerometer reads no less.
   const double begin_s = lead_s + uniform(random, 0.01, 0.3);
   const double time_s = uniform(random, 0.3, 2.0);
-  shake(streams, motion, begin_s, time_s, uniform(random, 0.1, 2.0) * one_g, log_uniform(random, 20.0, 450.0), all);
+  shake(streams, motion, begin_s, time_s, uniform(random, 0.1, 2.0) * g, log_uniform(random, 20.0, 450.0), all);
 }
 
 void make_neighbour(Streams& streams, Motion& motion, bool all) {
   sim::Random& random = streams.model;
   motion.begin(steps(2.0), uniform(random, 0.0, largest_tilt_rad));
-  const double rms = log_uniform(random, 0.05, 1.0) * one_g;
+  const double rms = log_uniform(random, 0.05, 1.0) * g;
   const double frequency_hz = log_uniform(random, 40.0, 450.0);
   const double rise_s = uniform(random, 0.1, 0.5);
   const double decay_s = uniform(random, 0.3, 1.5);
@@ -121,7 +118,7 @@ void make_neighbour(Streams& streams, Motion& motion, bool all) {
   if (all) {
     add_band_noise(all_of(motion.across_m_s2, motion).subspan(first), rms, frequency_hz, streams.across, used);
   }
-  const double thump = uniform(random, 0.2, 1.0) * one_g;
+  const double thump = uniform(random, 0.2, 1.0) * g;
   add_half_sine(all_of(motion.axial_m_s2, motion), lead_s, uniform(random, 0.02, 0.06), thump);
 }
 
@@ -146,7 +143,7 @@ void make_gust(sim::Random& random, Motion& motion) {
 void make_vibration(Streams& streams, Motion& motion, bool all) {
   sim::Random& random = streams.model;
   motion.begin(steps(2.0), uniform(random, 0.0, largest_tilt_rad));
-  const double rms = uniform(random, 0.0, 2.0) * one_g;
+  const double rms = uniform(random, 0.0, 2.0) * g;
   shake(streams, motion, lead_s, 2.0, rms, log_uniform(random, 20.0, 450.0), all);
 }
 

@@ -5,10 +5,14 @@
 #include <span>
 
 #include "sim/random.hpp"
+#include "sim/units.hpp"
 
 namespace fantail::detection {
 
 inline constexpr double step_s = 1e-3;
+inline constexpr double g = sim::gravity_m_s2;
+inline constexpr double degree = sim::radians_per_degree;
+inline constexpr double largest_tilt_rad = 15.0 * degree;  ///< of the launch guide, on the pad
 
 /// Even between the two, or even in the logarithm (both above zero).
 [[nodiscard]] double uniform(sim::Random& random, double low, double high);

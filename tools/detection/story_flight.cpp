@@ -6,13 +6,10 @@
 
 #include "detection/shapes.hpp"
 #include "detection/story.hpp"
-#include "sim/units.hpp"
 
 namespace fantail::detection {
 namespace {
 
-constexpr double g = sim::gravity_m_s2;
-constexpr double degree = sim::radians_per_degree;
 constexpr double longest_way_up_s = 13.0;
 constexpr double late_s = 0.3;  // a detection that is so late after the burn is still of this launch
 

@@ -7,15 +7,8 @@
 
 #include "detection/shapes.hpp"
 #include "detection/story.hpp"
-#include "sim/units.hpp"
 
 namespace fantail::detection {
-namespace {
-
-constexpr double g = sim::gravity_m_s2;
-constexpr double degree = sim::radians_per_degree;
-
-}  // namespace
 
 void Story::come_down() {
   open_parachute(Part::drogue, 0.0F);

@@ -55,7 +55,7 @@ std::string by_thrust(const Count& count) {
 }
 
 /// Of rails that were raised: by the seconds from then to ignition.
-std::string by_time_still(const Count& count) {
+std::string time_still_sentence(const Count& count) {
   std::string text;
   for (const auto& [still_s, all] : count.all_by_still_s.counts()) {
     text += fmt::format("{}{} s {} and {} of {}", text.empty() ? "" : "; ", still_s,
@@ -187,7 +187,7 @@ std::vector<std::string> about_launches(const Report& report, std::size_t rule) 
   std::vector<std::string> all;
   for (const Kind kind : report.campaign.kinds) {
     const Count& count = count_of(report, kind, rule, 0);
-    for (const std::string& line : {by_thrust(count), by_time_still(count)}) {
+    for (const std::string& line : {by_thrust(count), time_still_sentence(count)}) {
       if (is_launch(kind) && !line.empty()) {
         all.push_back(fmt::format("{}: {}", info(kind).name, line));
       }

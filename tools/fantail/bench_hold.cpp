@@ -25,7 +25,7 @@ struct HoldOptions {
   std::optional<double> seconds;
 };
 
-constexpr hal::Microseconds line_period{1'000'000};
+constexpr hal::Microseconds report_period{1'000'000};
 
 std::optional<double> degrees(const std::optional<core::Angle>& angle) {
   return angle ? std::optional{static_cast<double>(angle->degrees())} : std::nullopt;
@@ -69,7 +69,7 @@ void hold(const HoldOptions& options) {
                                     : hal::Microseconds::max();
   try {
     while (place.now() < end) {
-      session.wait(std::min(line_period, end - place.now()));
+      session.wait(std::min(report_period, end - place.now()));
       if (!show_live(line(options, link))) {
         break;
       }

@@ -30,7 +30,7 @@
 namespace fantail::tool {
 namespace {
 
-constexpr const char* default_folder = "out/tunnel/stability";
+constexpr const char* stability_folder = "out/tunnel/stability";
 
 struct StabilityOptions {
   std::vector<std::string> logs;
@@ -222,7 +222,7 @@ void stability(const StabilityOptions& options) {
   tunnel::Stability found = tunnel::examine_stability(std::move(swings), heading.airframe, heading.density_kg_m3);
   found.remarks.insert(found.remarks.begin(), remarks.begin(), remarks.end());
   const std::vector<std::filesystem::path> made_from{options.logs.begin(), options.logs.end()};
-  Delivery to = delivery(options.output, default_folder, "stability", made_from, {"page", "swings"});
+  Delivery to = delivery(options.output, stability_folder, "stability", made_from, {"page", "swings"});
   to.yes_is_required = true;
   deliver(tunnel::stability_answer(heading, found, made_with(made_from)), to);
 }
@@ -260,7 +260,7 @@ void add_tunnel_stability(const Verb& tunnel) {
       .check(within(0.01, 1e4))
       .value_name("SLOPE");
   verb.option("--density", options->density_kg_m3, "Air density [1.2]").check(within(0.01, 5.0)).value_name("KG/M3");
-  add_tunnel_output(verb, options->output, default_folder);
+  add_tunnel_output(verb, options->output, stability_folder);
   verb.examples(
       "Examples:\n"
       "  fantail tunnel stability out/tunnel_stability                      the session of fantail fly "

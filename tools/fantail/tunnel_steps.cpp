@@ -20,7 +20,7 @@
 namespace fantail::tool {
 namespace {
 
-constexpr const char* default_folder = "out/tunnel/steps";
+constexpr const char* steps_folder = "out/tunnel/steps";
 
 struct StepsVerbOptions {
   std::string run;
@@ -87,7 +87,7 @@ void steps(const StepsVerbOptions& options) {
   const tunnel::StepTable table = tunnel::identify_steps(log, head.airframe, head.options, tell);
   progress.reset();
   deliver(tunnel::steps_answer(head, table, made_with({options.run, options.wind})),
-          delivery(options.output, default_folder, "steps", {options.run, options.wind}, {"page", "steps"}));
+          delivery(options.output, steps_folder, "steps", {options.run, options.wind}, {"page", "steps"}));
 }
 
 void add_run_options(const Verb& verb, StepsVerbOptions& options) {
@@ -144,7 +144,7 @@ void add_tunnel_steps(const Verb& tunnel) {
   auto options = std::make_shared<StepsVerbOptions>();
   add_run_options(verb, *options);
   add_method_options(verb, *options);
-  add_tunnel_output(verb, options->output, default_folder);
+  add_tunnel_output(verb, options->output, steps_folder);
   verb.examples(
       "Examples:\n"
       "  fantail tunnel steps out/tunnel_steps                    the run of fantail fly tunnel_steps\n"

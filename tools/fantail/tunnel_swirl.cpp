@@ -22,7 +22,7 @@
 namespace fantail::tool {
 namespace {
 
-constexpr const char* default_folder = "out/tunnel/swirl";
+constexpr const char* swirl_folder = "out/tunnel/swirl";
 
 struct SessionOptions {
   std::string roll;
@@ -103,7 +103,7 @@ void swirl(const SwirlVerbOptions& options) {
                                                      options.with.wind};
   const result::Document document = tunnel::swirl_answer(sessions, swirl, made_with(made_from));
   chapters.end();
-  deliver(document, delivery(options.output, default_folder, "swirl", made_from));
+  deliver(document, delivery(options.output, swirl_folder, "swirl", made_from));
 }
 
 void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {
@@ -138,7 +138,7 @@ void add_tunnel_swirl(const Verb& tunnel) {
       .value_name("M/S")
       .show_default();
   add_log_options(verb, options->logs);
-  add_tunnel_output(verb, options->output, default_folder);
+  add_tunnel_output(verb, options->output, swirl_folder);
   verb.examples(
       "Examples:\n"
       "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with\n"

@@ -27,7 +27,7 @@ constexpr std::string_view fit_a_second = "fly on two gyros: second_imu.fitted, 
 constexpr std::string_view wrong_force =
     "the accelerometer of the IMU is integrated alone: one that is wrong and says nothing makes launch, speed and "
     "height wrong; control begins late or ends before apogee, at trim";
-constexpr std::string_view late =
+constexpr std::string_view launch_is_late =
     "while the two accelerometers do not agree no launch is detected; when they do, roll angle, height and speed begin "
     "there, control comes late and ends before apogee";
 constexpr std::string_view look_at_bus =
@@ -55,10 +55,10 @@ constexpr auto limits = std::to_array<KnownLimit>({
     {slow_samples(Device::imu), launched, one_gyro, "samples 10 ms apart are each a silence: canards wait at trim nearly all the time, nothing holds the roll, and control does not end", fit_a_second},
     {broken(Device::imu, Behaviour::stuck), launched, false, wrong_force, look_at_bus},
     {spike(Device::imu), armed, false, wrong_force, look_at_bus},
-    {silent_for(2.0, Device::imu), before_launch, false, late, look_at_bus},
-    {spike(Device::accelerometer), at(Phase::pad) | before_launch, false, late, look_at_bus},
-    {broken(Device::accelerometer, Behaviour::stuck), at(Phase::launched), false, late, look_at_bus},
-    {silent_for(2.0, Device::accelerometer), before_launch, false, late, look_at_bus},
+    {silent_for(2.0, Device::imu), before_launch, false, launch_is_late, look_at_bus},
+    {spike(Device::accelerometer), at(Phase::pad) | before_launch, false, launch_is_late, look_at_bus},
+    {broken(Device::accelerometer, Behaviour::stuck), at(Phase::launched), false, launch_is_late, look_at_bus},
+    {silent_for(2.0, Device::accelerometer), before_launch, false, launch_is_late, look_at_bus},
     {silent_for(0.045, Device::processor), at(Phase::launched), false, "a gap while a launch is being detected begins the detection anew: roll angle, height and speed begin a tenth of a second late, and control ends before apogee, at trim", "do not launch with a board that misses ticks: it counts them on the bus as overruns; after a flight look at the time of detection"},
     {hardover, armed, false, too_far, stop_near, 0, Excuse::three_lack},
     {hardover, armed, false, turned, nearer, 0, Excuse::comes_back},

@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::string_view separators = ",;\t";
 
-[[noreturn]] void refuse_file(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 std::string_view first_cell(std::string_view line) { return line.substr(0, line.find_first_of(separators)); }
 
 bool begins_with_time(std::string_view cell) {
@@ -79,7 +77,7 @@ std::optional<Header> find_header(const std::string& text, Writer writer) {
 
 void refuse_unnamed_velocities(const std::string& name, const Header& header, std::string_view names) {
   if (names.find("E3,W1 (rad/s)") != std::string_view::npos && names.find("Vx") == std::string_view::npos) {
-    refuse_file(fmt::format(
+    text::refuse(fmt::format(
         "{}:{}: RocketPy wrote this without names of variables, and its header then lacks the three velocities; name "
         "them: export_data(\"flight.csv\", \"altitude\", \"speed\", \"vz\", \"attitude_angle\", \"density\", "
         "time_step=0.01)",
@@ -101,7 +99,7 @@ void make_commas(std::string& text, const std::string& name, char separator) {
     is_comment = is_comment || (at_begin && c == '#');
     at_begin = at_begin && (c == ' ' || is_comment);
     if (c == ',' && !is_comment) {
-      refuse_file(
+      text::refuse(
           fmt::format("{}:{}: a comma, where the columns are separated by {}; numbers are expected with a decimal "
                       "point",
                       name, line, separator == ';' ? "semicolons" : "tabs"));
@@ -194,9 +192,9 @@ Loaded load(const std::filesystem::path& file, Writer writer) {
   const bool reads_logs = writer == Writer::ours;  // whoever asks for those has looked for an .ftl before
   if (ending == ".lcmlog" || ending == (reads_logs ? ".json" : ".ftl")) {
     (void)text::InputFile{file};  // one that is missing is that first
-    refuse_file(fmt::format("{}: files that end in {} are not read as tables; allowed: CSV (any other ending){}, {}",
-                            name, ending, reads_logs ? ", .ftl" : "", listed(read_endings)) +
-                (reads_logs ? "" : " (fantail log export writes CSV and some of these from an .ftl)"));
+    text::refuse(fmt::format("{}: files that end in {} are not read as tables; allowed: CSV (any other ending){}, {}",
+                             name, ending, reads_logs ? ", .ftl" : "", listed(read_endings)) +
+                 (reads_logs ? "" : " (fantail log export writes CSV and some of these from an .ftl)"));
   }
   return parse(text::read_input(file), name, writer);
 }

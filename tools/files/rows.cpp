@@ -15,8 +15,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 class Reader {
  public:
   Reader(const flight::Table& table, std::span<const Found> columns, const Rule& rule)
@@ -69,9 +67,9 @@ class Reader {
     }
     const double value = *number * column.factor + column.offset;
     if (value < column.least || value > column.most) {
-      refuse(fmt::format("{}: {} = {} is {} in SI; allowed: {} {}", table_.where(row), name(i),
-                         flight::in_quotes(cell(row, i)), input::about(value), input::about(column.least),
-                         std::isinf(column.most) ? "and more" : "to " + input::about(column.most)));
+      text::refuse(fmt::format("{}: {} = {} is {} in SI; allowed: {} {}", table_.where(row), name(i),
+                               flight::in_quotes(cell(row, i)), input::about(value), input::about(column.least),
+                               std::isinf(column.most) ? "and more" : "to " + input::about(column.most)));
     }
     return value;
   }
@@ -91,7 +89,8 @@ class Reader {
     if (!result_.rows.empty()) {
       const double before_s = result_.values[0].back();
       if (cells_[0] < before_s) {
-        refuse(fmt::format("{} after {} in {}: time must increase", time(row), number(last_, 0), table_.place(last_)));
+        text::refuse(
+            fmt::format("{} after {} in {}: time must increase", time(row), number(last_, 0), table_.place(last_)));
       }
       if (cells_[0] == before_s || cells_[0] < before_s + rule_.same_within_s) {
         merge(row);
@@ -113,8 +112,8 @@ class Reader {
       double& before = result_.values[i].back();
       const bool is_same = cells_[i] == before || (std::isnan(cells_[i]) && std::isnan(before));
       if (rule_.same_time == SameTime::identical && !is_same) {
-        refuse(fmt::format("{} as in {}, but {} differs: rows with the same time must be identical", time(row),
-                           table_.place(last_), name(i)));
+        text::refuse(fmt::format("{} as in {}, but {} differs: rows with the same time must be identical", time(row),
+                                 table_.place(last_), name(i)));
       }
       if (rule_.same_time == SameTime::last_of_a_cell && !std::isnan(cells_[i])) {
         before = cells_[i];
@@ -135,7 +134,7 @@ class Reader {
       const std::string said = fmt::format("{} of {} rows have no number in a required column (first: {})", left_out_,
                                            rows, first_left_out_);
       if (static_cast<double>(left_out_) > rule_.most_left_out * static_cast<double>(rows)) {
-        refuse(fmt::format("{}: {}; more than 1 % is too many", table_.name(), said));
+        text::refuse(fmt::format("{}: {}; more than 1 % is too many", table_.name(), said));
       }
       result_.notes.push_back(said + "; they are left out.");
     }
@@ -175,7 +174,7 @@ Found find_column(const flight::Table& table, const Sources& sources, Quantity q
   const auto column = table.find(name);
   if (!column || name.empty()) {
     const std::string advice = option.empty() ? "" : fmt::format("; say it with {} {}=COLUMN:UNIT", option, own.name);
-    refuse(fmt::format("{}: {}{}", table.name(), flight::missing_column(name, table.columns()), advice));
+    text::refuse(fmt::format("{}: {}{}", table.name(), flight::missing_column(name, table.columns()), advice));
   }
   Found found{.column = *column};
   if (source != nullptr) {

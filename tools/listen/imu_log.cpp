@@ -22,8 +22,6 @@ using files::Sources;
 
 constexpr std::size_t fewest_samples = 10;
 
-[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 struct Place {
   Quantity quantity;
   Signal ImuLog::* signal;
@@ -38,8 +36,8 @@ constexpr std::array places{
 
 void require(const flight::Table& table, const Sources& sources, Quantity quantity, const char* what) {
   if (files::find(sources, quantity) == nullptr) {
-    refuse(fmt::format("{}: nobody said which column is the {}: --columns {}=COLUMN:UNIT", table.name(), what,
-                       files::known(quantity).name));
+    text::refuse(fmt::format("{}: nobody said which column is the {}: --columns {}=COLUMN:UNIT", table.name(), what,
+                             files::known(quantity).name));
   }
 }
 
@@ -133,16 +131,16 @@ std::string merging(const ImuLog& log) {
 
 void refuse_few_samples(const ImuLog& log) {
   if (log.axial.time_s.size() < fewest_samples) {
-    refuse(fmt::format("{}: {} samples of the axial specific force; at least {} are needed", log.name,
-                       log.axial.time_s.size(), fewest_samples));
+    text::refuse(fmt::format("{}: {} samples of the axial specific force; at least {} are needed", log.name,
+                             log.axial.time_s.size(), fewest_samples));
   }
 }
 
 void refuse_unlikely_time(const ImuLog& log, const Sources& sources) {
   const files::Source& time = *files::find(sources, Quantity::time);
   const auto doubt_unit = [&](const std::string& what) {
-    refuse(fmt::format("{}: {}; is the time {} really in {}?", log.name, what, time.column,
-                       time.unit == nullptr ? "s" : time.unit->name));
+    text::refuse(fmt::format("{}: {}; is the time {} really in {}?", log.name, what, time.column,
+                             time.unit == nullptr ? "s" : time.unit->name));
   };
   const double long_s = log.end_s() - log.begin_s();
   const auto from_first_to_last = [&](const std::string& length, const std::string& than) {

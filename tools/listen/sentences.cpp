@@ -21,8 +21,8 @@ constexpr double law_pad_window_s = 3.5;
 std::string in_ms(double time_s) { return text::brief(1e3 * time_s, 3); }
 
 std::string rate_sentence(const Heard& heard) {
-  constexpr double tick_s = 1e-3;
-  const bool is_faster = heard.log.interval_s < tick_s * (1.0 - 1e-6);
+  constexpr double law_tick_s = 1e-3;
+  const bool is_faster = heard.log.interval_s < law_tick_s * (1.0 - 1e-6);
   return fmt::format(
       "The log's usual interval {}is {} ms ({} samples a second). Between two samples every value runs in a straight "
       "line, on which the law was flown 1000 times a second: {}",

@@ -23,8 +23,6 @@ using flight::Row;
 
 constexpr std::string_view true_prefix = "true_";
 
-[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 bool is_needed(files::Quantity quantity, const Needs& needs) {
   switch (quantity) {
     case files::Quantity::time: return true;
@@ -67,12 +65,12 @@ class FoundColumns {
     if (found_.size() == 1) {
       std::string message = fmt::format("{}: no column besides time_s is known; known columns are:", table_.name());
       std::ranges::for_each(all.subspan(1), [&](const auto& column) { message += fmt::format(" {}", column.name); });
-      refuse(message);
+      text::refuse(message);
     }
     const files::Source* const named = files::find(reading.columns, files::Quantity::phase);
     phase_ = place(named == nullptr ? std::string{flight::phase_column} : named->column, {});
     if (named != nullptr && !phase_) {
-      refuse(fmt::format("{}: {}", table_.name(), flight::missing_column(named->column, table_.columns())));
+      text::refuse(fmt::format("{}: {}", table_.name(), flight::missing_column(named->column, table_.columns())));
     }
     replayed_ = place(std::string{flight::replayed_column}, {});
   }
@@ -124,7 +122,7 @@ class FoundColumns {
   [[nodiscard]] std::optional<std::size_t> place(const std::string& name, const std::string& unit) const {
     for (const auto& [column, kind] : file_.not_columns) {
       if (column == name) {
-        refuse(
+        text::refuse(
             fmt::format("{}: {} is {}; a column is a vector of numbers, a cell of texts or a matrix of characters, "
                         "as long as the others",
                         table_.name(), column, kind));
@@ -132,7 +130,8 @@ class FoundColumns {
     }
     for (const auto& [column, said] : file_.units) {
       if (column == name && !unit.empty() && said != unit) {
-        refuse(fmt::format("{}: units.{} is {}, and {} is read in {}", table_.name(), column, said, column, unit));
+        text::refuse(
+            fmt::format("{}: units.{} is {}, and {} is read in {}", table_.name(), column, said, column, unit));
       }
     }
     return table_.find(name);
@@ -189,7 +188,7 @@ class FoundColumns {
       message += fmt::format("; if it has another name: {}columns {}=NAME:UNIT", reading_.options, quantity.name);
       message += quantity.quantity == files::Quantity::speed ? "; if it was not measured: --speed" : "";
     }
-    refuse(message);
+    text::refuse(message);
   }
 
   const files::Loaded& file_;
@@ -220,7 +219,7 @@ void read_all(const flight::Table& table, const FoundColumns& columns, Flight& f
   }
   flight.notes.insert(flight.notes.end(), rows.notes.begin(), rows.notes.end());
   if (flight.rows.empty()) {
-    refuse(table.name() + ": no rows after the header");
+    text::refuse(table.name() + ": no rows after the header");
   }
   for (std::size_t c = 0; c < rows.lost.size(); ++c) {
     if (rows.lost[c].words > 0) {

@@ -36,17 +36,17 @@ struct Point {
 std::vector<Point> points_of(const std::vector<double>& time_s, std::span<const std::vector<double>> columns,
                              std::size_t buckets) {
   const std::vector<std::size_t> missing_before = gaps(time_s);
-  std::vector<Point> points;
-  auto gap = missing_before.begin();
+  std::vector<Point> drawn;
+  auto hole = missing_before.begin();
   for (const std::size_t i : keep_extremes(columns, buckets)) {
-    for (; gap != missing_before.end() && *gap <= i; ++gap) {
-      if (!points.empty()) {
-        points.push_back({0.5 * (time_s[*gap - 1] + time_s[*gap]), {}});
+    for (; hole != missing_before.end() && *hole <= i; ++hole) {
+      if (!drawn.empty()) {
+        drawn.push_back({0.5 * (time_s[*hole - 1] + time_s[*hole]), {}});
       }
     }
-    points.push_back({time_s[i], i});
+    drawn.push_back({time_s[i], i});
   }
-  return points;
+  return drawn;
 }
 
 Json levels_of(const Chart& chart) {
@@ -126,14 +126,14 @@ Json data_of(const Chart& chart) {
     return {};
   }
   const bool wide = chart.width > half_page;
-  const std::vector<Point> points = points_of(chart.series.front().x, columns, wide ? 1500 : 800);
+  const std::vector<Point> drawn = points_of(chart.series.front().x, columns, wide ? 1500 : 800);
   Json times = Json::array();
-  for (const Point& point : points) {
+  for (const Point& point : drawn) {
     times.push_back(static_cast<std::int64_t>(std::llround(point.time_s * 1000.0)));
   }
   for (std::size_t s = 0; s < columns.size(); ++s) {
     Json values = Json::array();
-    for (const Point& point : points) {
+    for (const Point& point : drawn) {
       values.push_back(point.sample ? hundredths(columns[s][*point.sample]) : Json{});
     }
     series[s]["hundredths"] = std::move(values);

@@ -40,9 +40,9 @@ std::string denominator(const char* taken, const char* other, double difference,
       taken, other, percent(difference, other_value));
 }
 
-constexpr const char* other_mean = "The eight rows have another mean; \u22125.47 is the entry of step 8.";
+constexpr const char* other_mean = "The eight computed_rows have another mean; \u22125.47 is the entry of step 8.";
 
-constexpr Computed rows[] = {
+constexpr Computed computed_rows[] = {
     {.place = "Section 4.1.2",
      .what = "Reduction of the bare fins' roll rate by the straightener, 87.0 to 25.7 deg/s",
      .theirs = N::bare_fins_reduction_percent,
@@ -212,7 +212,7 @@ constexpr Computed rows[] = {
 
 }  // namespace
 
-std::span<const Computed> computed() { return rows; }
+std::span<const Computed> computed() { return computed_rows; }
 
 Claim worked_out(const Computed& row, const Print& print) {
   return compare({.place = row.place,

@@ -8,7 +8,7 @@ namespace fantail::report {
 namespace {
 
 // Rows are a millisecond apart and their times are rounded to the microsecond.
-constexpr double clock_tolerance_s = 1e-6;
+constexpr double time_rounding_s = 1e-6;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void RunningHold::add(const flight::Row& row, double roll_rad, const flight::Fli
   }
   known_.add(row.time_s);
   last_known_s_ = row.time_s;
-  if (row.time_s < settles_at_s_ - clock_tolerance_s) {
+  if (row.time_s < settles_at_s_ - time_rounding_s) {
     last_settled_s_.reset();
     return;
   }

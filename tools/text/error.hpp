@@ -31,4 +31,7 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
+/// A file that cannot be what it claims to be.
+[[noreturn]] inline void refuse(const std::string& complaint) { throw Error{ErrorKind::bad_data, complaint}; }
+
 }  // namespace fantail::text

@@ -24,8 +24,6 @@ constexpr double first_speed_m_s = 1.0;
 constexpr double highest_pad_m = 50.0;
 constexpr double worth_saying_m = 0.5;
 
-[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 class Reader {
  public:
   Reader(const flight::Table& table, const Columns& columns) : table_{table}, columns_{columns} {}
@@ -53,8 +51,8 @@ class Reader {
         for (const std::string& name : table_.columns()) {
           there += (there.empty() ? "" : ", ") + flight::in_quotes(name);
         }
-        refuse(fmt::format("{}:{}: no column for the {}: {}; the columns are: {}", table_.name(), table_.header_line(),
-                           what, names, there));
+        text::refuse(fmt::format("{}:{}: no column for the {}: {}; the columns are: {}", table_.name(),
+                                 table_.header_line(), what, names, there));
       }
       needed_.push_back(column);
       series_.needed.push_back(column->quantity);
@@ -87,8 +85,8 @@ class Reader {
       series_.lines.push_back(table_.line(row));
     }
     if (count() < 2) {
-      refuse(fmt::format("{}: {} after the header; a flight is needed", table_.name(),
-                         count() == 0 ? "no rows" : "one row"));
+      text::refuse(fmt::format("{}: {} after the header; a flight is needed", table_.name(),
+                               count() == 0 ? "no rows" : "one row"));
     }
   }
 
@@ -103,12 +101,12 @@ class Reader {
       ++first;
     }
     if (first == count()) {
-      refuse(
+      text::refuse(
           fmt::format("{}: the rocket never moves: {} stays below {} m/s", table_.name(), needed_[2]->name, rest_m_s));
     }
     if (first == 0 && speed(0) > first_speed_m_s) {
-      refuse(fmt::format("{}: {} is {} m/s in the first row; the flight must begin at rest on the pad",
-                         table_.where(rows_.rows[0]), needed_[2]->name, input::about(speed(0))));
+      text::refuse(fmt::format("{}: {} is {} m/s in the first row; the flight must begin at rest on the pad",
+                               table_.where(rows_.rows[0]), needed_[2]->name, input::about(speed(0))));
     }
     for (std::size_t i = 1; i < count(); ++i) {
       highest = height(i) > height(highest) ? i : highest;
@@ -117,8 +115,8 @@ class Reader {
     series_.apogee = highest;
     series_.climbs_to_the_end = highest + 1 == count();
     if (highest <= series_.liftoff) {
-      refuse(fmt::format("{}: the rocket moves and does not rise: {} is highest in line {}", table_.name(),
-                         needed_[1]->name, series_.lines[highest]));
+      text::refuse(fmt::format("{}: the rocket moves and does not rise: {} is highest in line {}", table_.name(),
+                               needed_[1]->name, series_.lines[highest]));
     }
   }
 
@@ -130,7 +128,7 @@ class Reader {
       return;
     }
     if (std::abs(height_m) > highest_pad_m) {
-      refuse(
+      text::refuse(
           fmt::format("{}: {} = {} is {} m above the launch site at lift-off; allowed: {} to {} m. A height above the "
                       "sea is to be exported as {}; otherwise the file lacks the beginning of the flight",
                       table_.where(row), column.name, flight::in_quotes(table_.cell(row, column.found.column)),
@@ -144,7 +142,7 @@ class Reader {
     for (std::size_t i = series_.liftoff + 1; i <= series_.apogee; ++i) {
       const double gap_s = series_.times_s[i] - series_.times_s[i - 1];
       if (gap_s > longest_gap_s + rounding_s) {
-        refuse(
+        text::refuse(
             fmt::format("{}:{}: {} s after the row before; at most {} s are allowed from lift-off to apogee. "
                         "RocketPy: export_data(..., time_step=0.01); OpenRocket: a smaller time step of the "
                         "simulation",
@@ -192,7 +190,7 @@ class Reader {
     const std::size_t to = std::min(end, series_.apogee);
     if (end - begin == count() ||
         (to > from && series_.times_s[to] - series_.times_s[from] > longest_gap_s + rounding_s)) {
-      refuse(fmt::format(
+      text::refuse(fmt::format(
           "{}:{}: {} holds no number until line {}; at most {} s without are allowed from lift-off to "
           "apogee",
           table_.name(), series_.lines[begin], column.name, series_.lines[std::min(end, count() - 1)], longest_gap_s));

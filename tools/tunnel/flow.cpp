@@ -11,13 +11,11 @@
 namespace fantail::tunnel {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 FlowPoint examine(const TunnelLog& log, const SteadySegment& segment, double rounding_m_s) {
   const Moments m = moments(std::span{log.wind_speed_m_s}.subspan(segment.first, segment.count));
   if (m.mean <= 0.0) {
-    refuse(fmt::format("{}: mean wind speed {:g} m/s from {:g} to {:g} s; turbulence intensity needs moving air",
-                       log.name, m.mean, segment.begin_s, segment.end_s));
+    text::refuse(fmt::format("{}: mean wind speed {:g} m/s from {:g} to {:g} s; turbulence intensity needs moving air",
+                             log.name, m.mean, segment.begin_s, segment.end_s));
   }
   return {.segment = segment,
           .mean_m_s = m.mean,
@@ -47,7 +45,7 @@ Flow examine_flow(const TunnelLog& log, const SteadySegments& segments) {
     for (const std::string& sentence : segments.left_out) {
       message += "; " + sentence;
     }
-    refuse(message);
+    text::refuse(message);
   }
   for (const SteadySegment& segment : segments.found) {
     flow.points.push_back(examine(log, segment, flow.rounding_m_s));

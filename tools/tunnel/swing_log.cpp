@@ -19,8 +19,6 @@ namespace {
 
 constexpr std::size_t fewest_rows = 50;
 
-[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 double in_seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
 
 /// The two rates across the rocket as one: along the direction in which most of them lies.
@@ -73,7 +71,7 @@ SwingLog of_flight_log(const std::filesystem::path& path) {
     z.push_back(scale * tick.rate_counts[2]);
   }
   if (log.time_s.size() < fewest_rows) {
-    refuse(
+    text::refuse(
         fmt::format("{}: only {} samples of the gyro; allowed: {} or more", log.name, log.time_s.size(), fewest_rows));
   }
   log.value = along_the_swing(std::move(y), std::move(z));
@@ -84,7 +82,7 @@ SwingLog of_table(const std::filesystem::path& path) {
   const flight::Table table = files::load(path, files::Writer::ours).table;
   const bool is_rate = table.find(files::known(files::Quantity::pitch_rate).column).has_value();
   if (!is_rate && !table.find(files::known(files::Quantity::pitch).column)) {
-    refuse(fmt::format("{}: neither a column pitch_rate_deg_s nor pitch_deg", path.string()));
+    text::refuse(fmt::format("{}: neither a column pitch_rate_deg_s nor pitch_deg", path.string()));
   }
   std::vector<files::Found> found;
   for (const auto quantity : {files::Quantity::time, is_rate ? files::Quantity::pitch_rate : files::Quantity::pitch}) {
@@ -98,8 +96,8 @@ SwingLog of_table(const std::filesystem::path& path) {
                .value = std::move(rows.values[1]),
                .remarks = std::move(rows.notes)};
   if (log.time_s.size() < fewest_rows) {
-    refuse(fmt::format("{}: only {} rows with time and pitch; allowed: {} or more", log.name, log.time_s.size(),
-                       fewest_rows));
+    text::refuse(fmt::format("{}: only {} rows with time and pitch; allowed: {} or more", log.name, log.time_s.size(),
+                             fewest_rows));
   }
   return log;
 }

@@ -15,8 +15,6 @@ namespace {
 // Set points of two sessions whose speeds differ by less than this share are one and the same.
 constexpr double same_speed = 0.03;
 
-[[noreturn]] void refuse(const std::string& message) { throw text::Error{text::ErrorKind::bad_data, message}; }
-
 double squared(double value) { return value * value; }
 
 std::span<const double> between(const std::vector<double>& values, const std::vector<double>& time_s,
@@ -43,13 +41,13 @@ OffsetPoint examine(const RollSession& session, const SteadySegment& segment, co
   OffsetPoint point{.segment = segment, .speed_m_s = mean_speed(session, segment)};
   const auto at = fmt::format("from {:g} to {:g} s", segment.begin_s, segment.end_s);
   if (point.speed_m_s.mean <= 0.0) {
-    refuse(fmt::format("{}: mean wind speed {:g} m/s {}; an offset needs moving air", session.wind.name,
-                       point.speed_m_s.mean, at));
+    text::refuse(fmt::format("{}: mean wind speed {:g} m/s {}; an offset needs moving air", session.wind.name,
+                             point.speed_m_s.mean, at));
   }
   const std::span<const double> rate = between(session.roll.roll_rate_rad_s, session.roll.time_s, segment);
   if (rate.size() < 2) {
-    refuse(fmt::format("{}: no roll rates {}, where the wind was steady; the log lasts from {:g} to {:g} s",
-                       session.roll.name, at, session.roll.time_s.front(), session.roll.time_s.back()));
+    text::refuse(fmt::format("{}: no roll rates {}, where the wind was steady; the log lasts from {:g} to {:g} s",
+                             session.roll.name, at, session.roll.time_s.front(), session.roll.time_s.back()));
   }
   point.rate_rad_s = known_mean(rate);
   const std::span<const double> canard = between(session.roll.canard_rad, session.roll.time_s, segment);
@@ -70,8 +68,8 @@ OffsetPoint examine(const RollSession& session, const SteadySegment& segment, co
 
 std::vector<OffsetPoint> examine(const RollSession& session, const SwirlOptions& options, Swirl& swirl) {
   if (session.steady.found.empty()) {
-    refuse(session.wind.name + ": the air did not become steady at any set point of the fan" +
-           (session.steady.left_out.empty() ? "" : "; " + session.steady.left_out.front()));
+    text::refuse(session.wind.name + ": the air did not become steady at any set point of the fan" +
+                 (session.steady.left_out.empty() ? "" : "; " + session.steady.left_out.front()));
   }
   std::vector<OffsetPoint> points;
   points.reserve(session.steady.found.size());

@@ -18,8 +18,6 @@ namespace {
 using text::Error;
 using text::ErrorKind;
 
-void refuse(const std::string& message) { throw Error{ErrorKind::bad_data, message}; }
-
 }  // namespace
 
 TunnelLog read_tunnel_log(const std::filesystem::path& path, const files::Sources& columns) {
@@ -45,7 +43,7 @@ TunnelLog read_tunnel_log(const std::filesystem::path& path, const files::Source
                 .wind_speed_m_s = std::move(rows.values[2]),
                 .remarks = std::move(rows.notes)};
   if (log.time_s.size() < 2) {
-    refuse(file.string() + ": fewer than two rows with numbers");
+    text::refuse(file.string() + ": fewer than two rows with numbers");
   }
   return log;
 }
@@ -68,7 +66,7 @@ std::optional<TunnelLog> find_tunnel_log(const logs::RollLog& roll, const std::f
     return read_tunnel_log(*beside, {});
   }
   if (!own_speed) {
-    refuse(
+    text::refuse(
         fmt::format("{}: no wind speed: there is no tunnel.csv beside it, and the log itself has no speed_m_s above "
                     "0.5 m/s; {}",
                     roll_path.string(), advice));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "degree.hpp"
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/closed_loop/runs.hpp"
 #include "identify/model/planted.hpp"
@@ -9,8 +10,6 @@ namespace fantail::identify::closed_loop {
 namespace {
 
 using namespace model;
-
-constexpr double degree = paper::radians_per_degree;
 
 Fit fit(const paper::Loop& loop, const Record& record, const NodeTimes& nodes, Start start = Start::measured) {
   return closed_loop::fit(record, paper::airframe(loop), controller_of(loop), nodes, start, Grid{});

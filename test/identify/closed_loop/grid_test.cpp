@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "degree.hpp"
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/closed_loop/runs.hpp"
 #include "identify/model/planted.hpp"
@@ -12,8 +13,6 @@ namespace fantail::identify::closed_loop {
 namespace {
 
 using namespace model;
-
-constexpr double degree = paper::radians_per_degree;
 
 TEST(ClosedLoopGrid, FindsThePlantedTunnelStepsExactly) {
   const NodeTimes nodes{0.0, 5.0};

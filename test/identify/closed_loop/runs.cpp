@@ -8,6 +8,7 @@
 #include "core/chirp.hpp"
 #include "core/flight_plan_fields.hpp"
 #include "core/roll_reference.hpp"
+#include "degree.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "sim/random.hpp"
@@ -15,8 +16,6 @@
 namespace fantail::identify::closed_loop {
 
 using namespace model;
-
-constexpr double degree = paper::radians_per_degree;
 
 paper::Loop first_launch() {
   return {

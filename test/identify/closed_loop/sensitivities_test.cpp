@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "degree.hpp"
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/closed_loop/runs.hpp"
 #include "sim/roll_plant.hpp"
@@ -15,8 +16,6 @@ namespace fantail::identify::closed_loop {
 namespace {
 
 using namespace model;
-
-constexpr double degree = paper::radians_per_degree;
 
 // Far beyond the limit nothing that happens changes the command, and the nodes act as on a rocket without control.
 TEST(ClosedLoopModel, WhileSaturatedTheSensitivitiesAreThoseOfTheOpenPlant) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "degree.hpp"
 #include "identify/closed_loop/closed_loop.hpp"
 #include "identify/closed_loop/runs.hpp"
 #include "text/error.hpp"
@@ -13,8 +14,6 @@ namespace fantail::identify::closed_loop {
 namespace {
 
 using namespace model;
-
-constexpr double degree = paper::radians_per_degree;
 
 double most_apart(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0.0;

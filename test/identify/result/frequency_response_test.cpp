@@ -20,14 +20,14 @@ using namespace model;
 
 constexpr double speed_m_s = 50.0;
 constexpr double density_kg_m3 = 1.2;
-const RollModel truth{
+const RollModel true_model{
     .alpha_m2 = 20.0, .beta_m = 9.0, .node_time_s = {0.0}, .node_rad = {-0.05}, .initial = {{0.1, -0.3}}};
 
 // Of the roll equation: authority / (i omega + damping).
 std::complex<double> gain_per_s(double frequency_hz) {
   const double common = 0.5 * density_kg_m3 * speed_m_s * tasha.reference_area_m2 / tasha.inertia_kg_m2;
-  return common * speed_m_s * truth.beta_m /
-         std::complex<double>{common * truth.alpha_m2, 2.0 * std::numbers::pi * frequency_hz};
+  return common * speed_m_s * true_model.beta_m /
+         std::complex<double>{common * true_model.alpha_m2, 2.0 * std::numbers::pi * frequency_hz};
 }
 
 /// A run of noise through a first-order low-pass, rms 1.
@@ -64,7 +64,7 @@ Record open_loop_record(double seconds, double canard_deg, double rate_noise_deg
   }
   record.roll_angle_rad.assign(record.size(), 0.0);
   record.roll_rate_rad_s.assign(record.size(), 0.0);
-  const Simulation flown = simulate_open_loop(record, tasha, truth);
+  const Simulation flown = simulate_open_loop(record, tasha, true_model);
   record.roll_angle_rad = flown.roll_angle_rad;
   record.roll_rate_rad_s = flown.roll_rate_rad_s;
   add_noise(record, {.angle_deg = 0.0, .rate_deg_s = rate_noise_deg_s}, seed + 1);
@@ -72,7 +72,7 @@ Record open_loop_record(double seconds, double canard_deg, double rate_noise_deg
 }
 
 FrequencyResponse response_of(const Record& record) {
-  return frequency_response(record, simulate_open_loop(record, tasha, truth));
+  return frequency_response(record, simulate_open_loop(record, tasha, true_model));
 }
 
 TEST(FrequencyResponse, OfANoiseFreeLogIsThatOfTheRollEquation) {
@@ -177,7 +177,7 @@ Record closed_loop_record(bool excited, std::uint64_t seed) {
     for (int k = 0; k < steps_per_sample; ++k) {
       const double gust_rad = 0.6 * radians_per_degree * gusts.next();
       const double acceleration =
-          common * (speed_m_s * truth.beta_m * (record.canard_rad.back() + gust_rad) - truth.alpha_m2 * rate);
+          common * (speed_m_s * true_model.beta_m * (record.canard_rad.back() + gust_rad) - true_model.alpha_m2 * rate);
       angle += step_s * rate;
       rate += step_s * acceleration;
     }

@@ -10,7 +10,7 @@ namespace {
 
 using sim::Geometry;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Radius of the nose over that of its base, at a share `x` of its length from the tip.
 double nose_profile(Geometry::NoseShape shape, double x, double length_over_radius) {

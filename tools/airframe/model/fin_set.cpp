@@ -10,7 +10,7 @@ namespace fantail::airframe::model {
 namespace {
 
 using sim::Geometry;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double square(double x) { return x * x; }
 
