@@ -164,9 +164,7 @@ endfunction()
 # fantail_kernel(<file>...): of a folder that is compiled for a quick build (-O1: tools and tests), what goes through every
 # sample of a log or every cell of a grid, and is worth the optimiser's time. Not in a twin: GCC 12 crashes on some.
 function(fantail_kernel)
-  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS
-    $<$<AND:$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:FANTAIL_IS_TWIN>>>>:-O3>)
-  set_property(SOURCE ${ARGN} PROPERTY SKIP_PRECOMPILE_HEADERS ON) # it was read for -O1
+  fantail_level("$<$<AND:$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:FANTAIL_IS_TWIN>>>>:-O3>" ${ARGN})
 endfunction()
 
 # fantail_precompile(<target> [<what fantail_precompiled() has made>])

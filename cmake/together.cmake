@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# On a PC up to eight files of a target are compiled as one, which takes half the time. Other compilers, the preset
+# On a PC up to sixteen files of a target are compiled as one, which takes half the time. Other compilers, the preset
 # `host-asan`, the processor and the linter see each alone, so an #include that is missing is found there.
 
-# An unnamed namespace is then one for eight files. These files give a name in it to another thing than a file beside
+# An unnamed namespace is then one for all of them. These files give a name in it to another thing than a file beside
 # them does, but not the files of one row, which are compiled together; a new one of this kind does not compile until it
 # stands here or below.
 #
@@ -10,7 +10,7 @@
 set(FANTAIL_COMPILED_APART
   "hal/stm32f4|edge_timer.cpp frozen_counts.cpp second_imu.cpp"
   "test/avionics|arming_alone_test.cpp avionics_test.cpp board_watch_test.cpp"
-  "test/avionics|flight_memory_bytes_test.cpp flight_memory_flights_test.cpp flight_memory_test.cpp"
+  "test/avionics|flight_memory_bytes_test.cpp flight_memory_flights_test.cpp flight_memory_test.cpp two_gyros_state_test.cpp"
   "test/bench|exercise_test.cpp zero_test.cpp"
   "test/bench|filling_sheet_test.cpp measurement_test.cpp sent_wave_test.cpp sheet_page_test.cpp sheet_test.cpp"
   "test/campaign|merge_test.cpp spread_test.cpp statistics_test.cpp"
@@ -47,49 +47,17 @@ set(FANTAIL_COMPILED_APART
 # What fits into none of these rows is compiled alone. One is here because GCC 12 invents a warning of it
 # (tools/bench/verdict.cpp). What has compile options of its own is alone without it.
 set(FANTAIL_COMPILED_ALONE
-  firmware/avionics/flight_memory.cpp firmware/avionics/memory_watch.cpp firmware/avionics/recorder.cpp
-  firmware/core/canard_monitor.cpp
+  firmware/avionics/flight_memory.cpp firmware/avionics/memory_watch.cpp firmware/core/canard_monitor.cpp
   firmware/protocol/bus_decode_bench.cpp
   hal/stm32f4/imu.cpp
   sim/servo.cpp sim/thrust_curve.cpp
-  test/avionics/bench_mode_alone_test.cpp test/avionics/two_benches_test.cpp test/avionics/new_plan_test.cpp
-  test/avionics/self_test_alone_test.cpp test/avionics/two_gyros_state_test.cpp test/avionics/watchdog_test.cpp
-  test/bench/axes_test.cpp
-  test/benchmark/recorded_flight.cpp
-  test/campaign/question_test.cpp
-  test/airframe/design_check_test.cpp test/airframe/openrocket/overrides_test.cpp
-  test/airframe/openrocket/stored_flight_test.cpp
-  test/core/canard_fault_flight_test.cpp test/core/loop_overrun_test.cpp
-  test/core/gyro_pair_test.cpp test/core/launch_detector_property_test.cpp test/core/motion_estimator_rest_test.cpp
-  test/hal/stm32f4/flash_test.cpp test/hal/stm32f4/register_world.cpp
-  test/identify/closed_loop/simulation_test.cpp
-  test/identify/mistakes_test.cpp
-  test/page/chart_test.cpp test/page/heat_map_test.cpp test/paper/tunnel_step_test.cpp
-  test/predict/prediction_test.cpp
-  test/protocol/log_tick_test.cpp
-  test/sil/verdict_oracle_test.cpp
-  test/sim/random_test.cpp test/sim/servo_spread_test.cpp
-  test/stability/loop_at_speed_test.cpp
-  test/system/design_test.cpp test/system/fly_trajectory_test.cpp test/system/input_kind_test.cpp
-  test/system/interrupted_flights_test.cpp
-  test/system/names_test.cpp test/system/spared_input_test.cpp
+  test/airframe/openrocket/overrides_test.cpp test/avionics/two_benches_test.cpp test/hal/stm32f4/flash_test.cpp
+  test/hal/stm32f4/register_world.cpp test/paper/tunnel_step_test.cpp test/system/spared_input_test.cpp
   test/telemetry/lossy_link_test.cpp
-  test/trajectory/trajectory_test.cpp
-  test/tune/tuning_test.cpp
-  tools/airframe/model/fin_set.cpp
-  tools/airframe/openrocket/read.cpp
-  tools/bench/axes.cpp tools/bench/sheet_csv.cpp tools/bench/verdict.cpp
-  tools/fantail/plan_check.cpp tools/fantail/tunnel_flow.cpp tools/fantail/tunnel_stability.cpp
-  tools/fantail/tunnel_steps.cpp tools/fantail/tunnel_swirl.cpp
-  tools/flight/path.cpp tools/flight/path.cpp
-  tools/identify/conditions.cpp tools/identify/lag_doubt.cpp
-  tools/input/scenario_fields.cpp
-  tools/link/await_avionics.cpp tools/link/log_reader.cpp tools/link/session.cpp
-  tools/log_export/ulog.cpp
-  tools/logs/rows_of_log.cpp
-  tools/page/live.cpp
-  tools/report/verdict.cpp
-  tools/tunnel/swing_log.cpp tools/tunnel/tunnel_log.cpp
+  tools/airframe/openrocket/read.cpp tools/bench/axes.cpp tools/bench/verdict.cpp tools/campaign/question.cpp
+  tools/fantail/plan_check.cpp tools/identify/result/validation_answer.cpp tools/identify/result/words.cpp
+  tools/input/scenario_fields.cpp tools/input/section.cpp tools/link/await_avionics.cpp tools/link/log_reader.cpp
+  tools/link/session.cpp tools/log_export/ulog.cpp tools/logs/rows_of_log.cpp
 )
 
 # fantail_compiled_together(<target> <source of this folder>...)
@@ -102,26 +70,45 @@ function(fantail_compiled_together name)
   cmake_language(EVAL CODE "cmake_language(DEFER CALL fantail_groups ${name} ${here} \"${ARGN}\")")
 endfunction()
 
+# fantail_level(<option> <file>...): files of this folder that are optimised at a level of their own, and so are compiled
+# with each other and not with the rest of their target. The precompiled header was read for another level.
+function(fantail_level option)
+  if(CMAKE_CROSSCOMPILING OR FANTAIL_ONE_BY_ONE)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS ${option})
+    set_property(SOURCE ${ARGN} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+  set_property(SOURCE ${ARGN} PROPERTY FANTAIL_LEVEL ${option})
+endfunction()
+
 # fantail_groups(<target> <folder> <list of sources of that folder>)
 function(fantail_groups name folder sources)
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   set(together 0)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} OUTPUT_VARIABLE path)
+    get_property(level SOURCE ${path} PROPERTY FANTAIL_LEVEL)
     get_property(options SOURCE ${path} PROPERTY COMPILE_OPTIONS)
-    if(options OR "${folder}/${source}" IN_LIST FANTAIL_COMPILED_ALONE)
-      continue()
-    endif()
     set(group "")
     foreach(apart IN LISTS FANTAIL_COMPILED_APART)
       if("${apart} " MATCHES "^${folder}[|](.* )?${source} ")
         string(REGEX REPLACE ".*[|]([a-z0-9_]*).*" "\\1" group "${apart}") # its first file
       endif()
     endforeach()
-    if(NOT group)
-      math(EXPR group "${together} / 8")
-      math(EXPR together "${together} + 1")
+    if(options OR "${folder}/${source}" IN_LIST FANTAIL_COMPILED_ALONE)
+      set(compiled ${path})
+    else()
+      if(level)
+        string(PREPEND group level)
+      elseif(NOT group)
+        math(EXPR group "${together} / 16")
+        math(EXPR together "${together} + 1")
+      endif()
+      set_property(SOURCE ${path} PROPERTY UNITY_GROUP ${group})
+      set(compiled ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity/unity_${group}_cxx.cxx)
     endif()
-    set_property(SOURCE ${path} PROPERTY UNITY_GROUP ${group})
+    if(level)
+      set_property(SOURCE ${compiled} PROPERTY COMPILE_OPTIONS ${options} ${level})
+      set_property(SOURCE ${compiled} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+    endif()
   endforeach()
 endfunction()
