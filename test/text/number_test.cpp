@@ -2,6 +2,7 @@
 
 #include "text/number.hpp"
 
+#include "figures.hpp"
 #include "test.hpp"
 #include "text/error.hpp"
 #include "text/layout.hpp"
@@ -181,6 +182,12 @@ TEST(Wrapped, CharactersCountAndNotTheirBytes) {
 TEST(Wrapped, AColourTakesNoRoom) {
   EXPECT_EQ(display_width("\033[31mNo go\033[0m"), 5U);
   EXPECT_EQ(wrapped("\033[31mNo go\033[0m: why\n", 10), "\033[31mNo go\033[0m: why\n");
+}
+
+TEST(Figures, OfASentenceAreItsNumbersAsTheyStandInItAndNoDigitsOfNames) {
+  EXPECT_EQ(figures("No go: -3 to 4.50 s in 98 % of tasha3's runs, canard1_x2 at 3-4."),
+            (std::vector<std::string>{"-3", "4.50", "98", "3", "4"}));
+  EXPECT_TRUE(figures("Held: canard_2 is -").empty());
 }
 
 }  // namespace
