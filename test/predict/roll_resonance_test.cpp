@@ -3,8 +3,10 @@
 #include "predict/roll_resonance.hpp"
 
 #include "degree.hpp"
+#include "figures.hpp"
 #include "input/scenario_file.hpp"
 #include "predict/decision.hpp"
+#include "stability/canard_sense.hpp"
 #include "test.hpp"
 
 namespace fantail::predict {
@@ -50,9 +52,8 @@ TEST(RollResonance, TellsRunsThatStayNearItFromThoseThatSpinThroughAndThoseThatO
   EXPECT_EQ(found->near, 2U);
   EXPECT_EQ(found->past, 1U);
   EXPECT_EQ(found->with_canards, 4U);
-  const std::string text = warning(*found, 2.0 * degree);
-  EXPECT_NE(text.find("angle of 3.8 degrees"), std::string::npos) << text;
-  EXPECT_NE(text.find("would keep 2 of 5 runs near that and spin 1 of 5 runs through it"), std::string::npos) << text;
+  EXPECT_EQ(figures(warning(*found, 2.0 * degree)),
+            (std::vector<std::string>{"3.8", "3.8", "3.8", "0.078", "0.078", "2", "5", "1", "5", "2.0", "4", "5"}));
 }
 
 TEST(RollResonance, IsNotKeptByAnOffsetThatIsOver) {
@@ -87,14 +88,16 @@ TEST(WrongWay, CanardsThatTurnTheWrongWayAreTheCauseAndNeitherOffsetNorGains) {
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Decision d = decide(predict(scenario, tunnel, {.runs = 4}, [](std::size_t) {}), {});
   EXPECT_FALSE(d.go);
-  EXPECT_TRUE(
-      d.text.starts_with("No go: all canards turn the rocket against the roll command (direction differs "
-                         "between plan and vehicle); roll is held in none of the runs"))
-      << d.text;
-  EXPECT_EQ(d.text.find(" gains"), std::string::npos) << d.text;
-  EXPECT_EQ(d.text.find("fin offset"), std::string::npos) << d.text;
+  const std::string why = stability::why_uncontrollable(scenario);
+  EXPECT_NE(why.find("direction"), std::string::npos) << why;
+  EXPECT_TRUE(d.text.starts_with("No go: " + why)) << d.text;
+  ASSERT_EQ(d.criteria.size(), 3U);
+  EXPECT_EQ(d.criteria[0].clause, why) << "and no fin offset";
+  EXPECT_EQ(d.criteria[1].judgement, Judgement::not_met);
+  EXPECT_EQ(d.criteria[2].judgement, Judgement::not_met);
+  EXPECT_EQ(d.criteria[2].clause, "") << "no word of gains";
   ASSERT_EQ(d.advice.size(), 1U);
-  EXPECT_TRUE(d.advice[0].starts_with("No canard limit would balance the offset: all canards turn")) << d.advice[0];
+  EXPECT_NE(d.advice[0].find(why), std::string::npos) << d.advice[0];
 }
 
 TEST(WrongWay, PromisesNothingWhereTheFinsReverseTheRoll) {
@@ -104,15 +107,18 @@ TEST(WrongWay, PromisesNothingWhereTheFinsReverseTheRoll) {
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 20}, [](std::size_t) {});
   EXPECT_TRUE(std::ranges::any_of(p.notes, [](const std::string& note) {
-    return note.find("the fins take 1.2 times of it back") != std::string::npos;
+    return note.find("fins") != std::string::npos && std::ranges::count(figures(note), "1.2") > 0;
   }));
   EXPECT_EQ(p.authority.count, 0U);
   EXPECT_EQ(p.held.count, 0U);
   const Decision d = decide(p, {.authority_share = 0.5, .held_share = 0.5});
   EXPECT_FALSE(d.go);
-  EXPECT_NE(d.text.find("the fins take back all of the canards' roll torque, or more"), std::string::npos) << d.text;
+  const std::string why = stability::why_uncontrollable(scenario);
+  EXPECT_NE(why.find("fins"), std::string::npos) << why;
+  EXPECT_EQ(d.criteria.at(0).clause, why);
+  EXPECT_NE(d.text.find(why), std::string::npos) << d.text;
   ASSERT_EQ(d.advice.size(), 1U);
-  EXPECT_NE(d.advice[0].find("No canard limit would balance the offset"), std::string::npos) << d.advice[0];
+  EXPECT_NE(d.advice[0].find(why), std::string::npos) << d.advice[0];
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "predict/run.hpp"
 
+#include "figures.hpp"
 #include "input/scenario_file.hpp"
 #include "report/figures.hpp"
 #include "test.hpp"
@@ -142,14 +143,22 @@ TEST(RunNotes, SaysOnceWhatAllRunsSay) {
 }
 
 TEST(RunNotes, SaysInHowManyRunsAndWhoseTheFiguresAre) {
-  EXPECT_EQ(notes_of_runs({{"Fault."}, {"At 250.0 m/s, Mach 0.73.", "Fault."}, {"Fault.", "At 9 m/s, Mach 0.7."}}),
-            (Notes{"Fault.", "In 2 of 3 runs (figures of run 1): At 250.0 m/s, Mach 0.73."}));
-  EXPECT_EQ(notes_of_runs({{"At 250 m/s."}, {"At 251 m/s."}}),
-            Notes{"In all of 2 runs (figures of run 0): At 250 m/s."});
+  const Notes some =
+      notes_of_runs({{"Fault."}, {"At 250.0 m/s, Mach 0.73.", "Fault."}, {"Fault.", "At 9 m/s, Mach 0.7."}});
+  ASSERT_EQ(some.size(), 2U);
+  EXPECT_EQ(some[0], "Fault.");
+  EXPECT_EQ(figures(some[1]), (Notes{"2", "3", "1", "250.0", "0.73"}));
+  EXPECT_TRUE(some[1].ends_with(": At 250.0 m/s, Mach 0.73.")) << some[1];
+  const Notes in_all = notes_of_runs({{"At 250 m/s."}, {"At 251 m/s."}});
+  ASSERT_EQ(in_all.size(), 1U);
+  EXPECT_EQ(figures(in_all[0]), (Notes{"2", "0", "250"}));
   EXPECT_EQ(notes_of_runs({{"Fault of canard 1.", "Fault of canard 2."}, {"Fault of canard 1.", "Fault of canard 2."}}),
             (Notes{"Fault of canard 1.", "Fault of canard 2."}))
       << "two notes, in two runs and not in four";
-  EXPECT_EQ(notes_of_runs({{}, {"Weak."}}), Notes{"In 1 of 2 runs: Weak."});
+  const Notes in_one = notes_of_runs({{}, {"Weak."}});
+  ASSERT_EQ(in_one.size(), 1U);
+  EXPECT_EQ(figures(in_one[0]), (Notes{"1", "2"}));
+  EXPECT_TRUE(in_one[0].ends_with(": Weak.")) << in_one[0];
 }
 
 }  // namespace

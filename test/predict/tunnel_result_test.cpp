@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "predict/tunnel_result.hpp"
 
+#include "figures.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "logs/refused.hpp"
@@ -39,6 +40,11 @@ Means means(const TunnelResult& result) {
   return m;
 }
 
+void expect_swirl(const TunnelResult& result, const char* degrees, const char* source) {
+  EXPECT_EQ(figures(result.swirl_words), std::vector<std::string>{degrees});
+  EXPECT_NE(result.swirl_words.find(source), std::string::npos) << result.swirl_words;
+}
+
 TEST(Oracle, Row25MeansOfTable2) {
   const Means m = means(shipped("tasha3_table2", 0.0));
   EXPECT_NEAR(m.damping_m2, 19.375, 0.001);
@@ -53,13 +59,13 @@ TEST(TunnelResult, TakesOffTheSwirlThatItsFileNames) {
   EXPECT_NEAR(degrees(result.swirl_rad), -2.0, 1e-12);
   const Means m = means(result);
   EXPECT_NEAR(0.5 * (m.begin_deg + m.end_deg), -4.1, 0.05);
-  EXPECT_EQ(result.swirl_words, "Swirl subtracted: -2 degrees (column swirl_deg of tasha3_table2.csv).");
+  expect_swirl(result, "-2", "swirl_deg of tasha3_table2.csv");
 }
 
 TEST(TunnelResult, SwirlThatIsGivenCountsInsteadOfTheFiles) {
   const TunnelResult result = shipped("tasha3_table2", radians(-1.0));
   EXPECT_NEAR(degrees(result.steps.front().offset_begin_rad), -4.59, 1e-12);
-  EXPECT_EQ(result.swirl_words, "Swirl subtracted: -1 degrees (from --swirl).");
+  expect_swirl(result, "-1", "--swirl");
 }
 
 // It was taken for none: steps that the swirl had made look straighter became a go.
@@ -74,7 +80,7 @@ TEST(TunnelResult, IsRefusedWhereNobodySaysWhatTheSwirlWas) {
                        [&] { (void)read_tunnel_result(file, {}); });
   const TunnelResult none = read_tunnel_result(file, 0.0);
   EXPECT_NEAR(degrees(none.steps[1].offset_end_rad), -7.0, 1e-12);
-  EXPECT_EQ(none.swirl_words, "Swirl subtracted: 0 degrees (from --swirl).");
+  expect_swirl(none, "0", "--swirl");
   EXPECT_TRUE(none.sources.empty());
 }
 
@@ -98,7 +104,7 @@ TEST(TunnelResult, ReadsTheStandardErrorsOfTheSteps) {
 TEST(TunnelResult, OfTheFirstLaunchSaysThatItIsHindsight) {
   const TunnelResult result = shipped("tasha3_launch1_flight");
   ASSERT_EQ(result.sources.size(), 1U);
-  EXPECT_NE(result.sources[0].find("No wind-tunnel test"), std::string::npos);
+  EXPECT_NE(result.sources[0].find("wind-tunnel"), std::string::npos);
   EXPECT_NE(result.sources[0].find("hindsight"), std::string::npos);
   EXPECT_NEAR(means(result).damping_m2, 8.0, 1e-12);
   EXPECT_NEAR(means(result).end_deg, -7.15, 1e-12);
