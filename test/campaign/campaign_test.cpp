@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "campaign/runs_file.hpp"
+#include "figures.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scratch_file.hpp"
 #include "report/figures.hpp"
@@ -31,6 +32,12 @@ std::string content(const fs::path& file) {
 }
 
 /// The second launch with two unknown quantities, in a folder of its own. More runs than a part has.
+/// What a remark says behind the name of this file.
+std::string said_of(const fs::path& file, const std::string& remark) {
+  EXPECT_TRUE(remark.starts_with(file.string() + ": ")) << remark;
+  return remark.substr(std::min(remark.size(), file.string().size()));
+}
+
 class ACampaign : public testing::Test {
  protected:
   static constexpr const char* usual_spreads =
@@ -157,7 +164,7 @@ TEST_F(ACampaign, SaysThatItFlewAgainWhatWasDamaged) {
   const std::string bytes = content(whole_runs);
   fs::resize_file(whole_runs, bytes.size() - 9);
   const auto again = fly_whole();
-  EXPECT_EQ(again.remark, whole_runs.string() + ": was damaged; its runs have been flown again");
+  EXPECT_NE(said_of(whole_runs, again.remark).find("damaged"), std::string::npos) << again.remark;
   EXPECT_EQ(again.runs, before.runs);
   EXPECT_EQ(content(whole_runs), bytes);
 }
@@ -182,8 +189,7 @@ TEST_F(ACampaign, NamesARowThatWasEditedAndFliesItsRunsAgain) {
     changed.replace(changed.find(row), row.size(), edited);
     std::ofstream{rows, std::ios::binary} << text::gzip(changed);
     const auto again = fly_whole();
-    EXPECT_EQ(again.remark,
-              rows.string() + ": the row of run 1 is not as it was written; its runs have been flown again");
+    EXPECT_EQ(figures(said_of(rows, again.remark)), std::vector<std::string>{"1"}) << "the run of the row";
     EXPECT_EQ(again.runs, before.runs);
     EXPECT_EQ(content(rows), bytes);
   }
@@ -198,10 +204,7 @@ TEST_F(ACampaign, FliesAgainTheRowsOfAnEarlierVersionThatCarryNoCheckAndSaysSo) 
   text.erase(text.find(",row_check"), 10);
   std::ofstream{rows, std::ios::binary} << text::gzip(text);
   const auto again = fly_campaign(asked, folder / "whole", "test", 2, look_away);
-  EXPECT_EQ(again.remark,
-            rows.string() +
-                ": was written by an earlier version, whose rows carry no check; its runs have been flown "
-                "again");
+  EXPECT_NE(said_of(rows, again.remark).find("earlier version"), std::string::npos) << again.remark;
   EXPECT_EQ(content(rows), bytes);
 }
 
