@@ -112,14 +112,15 @@ TEST(Hardover, SaysHowItWasMadeAndFromHowManyFlights) {
          {"fantail campaign hardover x --step 5", "v9", "a.b=c", "tasha3_launch2", "end_control"}) {
       EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
     }
-    EXPECT_EQ(all.find("go on controlling"), std::string::npos) << all;
     EXPECT_EQ(all.find("ending moment"), std::string::npos) << "nobody asked for one\n" << all;
   }
-  EXPECT_NE(text.find("16 flights"), std::string::npos) << text;
-  EXPECT_NE(text.find("With so few instants"), std::string::npos) << text;
-  EXPECT_NE(page.find("At worst of 16 flights"), std::string::npos);
+  for (const std::string& read : {text, page}) {
+    EXPECT_NE(read.find("16 flights"), std::string::npos) << read;
+    EXPECT_NE(read.find("go to trim"), std::string::npos) << read;
+  }
+  EXPECT_NE(text.find("--step)"), std::string::npos) << "so few instants\n" << text;
   const std::string usual = text_of(study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2}));
-  EXPECT_NE(usual.find("go on controlling"), std::string::npos) << usual;
+  EXPECT_EQ(usual.find("go to trim"), std::string::npos) << usual;
   EXPECT_NE(usual.find("Bending moment"), std::string::npos) << usual;
 }
 
@@ -127,11 +128,12 @@ TEST(Hardover, SaysHowItWasMadeAndFromHowManyFlights) {
 TEST(Hardover, OfARocketThatIsNeverFastItSaysSoInsteadOfAnAngleOfAttack) {
   const Study found = study({"wind.speed_m_s=30"}, {.step_s = 9.0, .coupler_m = {}, .threads = 1});
   EXPECT_EQ(found.sound_angle_of_attack_rad, std::nullopt);
-  EXPECT_NE(text_of(found).find("of the sound rocket in the same wind: it was never that fast."), std::string::npos)
-      << text_of(found);
+  EXPECT_NE(text_of(found).find("never"), std::string::npos) << text_of(found);
   EXPECT_NE(json_of(found).find("\"sound_angle_of_attack_deg\": null"), std::string::npos);
   const Study calm = study({}, {.step_s = 9.0, .coupler_m = {}, .threads = 1});
-  EXPECT_NE(text_of(calm).find("wind: up to 0.0 deg."), std::string::npos) << text_of(calm);
+  EXPECT_LT(calm.sound_angle_of_attack_rad.value(), text::radians(0.05));
+  EXPECT_NE(text_of(calm).find("0.0 deg"), std::string::npos) << text_of(calm);
+  EXPECT_EQ(text_of(calm).find("never"), std::string::npos) << text_of(calm);
 }
 
 /// Of the verdict at the top of the page.
@@ -161,11 +163,13 @@ TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichSt
 
 TEST(Hardover, SaysThatItsRowsClearNoRange) {
   const Study found = study({}, {.step_s = 9.0, .coupler_m = {}, .threads = 2});
-  for (const std::string& all : {text_of(found), page_of(found)}) {
-    EXPECT_NE(all.find("Distances count from the sound rocket"), std::string::npos) << all;
-    EXPECT_NE(all.find("the launch guide and the wind are those of the scenario"), std::string::npos) << all;
-    EXPECT_NE(all.find("These rows clear no range by themselves"), std::string::npos) << all;
+  const std::vector<std::string> not_in_it = answer(found).verdict.not_in_it;
+  ASSERT_EQ(not_in_it.size(), 1U);
+  for (const char* const word : {"sound rocket", "guide", "wind", "clear no range", "parachute"}) {
+    EXPECT_NE(not_in_it[0].find(word), std::string::npos) << word;
   }
+  EXPECT_NE(text_of(found).find(not_in_it[0]), std::string::npos) << text_of(found);
+  EXPECT_NE(page_of(found).find(not_in_it[0].substr(not_in_it[0].find(" and not"))), std::string::npos);
 }
 
 TEST(Hardover, EarlyItTurnsTheWayMoreThanLate) {
