@@ -2,6 +2,7 @@
 
 #include "tune/law.hpp"
 
+#include "figures.hpp"
 #include "input/scenario_file.hpp"
 #include "stability/roll_loop.hpp"
 #include "test.hpp"
@@ -61,11 +62,7 @@ TEST(Law, ASteepScheduleThatNoPlanAllowsIsLeftOutWithTheSpeedThatWouldAllowIt) {
   const stability::SpeedRange wide{12.0, 144.0};
   EXPECT_TRUE(is_within_plan(1.5, wide));  // 41.6
   EXPECT_FALSE(is_within_plan(2.0, wide));
-  const std::string said = schedules_left_out(wide);
-  EXPECT_NE(said.find("to the power of 2. They need a factor of up to 144 at 12.0 m/s, and a plan allows at most 100"),
-            std::string::npos)
-      << said;
-  EXPECT_NE(said.find("begins at 14.4 m/s or faster"), std::string::npos) << said;
+  EXPECT_EQ(figures(schedules_left_out(wide)), (std::vector<std::string>{"2", "144", "12.0", "100", "14.4"}));
   EXPECT_EQ(schedules_left_out({14.4, 144.0}), "");
   EXPECT_EQ(schedules_left_out({14.4, 14.5}), "");
   const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});

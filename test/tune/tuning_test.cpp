@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/flight_plan_fields.hpp"
+#include "figures.hpp"
 #include "input/plan_file.hpp"
 #include "input/scenario_file.hpp"
 #include "json/value.hpp"
@@ -15,6 +16,14 @@
 
 namespace fantail::tune {
 namespace {
+
+using Figures = std::vector<std::string>;
+
+/// The last three of a sentence: of how many flights, the new plan's and the old one's.
+Figures last_three(const std::string& sentence) {
+  const Figures all = figures(sentence);
+  return {all.end() - std::min<std::ptrdiff_t>(3, std::ssize(all)), all.end()};
+}
 
 void unwatched(Stage /*stage*/, std::size_t /*done*/) {}
 
@@ -54,7 +63,7 @@ TEST(Tuning, IsTheSameInTextJsonAndPage) {
   EXPECT_EQ(said["plan"], "x.toml");
   EXPECT_EQ(said["flights"].size(), 6U);
   EXPECT_NE(result::text(answer(t, "", {})).find(flights_sentence(t)), std::string::npos);
-  EXPECT_NE(result::html(answer(t, "x.toml", {})).find("Flights over the spread"), std::string::npos);
+  EXPECT_NE(result::html(answer(t, "x.toml", {})).find(flights_sentence(t)), std::string::npos);
 }
 
 TEST(Tuning, SaysOfWhichFlightsTheNewPlanHasFewer) {
@@ -65,26 +74,23 @@ TEST(Tuning, SaysOfWhichFlightsTheNewPlanHasFewer) {
   }
   t.pairs.front().after.outcome = report::Outcome::off_command;
   EXPECT_FALSE(t.is_proposed());
-  EXPECT_TRUE(flights_sentence(t).ends_with(
-      "Of 6 flights the new plan keeps 1 steady, each where its own law settles, and the old one 6: it is not "
-      "proposed."))
-      << flights_sentence(t);
+  EXPECT_EQ(last_three(flights_sentence(t)), (Figures{"6", "1", "6"})) << "steady ones: " << flights_sentence(t);
   for (Pair& pair : t.pairs) {
     pair.after.outcome = report::Outcome::off_command;
   }
   EXPECT_TRUE(t.is_proposed());
   t.pairs.front().before.outcome = report::Outcome::held;
-  EXPECT_TRUE(flights_sentence(t).ends_with("Of 6 flights the new plan holds 0 and the old one 1: it is not proposed."))
-      << flights_sentence(t);
+  EXPECT_FALSE(t.is_proposed());
+  EXPECT_EQ(last_three(flights_sentence(t)), (Figures{"6", "0", "1"})) << "held ones: " << flights_sentence(t);
 }
 
 // 7.3 degrees of offset, and a limit of 6.
 TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
   const Tuning t = tune(input::load_scenario("tasha3_launch1", {}), {.flights = 2}, unwatched);
   EXPECT_FALSE(t.is_proposed());
-  EXPECT_NE(t.why_none.find("the fin offset of up to -7.3 degrees is beyond the 6 degree canard limit"),
-            std::string::npos)
-      << t.why_none;
+  EXPECT_NE(t.why_none.find("offset"), std::string::npos) << t.why_none;
+  EXPECT_EQ(figures(t.why_none).at(0), "-7.3");
+  EXPECT_EQ(figures(t.why_none).at(1), "6");
   EXPECT_EQ(json::parse(result::json(answer(t, "", {})))["plan"].is_null(), true);
 }
 
@@ -92,8 +98,8 @@ TEST(Tuning, SaysWhatTheShortestSettlingTimeIs) {
   const Tuning t =
       tune(input::load_scenario("tunnel_steps", {}), {.settling_s = 0.1, .spread = 1.0, .flights = 1}, unwatched);
   EXPECT_FALSE(t.is_proposed());
-  EXPECT_NE(t.why_none.find("settles in 0.1 s"), std::string::npos) << t.why_none;
-  EXPECT_NE(t.why_none.find("no law with integral action that was tried"), std::string::npos) << t.why_none;
+  EXPECT_NE(t.why_none.find("0.1 s"), std::string::npos) << t.why_none;
+  EXPECT_NE(t.why_none.find("integral"), std::string::npos) << t.why_none;
 }
 
 TEST(Tuning, OfCanardsThatTurnTheWrongWayIsRefused) {
@@ -120,9 +126,8 @@ TEST(Tuning, OfARocketThatIsNotStableSaysSoFirst) {
   EXPECT_EQ(model_sentence(tuning), "");
   tuning.pairs.resize(2);
   tuning.pairs[1].after.extremes.static_margin_calibres = -5.0;
-  EXPECT_EQ(model_sentence(tuning),
-            "Outside the model: not stable, with a static margin down to -5.00 calibres, and the simulation of roll "
-            "holds for a stable rocket.");
+  EXPECT_EQ(figures(model_sentence(tuning)), Figures{"-5.00"});
+  EXPECT_NE(model_sentence(tuning).find("stable"), std::string::npos) << model_sentence(tuning);
 }
 
 }  // namespace
