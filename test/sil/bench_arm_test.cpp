@@ -5,6 +5,7 @@
 #include "link/arm_steps.hpp"
 #include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
+#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {
@@ -88,7 +89,8 @@ TEST(BenchArm, IsToldWhichCanardFailedTheSelfTest) {
   link::ArmSteps steps{place, link};
   const protocol::ArmReply reply = steps.run_self_test([](const auto&) {});
   EXPECT_EQ(reply.self_test, protocol::SelfTestState::failed);
-  EXPECT_EQ(replies::sentence(reply.failure, reply.canard), "canard 3 is not at the angle it was commanded to");
+  EXPECT_EQ(reply.failure, protocol::SelfTestFailure::canard_did_not_follow);
+  EXPECT_TRUE(says(replies::sentence(reply.failure, reply.canard), "canard 3"));
 }
 
 // It fails in the very tick in which it begins, so nobody ever hears that it runs; the second time nothing changes.
@@ -118,7 +120,7 @@ TEST(BenchArm, ARefusedSelfTestIsSaidSoAndTheEarlierPassStillArms) {
       (void)link::ArmSteps{place, link}.run_self_test([](const auto&) {});
       ADD_FAILURE() << "it ran inside a session";
     } catch (const link::SelfTestRefused& refusal) {
-      EXPECT_EQ(std::string{refusal.what()}, "a bench session is open");
+      EXPECT_EQ(refusal.what(), replies::sentence(protocol::ArmRefusal::session_open));
     }
   }
   place.world->set_arm_switch(true);
@@ -162,7 +164,7 @@ TEST(BenchArm, WithoutTheSwitchIsRefusedWithThatReason) {
   (void)steps.run_self_test([](const auto&) {});
   const protocol::ArmReply reply = steps.ask_for_nonce();
   EXPECT_FALSE(reply.nonce);
-  EXPECT_EQ(replies::sentence(reply.refusal), "the arm switch is open");
+  EXPECT_EQ(reply.refusal, protocol::ArmRefusal::switch_open);
 }
 
 // A flight begins with the world's own crew: nothing else arms a rocket there either.

@@ -6,6 +6,7 @@
 #include "link/plan_transfer.hpp"
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
+#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {
@@ -82,10 +83,8 @@ TEST(ABusyPc, ThatHoldsTheBenchUpIsNamedWhenTheSessionIsLost) {
     session.wait(second);
     FAIL() << "the session is still open";
   } catch (const link::LinkError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "the avionics has ended the bench session: it heard no heartbeat for 0.1 s, and this PC, suspended or too "
-        "busy, sent no heartbeat for 3.0 s");
+    EXPECT_TRUE(says(error.what(), "heartbeat") && says(error.what(), "this PC")) << error.what();
+    EXPECT_EQ(figures(error.what()), (std::vector<std::string>{"0.1", "3.0"}));
   }
 }
 
@@ -99,7 +98,7 @@ TEST(ABusyPc, ARocketThatDiesIsSilentAfterTwoSecondsOfListening) {
     session.wait(20 * second);
     FAIL() << "nobody noticed";
   } catch (const link::LinkError& error) {
-    EXPECT_STREQ(error.what(), "the avionics has stopped reporting; it centres the canards by itself if it still runs");
+    EXPECT_TRUE(says(error.what(), "stopped")) << error.what();
   }
   EXPECT_NEAR(1e-6 * static_cast<double>((place.now() - dead).count()), 2.0, 0.05);
 }

@@ -8,8 +8,10 @@
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
+#include "sil/said.hpp"
 #include "sim/world.hpp"
 #include "test.hpp"
+#include "text/number.hpp"
 
 namespace fantail::sil {
 namespace {
@@ -31,8 +33,6 @@ std::pair<flight::Row, flight::Row> around_outage(const flight::Flight& flight) 
   return {*(after - 1), *after};
 }
 
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // The roll rate is taken to go evenly over the gap, from the last seal on: 10 ms more at most. With an acceleration of
 // at most A that is wrong by A gap^2 / 4 at most.
 TEST(ResumedFlight, AResetByTheWatchdogIsFlownThroughAndControlGoesOnInTheNextTick) {
@@ -47,8 +47,10 @@ TEST(ResumedFlight, AResetByTheWatchdogIsFlownThroughAndControlGoesOnInTheNextTi
     constexpr double largest_acceleration_rad_s2 = 500.0 * degree;
     const double bound_rad = largest_acceleration_rad_s2 * (gap_s + 0.011) * (gap_s + 0.011) / 4.0;
     EXPECT_LE(std::abs(angle_error_rad(after) - angle_error_rad(before)), bound_rad + 0.05 * degree) << gap_s;
-    EXPECT_TRUE(
-        says(report::results(flight).verdict.text, "The processor was reset (watchdog): no tick is on record from "));
+    const std::string said = report::results(flight).verdict.text;
+    EXPECT_EQ(flight.outages[0].cause, "watchdog");
+    EXPECT_TRUE(says(said, "watchdog"));
+    EXPECT_TRUE(tells(said, {text::fixed(flight.outages[0].from_s, 3), text::fixed(*flight.outages[0].to_s, 3)}));
   }
 }
 
@@ -78,14 +80,17 @@ TEST(ResumedFlight, AfterAnyOtherResetOrWithoutItsMemoryControlIsOver) {
     const report::Verdict verdict = report::results(flight).verdict;
     EXPECT_NE(verdict.outcome, report::Outcome::held);
     EXPECT_TRUE(verdict.ended_early);
-    EXPECT_TRUE(says(verdict.text, ": the processor was reset, and the flight was not resumed.")) << verdict.text;
+    EXPECT_TRUE(says(verdict.text, "reset") && says(verdict.text, flight.outages[0].cause)) << verdict.text;
+    EXPECT_TRUE(tells(verdict.text, {text::fixed(flight.outages[0].from_s, 2)})) << verdict.text;
   }
 }
 
 TEST(ResumedFlight, BeforeControlBeginsAResetThatIsNotResumedIsTheReasonForNoControl) {
   const flight::Flight flight = fly::fly_scenario(with_resets({0.3}, {.cause = hal::ResetCause::brown_out}));
-  EXPECT_TRUE(says(report::results(flight).verdict.text,
-                   "No control: the processor was reset before it, and the flight was not resumed"));
+  const report::Verdict verdict = report::results(flight).verdict;
+  EXPECT_EQ(verdict.outcome, report::Outcome::no_control);
+  EXPECT_TRUE(says(verdict.text, "reset") && tells(verdict.text, {text::fixed(flight.phase_changes.back().time_s, 2)}))
+      << verdict.text;
 }
 
 TEST(ResumedFlight, ABootLoopEndsInSafeAfterThreeResumes) {
@@ -143,8 +148,8 @@ TEST(ResumedFlight, EveryPartOfItsLogReplaysExactlyAndOneReportIsMadeOfThem) {
   ASSERT_EQ(file.flights.size(), 3U);
   EXPECT_TRUE(flight_log::is_one_flight(file));
   EXPECT_TRUE(flight_log::intact(file)) << "a record that a reset cut off is no damage";
-  EXPECT_TRUE(says(flight_log::integrity_text(file.flights[0]),
-                   "breaks off: the processor was reset, and flight 2 is the rest of it"));
+  const std::string of_the_first = flight_log::integrity_text(file.flights[0]);
+  EXPECT_TRUE(says(of_the_first, "reset") && tells(of_the_first, {"2"})) << "it goes on in flight 2; " << of_the_first;
   std::vector<flight_log::Regeneration> replays;
   for (const flight_log::Flight& part : file.flights) {
     replays.push_back(flight_log::regenerate(part, *part.plan));

@@ -6,6 +6,7 @@
 #include "input/scenario_file.hpp"
 #include "sil/bench_at_world.hpp"
 #include "sil/bus_filter.hpp"
+#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 
@@ -77,7 +78,7 @@ TEST(RocketTime, ANodeThatIsStoppedForAWhileDoesNotMakeThePcSlow) {
     };
     const Result result = limits_of_canard_1(rocket, rocket);
     EXPECT_FALSE(result.too_slow) << stop_ms << " ms: " << result.complaint;
-    EXPECT_EQ(result.complaint.find("this PC was too slow"), std::string::npos) << result.complaint;
+    EXPECT_FALSE(says(result.complaint, "too slow")) << result.complaint;
     if (result.sheet) {
       EXPECT_TRUE(result.sheet->passed());
     }
@@ -87,28 +88,25 @@ TEST(RocketTime, ANodeThatIsStoppedForAWhileDoesNotMakeThePcSlow) {
 TEST(RocketTime, ANodeThatStaysStoppedIsSaidToHaveStoppedReporting) {
   BenchAtWorld rocket{"bench_healthy"};
   rocket.after_tick = [&, ticks = 0]() mutable { rocket.stopped = ++ticks > 7'000; };
-  EXPECT_EQ(limits_of_canard_1(rocket, rocket).complaint,
-            "the avionics has stopped reporting; it centres the canards by itself if it still runs");
+  const Result result = limits_of_canard_1(rocket, rocket);
+  EXPECT_TRUE(says(result.complaint, "stopped") && !result.too_slow) << result.complaint;
 }
 
 // The rocket lives on and nothing of it arrives: its clock goes on by what no report shows.
 TEST(RocketTime, ReportsThatDoNotArriveAreNotBlamedOnAPcThatListened) {
-  struct Loss {
-    int missing_ms;
-    const char* known;
-  };
-  for (const Loss& loss :
-       {Loss{48, "the rocket's reports did not come whole and in time; nothing is said of the canards"},
-        Loss{160, "no report of the rocket came for 16"}}) {
+  for (const int missing_ms : {48, 160}) {
     BenchAtWorld rocket{"bench_healthy"};
     BusFilter place{rocket, [&](hal::CanFrame&) {
                       const auto now_ms = rocket.now().count() / 1'000;
-                      return now_ms < 7'000 || now_ms >= 7'000 + loss.missing_ms;
+                      return now_ms < 7'000 || now_ms >= 7'000 + missing_ms;
                     }};
     const Result result = limits_of_canard_1(rocket, place);
     EXPECT_FALSE(result.too_slow);
-    EXPECT_EQ(result.complaint.find(loss.known), 0U) << result.complaint;
-    EXPECT_EQ(result.complaint.find("too slow"), std::string::npos) << result.complaint;
+    EXPECT_TRUE(says(result.complaint, "canards")) << result.complaint;
+    EXPECT_FALSE(says(result.complaint, "too slow")) << result.complaint;
+    // Only the longer one is long enough to be a silence, which is told first.
+    const std::string told_ms = figures(result.complaint).at(0);
+    EXPECT_EQ(told_ms.size() == 3 && told_ms.starts_with("16"), missing_ms == 160) << result.complaint;
   }
 }
 
@@ -123,8 +121,7 @@ TEST(RocketTime, APcThatPausedIsCalledTooSlowAndItsPauseIsNamed) {
   };
   const Result result = limits_of_canard_1(rocket, place);
   EXPECT_TRUE(result.too_slow) << result.complaint;
-  EXPECT_NE(result.complaint.find("its longest pause between two looks at the bus was 7"), std::string::npos)
-      << result.complaint;
+  EXPECT_TRUE(figures(result.complaint).back().starts_with("7")) << result.complaint;
 }
 
 // Flights that RocketPy computed (test/validation), flown here with the same rocket.
