@@ -3,6 +3,7 @@
 
 #include "airframe/model/body.hpp"
 #include "design_files.hpp"
+#include "figures.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {
@@ -115,7 +116,7 @@ TEST_F(Overrides, OfAMassAloneAreDoubtedWhereVersionsDisagreeOnItsPlace) {
   const Design two = read_design(
       plain(around("", "", nose + tube("<overridemass>3</overridemass>" + mass_with_all + heavy, point("A", 1, 0.1)))));
   ASSERT_EQ(two.left_out.size(), 1U);
-  EXPECT_NE(two.left_out[0].what.find("which versions of OpenRocket put at"), std::string::npos);
+  EXPECT_NE(two.left_out[0].what.find("versions"), std::string::npos);
   EXPECT_NE(two.left_out[0].what.find("0.900 m"), std::string::npos);  // the middle of the tube
   EXPECT_TRUE(read_design(plain(around("", "", nose + tube("<overridemass>3</overridemass>" + mass_with_all))))
                   .left_out.empty());
@@ -130,14 +131,17 @@ TEST_F(Overrides, OfAWholeMakeUpForMassesThatWereNotRead) {
     return read_design(plain(around("", overrides, nose + tube("", point("A", 1, 0.5) + tabs)))).left_out;
   };
   ASSERT_EQ(left_out("").size(), 1U);
-  EXPECT_EQ(left_out("")[0].what, "fins \"F\": the mass of their tabs");
+  EXPECT_NE(left_out("")[0].what.find("\"F\""), std::string::npos);
+  EXPECT_NE(left_out("")[0].what.find("tabs"), std::string::npos);
+  EXPECT_FALSE(left_out("")[0].is_force);
   EXPECT_TRUE(left_out("<overridemass>3</overridemass><overridecg>1</overridecg>" + with_all_once).empty());
 }
 
 TEST_F(Overrides, OfDragAreSaidToBeLeftOut) {
   const Design read = read_design(plain(around("", "", nose + tube("<overridecd>0.3</overridecd>"))));
   ASSERT_EQ(read.not_used.size(), 1U);
-  EXPECT_EQ(read.not_used[0], "bodytube \"Tube\": its drag coefficient; drag is not read.");
+  EXPECT_TRUE(read.not_used[0].starts_with("bodytube \"Tube\"")) << read.not_used[0];
+  EXPECT_NE(read.not_used[0].find("drag"), std::string::npos) << read.not_used[0];
 }
 
 TEST_F(Overrides, AndPlacesOutsideOfTheRocketAreRefusedAndNeverMoved) {
@@ -173,9 +177,8 @@ TEST_F(Overrides, AndPartsThatReachOutOfTheRocketAreShortenedWithAWord) {
   ASSERT_EQ(assumed(2.0).size(), 1U);
   const double drawn = 0.5 + 4.0 / 12.0;
   const double kept = 0.5 + 0.36 / 12.0;
-  EXPECT_NE(
-      assumed(2.0)[0].find("Its transverse inertia is " + std::to_string(100.0 * (1.0 - kept / drawn)).substr(0, 4)),
-      std::string::npos)
+  const std::string percent = std::to_string(100.0 * (1.0 - kept / drawn)).substr(0, 4);
+  EXPECT_TRUE(std::ranges::any_of(figures(assumed(2.0)[0]), [&](const auto& n) { return n.starts_with(percent); }))
       << assumed(2.0)[0];
   EXPECT_TRUE(assumed(0.6).empty());
 }

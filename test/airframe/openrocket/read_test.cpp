@@ -6,6 +6,7 @@
 #include "airframe/model/body.hpp"
 #include "airframe/openrocket/document.hpp"
 #include "design_files.hpp"
+#include "figures.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {
@@ -39,6 +40,8 @@ const sim::Geometry::Mass& part(const Design& design, const std::string& name) {
   throw std::out_of_range{name};
 }
 
+bool says(const std::string& sentence, const std::string& word) { return sentence.find(word) != std::string::npos; }
+
 using Read = DesignFiles;
 
 TEST_F(Read, TheSameDesignPlainGzippedAndZipped) {
@@ -66,7 +69,7 @@ TEST_F(Read, LettersThatAreNotUtf8AreLatin1AndThatIsSaid) {
   for (const Design& latin : {called("Caf\xE9"), called("Caf\xE9", declared)}) {
     EXPECT_EQ(latin.name, "Caf\xC3\xA9");
     ASSERT_FALSE(latin.assumed.empty());
-    EXPECT_EQ(latin.assumed[0], "Letters of the design: Latin-1, as they are not UTF-8.");
+    EXPECT_TRUE(says(latin.assumed[0], "Latin-1")) << latin.assumed[0];
   }
   EXPECT_EQ(called("Caf\xC3\xA9").name, "Caf\xC3\xA9");
   EXPECT_TRUE(called("Caf\xC3\xA9").assumed.empty());
@@ -124,9 +127,9 @@ TEST_F(Read, FourFinsInFrontAreCanardsAndOthersAreSaidToBeLeftOut) {
   ASSERT_TRUE(read.geometry.canards);
   EXPECT_NEAR(read.geometry.canards->position_m, 0.4, 1e-12);
   ASSERT_EQ(read.not_used.size(), 1U);
-  EXPECT_EQ(read.not_used[0], "Fins \"Middle\": their forces; only their mass.");
+  EXPECT_TRUE(says(read.not_used[0], "\"Middle\"") && says(read.not_used[0], "forces")) << read.not_used[0];
   ASSERT_EQ(read.assumed.size(), 1U);
-  EXPECT_EQ(read.assumed[0], "Fins \"Front\": taken as the canards.");
+  EXPECT_TRUE(says(read.assumed[0], "\"Front\"") && says(read.assumed[0], "canards")) << read.assumed[0];
 }
 
 TEST_F(Read, SingleFinsOfOneShapeAreASetAndALoneOneIsLeftOut) {
@@ -135,7 +138,7 @@ TEST_F(Read, SingleFinsOfOneShapeAreASetAndALoneOneIsLeftOut) {
   ASSERT_TRUE(read.geometry.fins);
   EXPECT_EQ(read.geometry.fins->count, 3);
   ASSERT_EQ(read.not_used.size(), 1U);
-  EXPECT_EQ(read.not_used[0], "Fin \"Rudder\": its force, as it is alone; only its mass.");
+  EXPECT_TRUE(says(read.not_used[0], "\"Rudder\"") && says(read.not_used[0], "force")) << read.not_used[0];
 }
 
 TEST_F(Read, EllipticalAndFreeformFinsKeepAreaSpanAndMiddle) {
@@ -157,7 +160,7 @@ TEST_F(Read, EllipticalAndFreeformFinsKeepAreaSpanAndMiddle) {
   EXPECT_NEAR(f.tip_chord_m, 0.05, 1e-12);
   EXPECT_NEAR(f.span_m, 0.06, 1e-12);
   EXPECT_NEAR(f.sweep_m, 0.07, 1e-12);
-  EXPECT_NE(freeform.assumed.at(0).find("freeform; the trapezoid of the same area"), std::string::npos);
+  EXPECT_TRUE(says(freeform.assumed.at(0), "freeform") && says(freeform.assumed.at(0), "trapezoid"));
 }
 
 TEST_F(Read, ANoseBetweenTwoShapesIsTheNearerOne) {
@@ -172,11 +175,12 @@ TEST_F(Read, ANoseBetweenTwoShapesIsTheNearerOne) {
   EXPECT_EQ(shape("ogive", "0.0").geometry.nose_shape, Shape::cone);
   EXPECT_TRUE(shape("ogive", "0.0").assumed.empty());
   EXPECT_EQ(shape("parabolic", "0.75").geometry.nose_shape, Shape::parabola);
-  EXPECT_EQ(shape("parabolic", "0.75").assumed.at(0),
-            "Nose \"Nose\": its shape parameter is 0.75; the full shape is in its place.");
+  const std::string in_between = shape("parabolic", "0.75").assumed.at(0);
+  EXPECT_TRUE(says(in_between, "\"Nose\"") && figures(in_between) == std::vector<std::string>{"0.75"}) << in_between;
   EXPECT_EQ(shape("haack", "0.333").assumed.size(), 1U);
   EXPECT_EQ(shape("power", "0.5").geometry.nose_shape, Shape::ogive);
-  EXPECT_EQ(shape("power", "0.5").assumed.at(0), "Nose \"Nose\": its shape is \"power\"; an ogive is in its place.");
+  const std::string another = shape("power", "0.5").assumed.at(0);
+  EXPECT_TRUE(says(another, "\"Nose\"") && says(another, "\"power\"") && says(another, "ogive")) << another;
 }
 
 TEST_F(Read, TheMotorSitsWhereItsMountHoldsIt) {
@@ -232,8 +236,7 @@ TEST_F(Read, OfAParachuteTheMassIsReadAndTheRestSaidToBeLeftOut) {
            "<packedradius>0.03</packedradius><diameter>1.2</diameter><overridemass>0.2</overridemass></parachute>"))));
   EXPECT_DOUBLE_EQ(part(read, "Main").mass_kg, 0.2);
   ASSERT_EQ(read.not_used.size(), 1U);
-  EXPECT_EQ(read.not_used[0],
-            "parachute \"Main\": all but its mass; when it opens and how it falls go into [recovery] of the vehicle.");
+  EXPECT_TRUE(says(read.not_used[0], "\"Main\"") && says(read.not_used[0], "[recovery]")) << read.not_used[0];
 }
 
 TEST_F(Read, AnotherDocumentVersionIsRefusedOrNamed) {
@@ -244,7 +247,7 @@ TEST_F(Read, AnotherDocumentVersionIsRefusedOrNamed) {
             "plain.ork: has the document version \"2.0\"; allowed: 1.0 to 1.10");
   EXPECT_NE(refusal(plain(design(nose + tube(""), "new"))).find("has the document version \"new\""), std::string::npos);
   const Design newer = read_design(plain(design(nose + tube(""), "1.11")));
-  EXPECT_EQ(newer.not_used.at(0), "The document version 1.11 is newer than 1.10: what is new in it.");
+  EXPECT_EQ(figures(newer.not_used.at(0)), (std::vector<std::string>{"1.11", "1.10"}));
 }
 
 TEST_F(Read, NumbersThatMakeNoSenseAreRefusedByComponent) {
