@@ -8,11 +8,16 @@
 #include "listen/made_log.hpp"
 #include "listen/sentences.hpp"
 #include "seed.hpp"
+#include "text/number.hpp"
 
 namespace fantail::listen {
 namespace {
 
 using namespace made;
+
+std::string since_lift_off(const Heard& heard) {
+  return text::fixed(std::abs(heard.since_lift_off_s(heard.detected_s).value()), 3);
+}
 
 // 120 ms of 10 g fire the detector; the guide is not cleared, and after two seconds at rest the law listens again.
 TEST(FlyLog, WithAKnockBeforeTheLaunchNamesTheLaunchThatWasNone) {
@@ -24,8 +29,7 @@ TEST(FlyLog, WithAKnockBeforeTheLaunchNamesTheLaunchThatWasNone) {
   ASSERT_EQ(heard.false_detections_s.size(), 1U);
   EXPECT_NEAR(heard.false_detections_s[0], 4.1, 0.02);
   EXPECT_NEAR(heard.since_lift_off_s(heard.detected_s).value(), 0.11, 0.01);
-  EXPECT_NE(headline(heard).find("one launch that was none in the 9.99 s before it"), std::string::npos)
-      << headline(heard);
+  EXPECT_EQ(figures(headline(heard)), (Numbers{since_lift_off(heard), "9.99"})) << headline(heard);
   EXPECT_EQ(finding(fly_log(log_of(signal(25.0, 0.01, knocked(0.04))), question())), Finding::heard);
 }
 
@@ -45,7 +49,7 @@ TEST(FlyLog, WithABumpThatLastsNamesItAndTheLaunchThatIsMissedForIt) {
   ASSERT_EQ(missed.false_detections_s.size(), 1U);
   EXPECT_NEAR(missed.false_detections_s[0], 4.1, 0.02);
   EXPECT_EQ(missed.detected_s, std::nullopt);
-  EXPECT_EQ(headline(missed), "The launch was not detected, and one that was none was, in the 5.99 s before it.");
+  EXPECT_EQ(figures(headline(missed)), Numbers{"5.99"}) << headline(missed);
   EXPECT_EQ(data_of(missed)["finding"], "imagined_and_missed");
 
   const Heard after = bumped(12.0);
@@ -56,7 +60,8 @@ TEST(FlyLog, WithABumpThatLastsNamesItAndTheLaunchThatIsMissedForIt) {
   EXPECT_EQ(finding(through), Finding::imagined);
   EXPECT_NEAR(through.since_lift_off_s(through.detected_s).value(), -0.49, 0.02);
   EXPECT_TRUE(through.control) << "the law was in Launched when the rocket left";
-  EXPECT_NE(headline(through).find("s before lift-off"), std::string::npos) << headline(through);
+  EXPECT_EQ(figures(headline(through)), Numbers{since_lift_off(through)}) << headline(through);
+  EXPECT_NE(headline(through).find("before lift-off"), std::string::npos) << headline(through);
 }
 
 TEST(FlyLog, OfOneStrokeByHandIsALaunchThatWasNone) {
@@ -69,8 +74,9 @@ TEST(FlyLog, OfOneStrokeByHandIsALaunchThatWasNone) {
     const Heard heard = stroke(width_s);
     EXPECT_EQ(finding(heard), Finding::imagined) << width_s;
     EXPECT_EQ(heard.lift_off_s, std::nullopt) << width_s;
-    EXPECT_EQ(headline(heard),
-              "By the rule of lift-off there is none in this log, and a launch was detected all the same.");
+    EXPECT_EQ(heard.false_detections_s.size(), 1U) << width_s;
+    EXPECT_NE(headline(heard).find("lift-off"), std::string::npos) << headline(heard);
+    EXPECT_EQ(figures(headline(heard)), Numbers{}) << headline(heard);
   }
 }
 
@@ -84,7 +90,8 @@ TEST(FlyLog, OfAPushThatPassesTheGatesSaysThatControlBegan) {
   EXPECT_EQ(finding(heard), Finding::imagined);
   ASSERT_TRUE(heard.early_control_s);
   EXPECT_NEAR(*heard.early_control_s, 5.2, 0.1);
-  EXPECT_NE(headline(heard).find("control began"), std::string::npos) << headline(heard);
+  EXPECT_NE(headline(heard).find("control"), std::string::npos) << headline(heard);
+  EXPECT_EQ(figures(headline(heard)), Numbers{text::fixed(*heard.early_control_s, 3)}) << headline(heard);
   EXPECT_FALSE(heard.control);
 }
 
@@ -106,32 +113,32 @@ TEST(FlyLog, WithGravityTwiceDoubtsThePad) {
   const Heard heard =
       fly_log(log_of(signal(12.0, 0.01, [&](double t) { return constant_push(t) + g + noise(random); })), question());
   EXPECT_EQ(finding(heard), Finding::missed) << "pushed for more than three seconds, for the law it has moved";
-  EXPECT_TRUE(doubts(heard, "gravity seems to be in it twice")) << text_of(heard);
+  EXPECT_TRUE(doubts(heard, "twice")) << text_of(heard);
 }
 
 TEST(FlyLog, OfALogThatBeginsInThrustSaysThatNothingBeforeItIsKnown) {
   const Heard heard = fly_log(log_of(signal(10.0, 0.01, [](double t) { return t < 2.0 ? 5.0 * g : 0.0; })), question());
   EXPECT_EQ(finding(heard), Finding::heard);
-  EXPECT_EQ(headline(heard).find("nothing in the"), std::string::npos) << headline(heard);
-  EXPECT_TRUE(doubts(heard, "The log begins above 2 g"));
+  EXPECT_EQ(figures(headline(heard)), Numbers{since_lift_off(heard)}) << "and no time before it";
+  EXPECT_TRUE(doubts(heard, "first sample", {"2"}));
 }
 
 TEST(FlyLog, WhoseHeightStandsStillAfterLiftOffDoubtsTheFlight) {
   ImuLog log = log_of(signal(20.0, 0.01, constant_push));
   log.height = signal(20.0, 0.1, [](double t) { return 100.0 + std::fmod(t, 0.5); });
   const Heard flat = fly_log(std::move(log), question());
-  EXPECT_TRUE(doubts(flat, "height rises by no more than 0.")) << text_of(flat);
+  EXPECT_TRUE(doubts(flat, "height", {"0.2", "5"})) << "0 to 0.4 m about a mean of 0.2; " << text_of(flat);
 }
 
 TEST(FlyLog, OfTwoLaunchesJudgesTheFirstAndNamesTheOther) {
   const auto two = [](double t) { return constant_push(t < 60.0 ? t : t - 60.0); };
   const Heard heard = fly_log(log_of(signal(80.0, 0.01, two)), question());
   EXPECT_EQ(finding(heard), Finding::heard);
-  EXPECT_TRUE(says(heard, "Another push that by the rule would be a lift-off begins at 64.99 s of the log's clock"));
-  EXPECT_TRUE(says(heard, "Only the first is judged."));
+  EXPECT_EQ(note_figures(heard, "landing"), Numbers{"64.99"});
+  EXPECT_EQ(heard.further_lift_offs_s.size(), 1U);
   EXPECT_TRUE(heard.doubts.empty());
   EXPECT_NEAR(data_of(heard)["further_lift_offs_s"][0].number(), 64.99, 0.01);
-  EXPECT_FALSE(says(fly_log(log_of(signal(20.0, 0.01, constant_push)), question()), "Another push"));
+  EXPECT_FALSE(says(fly_log(log_of(signal(20.0, 0.01, constant_push)), question()), "landing"));
 }
 
 // Of the first launch the second accelerometer says nothing, and the plan asks for two.
@@ -154,16 +161,13 @@ TEST(FlyLog, WhoseLiftOffLiesInAGapGivesItNoTimeAndDoubtsIt) {
   std::erase_if(log.axial.time_s, [](double t) { return t > 4.905 && t < 5.595; });
   const Heard heard = fly_log(std::move(log), question());
   EXPECT_EQ(finding(heard), Finding::heard);
-  EXPECT_TRUE(doubts(heard, "Lift-off lies in a gap of the log, from 4.900 s to 5.600 s of its clock"))
-      << text_of(heard);
+  EXPECT_TRUE(doubts(heard, "gap", {"4.900", "5.600"})) << text_of(heard);
   EXPECT_NEAR(heard.detected_s.value(), 5.70, 0.005) << "a hold behind the gap";
   EXPECT_EQ(heard.since_lift_off_s(heard.detected_s), std::nullopt);
-  EXPECT_TRUE(headline(heard).starts_with("Launch detected 0.10")) << headline(heard);
-  EXPECT_NE(headline(heard).find(" s to 0.80"), std::string::npos) << headline(heard);
-  EXPECT_NE(headline(heard).find("after lift-off, which lies in a gap of the log, and nothing in the 4.90 s before the "
-                                 "gap."),
-            std::string::npos)
+  EXPECT_EQ(figures(headline(heard)),
+            (Numbers{text::fixed(*heard.detected_s - 5.6, 3), text::fixed(*heard.detected_s - 4.9, 3), "4.90"}))
       << headline(heard);
+  EXPECT_NE(headline(heard).find("gap"), std::string::npos) << headline(heard);
   const json::Value data = data_of(heard);
   EXPECT_TRUE(data["lift_off_s"].is_null());
   EXPECT_NEAR(data["lift_off_gap"]["from_s"].number(), 4.9, 1e-6);
@@ -180,7 +184,7 @@ TEST(FlyLog, WhosePushIsJudgedAcrossAGapDoubtsIt) {
   std::erase_if(log.axial.time_s, [](double t) { return t > 5.105 && t < 5.595; });
   const Heard heard = fly_log(std::move(log), question());
   EXPECT_NEAR(heard.lift_off_s.value(), 4.9925, 1e-6);
-  EXPECT_TRUE(doubts(heard, "A gap of the log begins 0.11 s after lift-off")) << text_of(heard);
+  EXPECT_TRUE(doubts(heard, "gap", {"0.11"})) << text_of(heard);
 }
 
 TEST(FlyLog, WhoseHeadlineSaysHowMuchOfTheTimeBeforeLiftOffHasNoSamples) {
@@ -194,9 +198,8 @@ TEST(FlyLog, WhoseHeadlineSaysHowMuchOfTheTimeBeforeLiftOffHasNoSamples) {
   }
   log.axial = kept;
   const Heard heard = fly_log(std::move(log), question());
-  EXPECT_NE(headline(heard).find("nothing in the 4.99 s, 4.22 s of them without samples, before it."),
-            std::string::npos)
-      << headline(heard);
+  EXPECT_EQ(finding(heard), Finding::heard);
+  EXPECT_EQ(figures(headline(heard)), (Numbers{since_lift_off(heard), "4.99", "4.22"})) << headline(heard);
 }
 
 // Of its own gyro the law would say the same; here it is the log that says nothing.
@@ -215,8 +218,7 @@ TEST(FlyLog, WhoseGapTheLawTakesForAGyroThatFailedDoubtsWhatCameOfIt) {
   }
   const Heard heard = fly_log(std::move(log), question());
   EXPECT_FALSE(heard.control) << text_of(heard);
-  EXPECT_TRUE(doubts(heard, "the law took its gyro for failed: the log has a gap there, from 5.320 s to 5.640 s"))
-      << text_of(heard);
+  EXPECT_TRUE(doubts(heard, "gyro", {"5.320", "5.640"})) << text_of(heard);
 }
 
 // A rocket that is carried uphill: its height has a top, which is no apogee of a flight.
@@ -229,17 +231,18 @@ TEST(FlyLog, WithoutLiftOffHasNoApogeeAndNoTimeAfterIt) {
   for (const char* const side : {"law", "log_itself"}) {
     EXPECT_TRUE(data_of(heard)[side]["apogee_m"].is_null()) << side;
   }
-  EXPECT_NE(text_of(heard).find("0.00 s of the log's clock"), std::string::npos) << text_of(heard);
+  EXPECT_NE(text_of(heard).find("0.00 s"), std::string::npos) << "on the log's clock; " << text_of(heard);
   EXPECT_EQ(page_of(heard).find("apogee, log"), std::string::npos);
 }
 
 TEST(FlyLog, SaysItsDoubtsBeforeItsFinding) {
   const Heard reversed = fly_log(log_of(signal(10.0, 0.01, [](double t) { return -constant_push(t); })), question());
   const std::string text = text_of(reversed);
-  const std::size_t doubt = text.find("No launch, in doubt: In its first second the axial force reads -1.00 g");
+  EXPECT_TRUE(doubts(reversed, "minus", {"-1.00", "1"})) << text;
+  EXPECT_NE(answer(reversed, {}).verdict.heading.find("doubt"), std::string::npos) << text;
+  const std::size_t doubt = text.find("-1.00 g");
   ASSERT_NE(doubt, std::string::npos) << text;
-  EXPECT_NE(text.find("its sign seems to be wrong"), std::string::npos) << text;
-  EXPECT_LT(doubt, text.find("By the rule of lift-off"));
+  EXPECT_LT(doubt, text.find(headline(reversed).substr(0, 20))) << text;
   EXPECT_EQ(text.find("Before lift-off"), std::string::npos) << text;
   EXPECT_GE(data_of(reversed)["doubts"].size(), 1U);
 }

@@ -26,7 +26,7 @@ TEST(FlyLog, OfAConstantPushHasTheSpeedAndApogeeOfTheClosedForm) {
   EXPECT_NEAR(heard.lift_off_s.value(), 4.9925, 1e-6) << "a quarter of the way from 1 g to 5 g";
   EXPECT_EQ(finding(heard), Finding::heard);
   EXPECT_TRUE(heard.doubts.empty()) << heard.doubts[0];
-  EXPECT_NE(headline(heard).find("and nothing in the 4.99 s before it"), std::string::npos) << headline(heard);
+  EXPECT_EQ(figures(headline(heard)).back(), "4.99") << headline(heard);
   // A low-pass of 16 Hz (10 ms) reaches 2.5 g within 15 ms, and the hold is 0.1 s.
   EXPECT_NEAR(heard.since_lift_off_s(heard.detected_s).value(), 0.11, 0.01);
   ASSERT_TRUE(heard.control);
@@ -40,8 +40,8 @@ TEST(FlyLog, OfAConstantPushHasTheSpeedAndApogeeOfTheClosedForm) {
   EXPECT_FALSE(heard.is_lower_bound);
   EXPECT_NEAR(heard.hardest.value, 5.0 * g, 1e-9);
   EXPECT_TRUE(heard.clipped.empty());
-  EXPECT_TRUE(says(heard, "usual interval around lift-off is 10 ms (100 samples a second)"));
-  EXPECT_TRUE(says(heard, "given its samples as both"));
+  EXPECT_TRUE(says(heard, "interval", {"10", "100"}));
+  EXPECT_TRUE(says(heard, "both")) << "of the one accelerometer the law got two";
   EXPECT_EQ(heard.events.front().to, core::Phase::armed);
   EXPECT_EQ(heard.events.back().reason, core::PhaseReason::apogee);
 }
@@ -60,7 +60,7 @@ TEST(FlyLog, OfATiltedGuideAndAnOffsetGyroTakesBothFromThePad) {
   const Heard heard = fly_log(std::move(log), question());
   ASSERT_TRUE(heard.apogee_s);
   EXPECT_NEAR(heard.tilt_at_apogee_rad, 0.1, 0.002) << "an offset of 0.015 rad/s would have made 0.175 rad";
-  EXPECT_FALSE(says(heard, "took the guide as upright"));
+  EXPECT_FALSE(says(heard, "upright"));
 }
 
 TEST(FlyLog, ThatBeginsAtTheLaunchIsFlownUprightUnlessThePadIsSaid) {
@@ -72,13 +72,13 @@ TEST(FlyLog, ThatBeginsAtTheLaunchIsFlownUprightUnlessThePadIsSaid) {
     return log;
   };
   const Heard upright = fly_log(late(), question());
-  EXPECT_TRUE(says(upright, "took the guide as upright"));
+  EXPECT_TRUE(says(upright, "upright"));
   EXPECT_NEAR(upright.tilt_at_apogee_rad, 0.0, 1e-6);
   Question padded = question();
   padded.pad_s = 5.0;
   const Heard tilted = fly_log(late(), padded);
   EXPECT_NEAR(tilted.tilt_at_apogee_rad, 0.1, 0.002);
-  EXPECT_TRUE(says(tilted, "stand still for 5 s before the log"));
+  EXPECT_TRUE(says(tilted, "still", {"5"}));
   EXPECT_NEAR(tilted.since_lift_off_s(tilted.detected_s).value(), upright.since_lift_off_s(upright.detected_s).value(),
               0.002);
 }
@@ -117,17 +117,17 @@ TEST(FlyLog, OfAnAxisThatDoesNotReadOneGOnThePadAsksWhetherItIsTheRightOne) {
   EXPECT_EQ(finding(reversed), Finding::no_launch);
   const Heard from_rest =
       fly_log(log_of(signal(10.0, 0.01, [](double t) { return constant_push(t) - g; })), question());
-  EXPECT_TRUE(doubts(reversed, "right axis, sign and unit"));
-  EXPECT_TRUE(doubts(from_rest, "Before lift-off the axial force reads 0.00 g in the mean"));
-  EXPECT_TRUE(doubts(from_rest, "gravity seems not to be in it (axial_from_rest)"));
-  EXPECT_FALSE(doubts(fly_log(log_of(signal(10.0, 0.01, constant_push)), question()), "right axis"));
+  EXPECT_TRUE(doubts(reversed, "axis", {"-1.00", "1"}));
+  EXPECT_TRUE(doubts(from_rest, "(axial_from_rest)", {"0.00", "1"}));
+  EXPECT_FALSE(doubts(from_rest, "minus") || doubts(from_rest, "twice"));
+  EXPECT_FALSE(doubts(fly_log(log_of(signal(10.0, 0.01, constant_push)), question()), "axis"));
 }
 
 TEST(FlyLog, AtRestHearsNothing) {
   const Heard heard = fly_log(log_of(signal(10.0, 0.01, [](double) { return g; })), question());
   EXPECT_EQ(finding(heard), Finding::no_launch);
   EXPECT_EQ(heard.events.size(), 1U);
-  EXPECT_EQ(headline(heard), "By the rule of lift-off there is none in this log, and no launch was detected.");
+  EXPECT_NE(headline(heard).find("lift-off"), std::string::npos) << headline(heard);
 }
 
 // What the law gets across a gap is stale: no hold reaches across it.
@@ -143,8 +143,7 @@ TEST(FlyLog, WithAGapInTheHoldIsDetectedAHoldAfterIt) {
   const Heard heard = fly_log(std::move(log), question());
   ASSERT_EQ(heard.gaps.size(), 1U);
   EXPECT_NEAR(heard.detected_s.value(), 5.60, 0.003);
-  EXPECT_TRUE(says(heard, "One gap of the log is longer than the 100 ms"));
-  EXPECT_TRUE(says(heard, "stale after 5 ms"));
+  EXPECT_TRUE(says(heard, "gap", {"100", "5"})) << "what is bridged, and when samples are stale";
 }
 
 TEST(FlyLog, OfAnAccelerometerAtTheEndOfItsRangeSaysThatItsFiguresAreLowerBounds) {
@@ -160,8 +159,8 @@ TEST(FlyLog, OfAnAccelerometerAtTheEndOfItsRangeSaysThatItsFiguresAreLowerBounds
   EXPECT_FALSE(whole.is_lower_bound);
   EXPECT_TRUE(bounded.is_lower_bound);
   ASSERT_EQ(bounded.clipped.size(), 1U);
-  EXPECT_TRUE(says(bounded, "axial stands at 156.9 m/s2 (16 g)"));
-  EXPECT_TRUE(says(bounded, "speed and height are lower bounds, and its apogee comes too early"));
+  EXPECT_TRUE(says(bounded, "axial", {"156.9", "16"}));
+  EXPECT_TRUE(says(bounded, "lower bounds") && says(bounded, "apogee comes"));
   EXPECT_NEAR(whole.fastest.value, 38.0 * g, 2.0);
   EXPECT_NEAR(bounded.fastest.value, 30.0 * g, 2.0);
   ASSERT_TRUE(whole.apogee_s && bounded.apogee_s);
@@ -199,7 +198,7 @@ TEST(FlyLog, OfTwoAccelerometersThatDisagreeIsMissedByAPlanThatAsksForTwo) {
   log.second_axial = signal(20.0, 0.01, [](double) { return g; });
   const Heard heard = fly_log(std::move(log), question());
   EXPECT_EQ(finding(heard), Finding::missed);
-  EXPECT_EQ(headline(heard), "The launch was not detected.");
+  EXPECT_EQ(heard.detected_s, std::nullopt);
 }
 
 TEST(FlyLog, ComparesWithTheLogsOwnHeight) {

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "figures.hpp"
 #include "logs/refused.hpp"
 
 namespace fantail::listen {
@@ -29,9 +30,21 @@ std::string rows(const std::string& instead_of_row_7 = "700,1,0\n") {
   return text;
 }
 
-bool says(const ImuLog& log, const std::string& part) {
-  return std::ranges::any_of(log.notes, [&](const std::string& note) { return note.find(part) != std::string::npos; });
+/// The note with this word.
+std::string note(const ImuLog& log, const std::string& word) {
+  const auto found =
+      std::ranges::find_if(log.notes, [&](const std::string& note) { return note.find(word) != std::string::npos; });
+  return found == log.notes.end() ? std::string{} : *found;
 }
+
+/// Which rates it says not to be in the log.
+std::vector<std::string> rates_lacking(const ImuLog& log) {
+  std::vector<std::string> rates{"roll", "pitch", "yaw"};
+  std::erase_if(rates, [said = note(log, "rate")](const auto& r) { return said.find(r) == std::string::npos; });
+  return rates;
+}
+
+using Words = std::vector<std::string>;
 
 TEST(ImuLog, HasSiUnitsAndSaysWhatItTakesForGranted) {
   const ImuLog log = imu_log(table(rows("700,2,10\n")), sources);
@@ -41,8 +54,8 @@ TEST(ImuLog, HasSiUnitsAndSaysWhatItTakesForGranted) {
   EXPECT_NEAR(log.height.value[7], 3.048, 1e-12);
   EXPECT_NEAR(log.interval_s, 0.1, 1e-12);
   EXPECT_FALSE(log.roll_rate.is_there());
-  EXPECT_TRUE(says(log, "y and z, the sides, is not in the log"));
-  EXPECT_TRUE(says(log, "The rates of roll, pitch and yaw are not in the log"));
+  EXPECT_NE(note(log, "y and z"), "");
+  EXPECT_EQ(rates_lacking(log), (Words{"roll", "pitch", "yaw"}));
 }
 
 TEST(ImuLog, AddsOneGToAForceWhoseZeroIsThePad) {
@@ -55,14 +68,14 @@ TEST(ImuLog, TakesTheLastOfRowsWithOneTime) {
   EXPECT_EQ(log.axial.value.size(), 19U);
   EXPECT_NEAR(log.axial.value[6], 4.0 * 9.80665, 1e-12);
   EXPECT_NEAR(log.height.value[6], 0.3048, 1e-12) << "a cell without a number has no news";
-  EXPECT_TRUE(says(log, "2 of 21 rows have the time of the row before them, the first in line 9")) << log.notes[0];
+  EXPECT_EQ(figures(note(log, "line 9")), (Words{"2", "21", "9"})) << log.notes[0];
 }
 
 TEST(ImuLog, CountsWhatIsNoNumberAsNotSampled) {
   const ImuLog log = imu_log(table(rows("700,NaN,0\n")), sources);
   EXPECT_EQ(log.axial.value.size(), 19U);
   EXPECT_EQ(log.height.value.size(), 20U);
-  EXPECT_TRUE(says(log, "1 of 20 cells of a are no numbers, the first in line 9"));
+  EXPECT_EQ(figures(note(log, " a ")), (Words{"1", "20", "9"}));
 }
 
 TEST(ImuLog, IsRefusedByFileAndLine) {
@@ -106,10 +119,12 @@ TEST(ImuLog, NamesTheRatesThatItLacks) {
             return text;
           }(),
       "log.csv");
-  EXPECT_TRUE(says(imu_log(with, parse("time=t:ms,axial=a:g,roll_rate=r:rpm")),
-                   "The rates of pitch and yaw are not in the log; they are taken as 0, so"));
-  EXPECT_TRUE(says(imu_log(with, parse("time=t:ms,axial=a:g,roll_rate=r:rpm,yaw_rate=r:rpm")),
-                   "The rate of pitch is not in the log; it is taken as 0."));
+  const ImuLog without_tilt = imu_log(with, parse("time=t:ms,axial=a:g,roll_rate=r:rpm"));
+  EXPECT_EQ(rates_lacking(without_tilt), (Words{"pitch", "yaw"}));
+  EXPECT_NE(note(without_tilt, "rate").find("guide"), std::string::npos) << "its direction is kept";
+  const ImuLog without_pitch = imu_log(with, parse("time=t:ms,axial=a:g,roll_rate=r:rpm,yaw_rate=r:rpm"));
+  EXPECT_EQ(rates_lacking(without_pitch), Words{"pitch"});
+  EXPECT_EQ(note(without_pitch, "rate").find("guide"), std::string::npos);
 }
 
 TEST(ImuLog, OfNothingButForceIsNoLog) {

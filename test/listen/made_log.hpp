@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/flight_plan_members.hpp"
+#include "figures.hpp"
 #include "json/value.hpp"
 #include "listen/answer.hpp"
 #include "listen/fly_log.hpp"
@@ -36,15 +37,31 @@ inline Question question() { return {.plan_name = "default", .plan = core::defau
 // 5 s on the pad, 5 g for 2 s, free fall.
 inline double constant_push(double t) { return t < 5.0 ? g : t < 7.0 ? 5.0 * g : 0.0; }
 
-inline bool has(const std::vector<std::string>& sentences, const std::string& part) {
-  return std::ranges::any_of(sentences, [&](const std::string& one) { return one.find(part) != std::string::npos; });
+using Numbers = std::vector<std::string>;
+
+/// Has one of them this word, and these numbers one behind the other?
+inline bool has(const std::vector<std::string>& sentences, const std::string& word, const Numbers& numbers = {}) {
+  return std::ranges::any_of(sentences, [&](const std::string& one) {
+    const Numbers all = figures(one);
+    return one.find(word) != std::string::npos && (numbers.empty() || !std::ranges::search(all, numbers).empty());
+  });
 }
 
 inline std::string text_of(const Heard& heard) { return result::text(answer(heard, {})); }
 inline std::string page_of(const Heard& heard) { return result::html(answer(heard, {})); }
 inline json::Value data_of(const Heard& heard) { return json::parse(result::json(answer(heard, {}))); }
 
-inline bool says(const Heard& heard, const std::string& part) { return has(heard.notes, part); }
-inline bool doubts(const Heard& heard, const std::string& part) { return has(heard.doubts, part); }
+inline bool says(const Heard& heard, const std::string& word, const Numbers& numbers = {}) {
+  return has(heard.notes, word, numbers);
+}
+inline bool doubts(const Heard& heard, const std::string& word, const Numbers& numbers = {}) {
+  return has(heard.doubts, word, numbers);
+}
+/// Of the note with this word.
+inline Numbers note_figures(const Heard& heard, const std::string& word) {
+  const auto has_it = [&](const std::string& note) { return note.find(word) != std::string::npos; };
+  const auto found = std::ranges::find_if(heard.notes, has_it);
+  return found == heard.notes.end() ? Numbers{} : figures(*found);
+}
 
 }  // namespace fantail::listen::made

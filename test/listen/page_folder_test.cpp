@@ -17,7 +17,7 @@ TEST(PageFolder, IsNamedAfterTheLogWhereNobodyElsesPageIs) {
   EXPECT_EQ(place(a).folder, folder.path() / "out/log");
   EXPECT_EQ(place(a).remark, "");
   EXPECT_EQ(place(b).folder, folder.path() / "out/log_2");
-  EXPECT_NE(place(b).remark.find("has the page of another file, " + a), std::string::npos) << place(b).remark;
+  EXPECT_NE(place(b).remark.find(a), std::string::npos) << place(b).remark;
   folder.write("out/log_2/listen.json", "{\"log\": \"" + b + "\"}");
   EXPECT_EQ(place(b).folder, folder.path() / "out/log_2");
   EXPECT_EQ(place((folder.path() / "a/../a/log.csv").string()).folder, folder.path() / "out/log");
@@ -30,7 +30,7 @@ TEST(PageFolder, LeavesAPageThatDoesNotSayWhoseItIs) {
     folder.write("out/log/listen.json", json);
     const PageFolder place = page_folder(folder.path() / "out", log);
     EXPECT_EQ(place.folder, folder.path() / "out/log_2") << json;
-    EXPECT_NE(place.remark.find("a file that it does not name"), std::string::npos) << place.remark;
+    EXPECT_TRUE(place.remark.starts_with((folder.path() / "out/log").string())) << place.remark;
   }
 }
 
