@@ -57,6 +57,21 @@ TEST_F(FaultCampaign, FliesAPartAgainThatIsDamagedAndCountsIt) {
   EXPECT_EQ(fly_campaign(switches(), folder_, "v", 2, quiet).damaged, 0U);
 }
 
+// README: no verdict on a flight beyond the roll model is green.
+TEST_F(FaultCampaign, OfARocketFasterThanTheModelHoldsForIsUndecidedWhereItWouldBeSafe) {
+  Campaign fast = switches();
+  EXPECT_EQ(answer_of(fly_campaign(fast, folder_ / "slow", "v", 2, quiet)), result::Answer::yes);
+  fast.changes = input::parse_overrides(
+      std::vector<std::string>{"motor.thrust_factor=1.5", "body.mass_kg=0.8", "body.drag_area_m2=0.0005"});
+  const Result found = fly_campaign(fast, folder_ / "fast", "v", 2, quiet);
+  EXPECT_FALSE(has_red(found));
+  EXPECT_EQ(answer_of(found), result::Answer::undecided);
+  EXPECT_NE(headline(found).find(found.beyond_model), std::string::npos);
+  EXPECT_NE(found.beyond_model.find("Mach"), std::string::npos);
+  const std::string cell = found.cells.front().cell.name();
+  EXPECT_EQ(answer(fast, fly_alone(fast, cell, 0), "", {}).verdict.answer, result::Answer::undecided);
+}
+
 TEST_F(FaultCampaign, RefusesAFolderOfAnotherCampaignOrProgramAndNamesTheDifference) {
   (void)fly_campaign(switches(), folder_, "1 (a)", 2, quiet);
   const auto refusal = [this](const Campaign& campaign, const char* program) -> std::string {

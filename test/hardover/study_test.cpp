@@ -89,6 +89,16 @@ TEST(Hardover, TheBendingMomentIsTheForceTimesItsDistanceFromTheCoupler) {
   EXPECT_EQ(found.worst().moment_n_m.value(), found.worst().side_force_n * (0.8 - found.position_m));
 }
 
+TEST(Hardover, OfARocketFasterThanTheModelHoldsForSaysSoBeforeItsFigures) {
+  const Options few{.step_s = 8.0, .coupler_m = {}, .threads = 2};
+  const Study slow = study({}, few);
+  EXPECT_TRUE(slow.beyond_model.empty());
+  EXPECT_EQ(answer(slow).verdict.sentence.find("Mach"), std::string::npos);
+  const Study fast = study({"motor.thrust_factor=1.5", "body.mass_kg=0.8", "body.drag_area_m2=0.0005"}, few);
+  EXPECT_NE(fast.beyond_model.find("Mach"), std::string::npos);
+  EXPECT_LT(answer(fast).verdict.sentence.find(fast.beyond_model), answer(fast).verdict.sentence.find("canard"));
+}
+
 TEST(Hardover, InFrontOfTheCanardsNothingBendsAndOutsideOfTheRocketIsRefused) {
   EXPECT_EQ(study({}, {.step_s = 9.0, .coupler_m = 0.0, .threads = 2}).worst().moment_n_m, 0.0);
   for (const double outside_m : {-0.1, 9.0}) {

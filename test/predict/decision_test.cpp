@@ -237,6 +237,19 @@ TEST(Decision, NumbersAreNotRoundedToWhatIsAskedFor) {
   EXPECT_EQ(figures(criterion(decide(p, {.held_share = 0.905}), "held").found), (Figures{"94", "90", "97"}));
 }
 
+TEST(Decision, NamesWhatTheScenarioSpreadsAndAPredictionDoesNotDraw) {
+  Prediction p = good();
+  const std::string without = decide(p, {}).text;
+  p.request.not_drawn = {"wind.speed_m_s"};
+  const Decision one = decide(p, {});
+  EXPECT_TRUE(one.go);
+  EXPECT_NE(one.text.find("wind.speed_m_s"), std::string::npos) << one.text;
+  EXPECT_NE(one.text.find("fantail campaign"), std::string::npos) << one.text;
+  p.request.not_drawn = {"a.one", "a.two", "a.three", "a.four", "a.five"};
+  EXPECT_EQ(figures(decide(p, {}).text).back(), "2") << "three are named, and two more";
+  EXPECT_EQ(without.find("fantail campaign"), std::string::npos);
+}
+
 TEST(Decision, GainsThatHoldNothingAreNoGo) {
   Prediction p = good();
   p.worst_speed.reset();

@@ -24,6 +24,13 @@ TEST(Oracle, Row7SpinWithAllCanardsAtTheirLimit) {
   EXPECT_NEAR(degrees(*rate), -70.59, 0.002 * 70.59);
 }
 
+// Canards that are mounted the other way round, or whose wash turns the fins more than they turn the rocket.
+TEST(Run, CanardsThatWorkAgainstTheRollAddToTheOffset) {
+  const auto rate = spin_rate_rad_s(first_launch, radians(2.0), radians(-9.0), 60.0);
+  ASSERT_TRUE(rate);
+  EXPECT_NEAR(degrees(*rate), 60.0 * 10.0 / 8.5 * (2.0 + 9.0), 1e-9);
+}
+
 TEST(Run, NoSpinWhereTheCanardsCanBalanceTheOffset) {
   EXPECT_FALSE(spin_rate_rad_s(first_launch, radians(-6.0), radians(6.0), 60.0));
   EXPECT_FALSE(spin_rate_rad_s(first_launch, radians(5.9), radians(6.0), 60.0));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <regex>
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
@@ -151,6 +152,20 @@ TEST(Tunnel, ARocketThatTheWindTurnsOverIsNotStable) {
   EXPECT_NE(outcome.out.find("the rocket turns away from where it hung, ever faster; a push alone does not do that"),
             std::string::npos)
       << outcome.out;
+}
+
+// Every new rocket's file is called vehicle.toml.
+TEST(Tunnel, StabilityTakesNoVehicleThatHappensToLieInThisFolder) {
+  const Folder folder;
+  const std::filesystem::path shipped = std::filesystem::path{FANTAIL_TEST_SOURCE} / "sim";
+  folder.write("a.toml", std::regex_replace(content(shipped / "scenarios/tunnel_stability.toml"),
+                                            std::regex{"vehicle = \"[^\"]*\""}, "vehicle = \"vehicle.toml\""));
+  folder.write("vehicle.toml", content(shipped / "vehicles/tasha3_tunnel.toml"));
+  ASSERT_EQ(in(folder, {"fly", "a.toml", "--out", "made"}).exit_code, 0);
+  const Outcome unnamed = in(folder, {"tunnel", "stability", "made"});
+  EXPECT_EQ(unnamed.exit_code, 64);
+  EXPECT_NE(unnamed.err.find("--vehicle"), std::string::npos) << unnamed.err;
+  EXPECT_EQ(in(folder, {"tunnel", "stability", "made", "--vehicle", "vehicle.toml"}).exit_code, 0);
 }
 
 TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {

@@ -142,6 +142,14 @@ TEST(RoundingOf, IsTheCoarsestUsualStep) {
   EXPECT_EQ(rounding_of({22.0001234}), 0.0);
 }
 
+// An anemometer shows whole km/h, or tenths of a mile an hour; the file is read in m/s.
+TEST(RoundingOf, IsSeenInTheUnitThatTheSensorShows) {
+  EXPECT_DOUBLE_EQ(rounding_of({54.0 / 3.6, 55.0 / 3.6, 53.0 / 3.6}), 1.0 / 3.6);
+  EXPECT_DOUBLE_EQ(rounding_of({33.1 * 0.44704, 33.4 * 0.44704}), 0.1 * 0.44704);
+  EXPECT_DOUBLE_EQ(rounding_of({40.0 * 1852.0 / 3600.0, 41.0 * 1852.0 / 3600.0}), 1852.0 / 3600.0);
+  EXPECT_DOUBLE_EQ(rounding_of({71.5 * 0.3048, 72.0 * 0.3048}), 0.5 * 0.3048);
+}
+
 TEST(RoundingDeviation, OfATenthIsThreeHundredths) { EXPECT_NEAR(rounding_deviation(0.1), 0.028868, 1e-6); }
 
 }  // namespace

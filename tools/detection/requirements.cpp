@@ -240,7 +240,7 @@ std::string what_was_judged(const Report& report, Verdict verdict) {
     return "No plan was played that is judged.";
   }
   if (verdict == Verdict::not_met) {
-    return "At least one judged plan did what it must not.";
+    return "At least one judged plan did what it must not, or was played too seldom to show that it does not.";
   }
   const std::size_t kinds_of_event = static_cast<std::size_t>(
       std::ranges::count_if(report.campaign.kinds, [](Kind kind) { return !is_launch(kind); }));

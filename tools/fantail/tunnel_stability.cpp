@@ -80,6 +80,12 @@ void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& he
         "no rocket given, and no summary.json beside the log says which one it was: use --vehicle NAME|FILE"};
   }
   const std::string named = options.vehicle ? *options.vehicle : flown->vehicle_file;
+  // A path is one from the folder of a scenario that nobody names here: in this folder it may be another rocket's.
+  if (const auto shipped = input::shipped_names(input::Shipped::vehicle);
+      !options.vehicle && std::ranges::find(shipped, named) == shipped.end()) {
+    throw UsageError{fmt::format("{} was flown with the vehicle \"{}\" of its scenario: name that file with --vehicle",
+                                 options.logs.front(), named)};
+  }
   input::Document document = input::Document::load(input::find_input(input::Shipped::vehicle, named));
   if (!options.vehicle) {
     apply_changes(*flown, document);
@@ -249,8 +255,9 @@ void add_tunnel_stability(const Verb& tunnel) {
                    : '"' + text + "\" is not a list of increasing times in seconds, as in 4:20,49:60";
       })
       .value_name("T:T,...");
-  verb.option("--vehicle", options->vehicle,
-              "Vehicle with mass and [airframe]: a shipped name or a path [the one in the flight's summary.json]")
+  verb.option(
+          "--vehicle", options->vehicle,
+          "Vehicle with mass and [airframe]: a shipped name or a path [the shipped one in the flight's summary.json]")
       .offers(shipped(input::Shipped::vehicle))
       .value_name("NAME|FILE");
   verb.option("--inertia", options->inertia_kg_m2, "Transverse moment of inertia, instead of the vehicle's")

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "campaign/spread.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/many_flights.hpp"
 #include "fantail/offers.hpp"
@@ -82,6 +85,19 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
+// A prediction draws damping, torque and fin offset, of the tunnel's rows; what a campaign would draw besides stands
+// still.
+std::vector<std::string> fields_not_drawn(const ScenarioOptions& options) {
+  std::vector<std::string> names;
+  for (const campaign::Spread& spread : campaign::read_spreads(input::ScenarioFiles::load(options.scenario))) {
+    std::ranges::transform(spread.fields, std::back_inserter(names), &input::NumberField::name);
+  }
+  std::erase_if(names, [](const std::string& name) {
+    return name == "aerodynamics.damping_m2" || name == "aerodynamics.torque_m" || name.starts_with("disturbance.");
+  });
+  return names;
+}
+
 predict::Options prediction_options(const PredictOptions& options) {
   return {.runs = options.runs,
           .threads = options.threads,
@@ -89,7 +105,9 @@ predict::Options prediction_options(const PredictOptions& options) {
           .other_vehicle = options.other_vehicle,
           .servo_lag_s = options.servo_lag_s,
           .servo_delay_s = options.servo_delay_s,
-          .request = {.changes = changes_of(options.scenario), .command = command_of(options.scenario)}};
+          .request = {.changes = changes_of(options.scenario),
+                      .command = command_of(options.scenario),
+                      .not_drawn = fields_not_drawn(options.scenario)}};
 }
 
 predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict::TunnelResult& tunnel,

@@ -184,9 +184,10 @@ result::Document answer(const Result& result, const result::Made& made) {
       .title = result.scenario,
       .subtitle = fmt::format("{}, plan {}; {}", result.vehicle, result.plan, onsets_of(result.campaign)),
       .verdict = {.answer = answer_of(result),
-                  .heading = has_red(result)         ? "Red"
-                             : has_red_limit(result) ? "Known limits"
-                                                     : "No red cell",
+                  .heading = has_red(result)                ? "Red"
+                             : has_red_limit(result)        ? "Known limits"
+                             : !result.beyond_model.empty() ? "Outside the model"
+                                                            : "No red cell",
                   .sentence = headline(result),
                   .not_in_it = {"An outcome that was stated beforehand, as the page has it at its end; control that "
                                 "is over is one of them, and the rocket then rolls freely. It does not say that "
@@ -195,6 +196,7 @@ result::Document answer(const Result& result, const result::Made& made) {
       .facts = {{"scenario", "", result.scenario},
                 {"vehicle", "", result.vehicle},
                 {"plan", "", result.plan},
+                {"outside_model", "", json::text_or_null(result.beyond_model)},
                 {"version", "", made.version},
                 {"command", "", command_of(result.campaign)}},
       .sections = sections(result),
@@ -204,27 +206,30 @@ result::Document answer(const Result& result, const result::Made& made) {
 result::Document answer(const Campaign& campaign, const Alone& alone, const std::string& report,
                         const result::Made& made) {
   const CellResult& judged = alone.judged;
+  const bool is_beyond = !alone.beyond_model.empty();
   result::Figures run = result::figures("", alone.run, run_fields);
   std::vector<result::Block> limit;
   if (judged.colour == Colour::known_limit) {
     limit = {fmt::format("Why: {}.", judged.limit->why), fmt::format("To do: {}.", what_to_do(judged)),
              result::Data{"limit", limit_of(judged)}};
   }
-  return {.title = judged.cell.name(),
-          .subtitle = fmt::format("run {}", alone.run.number),
-          .verdict = {.answer = answer_of(judged.colour),
-                      .heading = word_of(judged.colour),
-                      .sentence = alone.findings.what_it_was()},
-          .facts = {{"version", "", made.version},
-                    {"scenario", "", alone.scenario.name},
-                    {"seed", "", alone.run.seed},
-                    {"command", "", run_command(campaign, judged.cell, alone.run.number)},
-                    {"report", "report", report}},
-          .sections = {{"Safe is", {judged.cell.safe()}},
-                       {"It was", {run}},
-                       {"A known limit", limit},
-                       {"For programs", {result::figures("", alone, alone_fields)}, result::Readers::programs}},
-          .made = made};
+  return {
+      .title = judged.cell.name(),
+      .subtitle = fmt::format("run {}", alone.run.number),
+      .verdict = {.answer = is_beyond && judged.colour == Colour::green ? result::Answer::undecided
+                                                                        : answer_of(judged.colour),
+                  .heading = is_beyond && judged.colour == Colour::green ? "Outside the model" : word_of(judged.colour),
+                  .sentence = outside_model(alone.beyond_model) + alone.findings.what_it_was()},
+      .facts = {{"version", "", made.version},
+                {"scenario", "", alone.scenario.name},
+                {"seed", "", alone.run.seed},
+                {"command", "", run_command(campaign, judged.cell, alone.run.number)},
+                {"report", "report", report}},
+      .sections = {{"Safe is", {judged.cell.safe()}},
+                   {"It was", {run}},
+                   {"A known limit", limit},
+                   {"For programs", {result::figures("", alone, alone_fields)}, result::Readers::programs}},
+      .made = made};
 }
 
 }  // namespace fantail::faults

@@ -11,6 +11,8 @@
 #include "campaign/setup.hpp"
 #include "faults/stop_rule.hpp"
 #include "faults/tasks.hpp"
+#include "flight/model_end.hpp"
+#include "fly/fly_scenario.hpp"
 #include "runs/runner.hpp"
 #include "text/error.hpp"
 
@@ -72,6 +74,11 @@ CellLimit limit_of(const Cell& cell, const Twins& twins) {
     of_cell.from_ms = end_of(cell.phase, twins) - of_cell.limit->last_ms;
   }
   return of_cell;
+}
+
+/// Of the flight without a fault: that a fault throws a rocket about is what is looked for.
+std::string beyond_model(const Twins& twins) {
+  return flight::how_far_beyond(fly::fly_scenario(twins.scenario).extremes);
 }
 
 runs::Identity identity_of(const Campaign& campaign, const std::string& program, const Twins& twins) {
@@ -144,7 +151,8 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
                 .plan = twins.scenario.plan_name,
                 .cells = {},
                 .flights = summary.flights,
-                .damaged = summary.damaged};
+                .damaged = summary.damaged,
+                .beyond_model = beyond_model(twins)};
   std::vector<CellSum> cells(tasks.size());
   for (std::size_t i = 0; i < sums.size(); ++i) {
     cells[task_of[i]].add(sums[i]);
@@ -171,7 +179,8 @@ Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uin
               .expected = cell.expected(),
               .findings = fly_run(twins, cell, at, number),
               .run = {},
-              .judged = {}};
+              .judged = {},
+              .beyond_model = beyond_model(twins)};
   alone.run = run_of(twins, cell, at, number, alone.findings);
   const CellLimit limit = limit_of(cell, twins);
   alone.judged = concluded(cell, std::vector{alone.run}, limit);

@@ -106,7 +106,8 @@ struct Result {
   std::string plan;
   std::vector<CellResult> cells;  ///< a row of the table after the other, phase by phase
   std::uint64_t flights = 0;
-  std::uint64_t damaged = 0;  ///< stored parts that could not be believed, and were flown again
+  std::uint64_t damaged = 0;   ///< stored parts that could not be believed, and were flown again
+  std::string beyond_model{};  ///< how far its flight without a fault is beyond the roll model; empty: not
 };
 
 /// Of the cells that the campaign asks for and the scenario can have: how many flights they are.
@@ -146,7 +147,8 @@ struct Alone {
   Expected expected;
   Findings findings;
   Run run;
-  CellResult judged;  ///< as if it were the cell's only one: the same verdict as the campaign's
+  CellResult judged;         ///< as if it were the cell's only one: the same verdict as the campaign's
+  std::string beyond_model;  ///< as in Result
 };
 [[nodiscard]] Alone fly_alone(const Prepared& prepared, const std::string& cell, std::uint64_t number);
 

@@ -66,6 +66,10 @@ std::string what_to_do(const CellResult& cell) {
   return fmt::format("{}{}{}", cell.limit->what_to_do, cell.of_rocket.empty() ? "" : ". ", cell.of_rocket);
 }
 
+std::string outside_model(const std::string& beyond) {
+  return beyond.empty() ? "" : fmt::format("Outside the model: {}. ", beyond);
+}
+
 std::string headline(const Result& result) {
   const std::size_t flown = result.cells.size() - count(result, Colour::not_applicable);
   const std::size_t red = count(result, Colour::red);
@@ -76,8 +80,8 @@ std::string headline(const Result& result) {
   const auto line = [](std::string_view what, std::size_t number, const std::string& more = {}) {
     return number == 0 ? std::string{} : fmt::format(" {}: {} cell{}{}.", what, number, number == 1 ? "" : "s", more);
   };
-  return fmt::format("{} flights in {} cells.{}{}{}{}{}{}", result.flights, flown, red == 0 ? " No cell is RED." : "",
-                     line("RED", red, worst_of(result, Colour::red)),
+  return fmt::format("{}{} flights in {} cells.{}{}{}{}{}{}", outside_model(result.beyond_model), result.flights, flown,
+                     red == 0 ? " No cell is RED." : "", line("RED", red, worst_of(result, Colour::red)),
                      line("Not safe, for a limit that is known", limits, worst_of(result, Colour::known_limit)),
                      line("Not judged beyond what holds for every flight", not_judged),
                      line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe));
@@ -100,7 +104,9 @@ std::string run_command(const Campaign& campaign, const Cell& cell, std::uint64_
 }
 
 result::Answer answer_of(const Result& result) {
-  return has_red(result) ? result::Answer::no : has_red_limit(result) ? result::Answer::undecided : result::Answer::yes;
+  return has_red(result)                                         ? result::Answer::no
+         : has_red_limit(result) || !result.beyond_model.empty() ? result::Answer::undecided
+                                                                 : result::Answer::yes;
 }
 
 result::Answer answer_of(Colour colour) {

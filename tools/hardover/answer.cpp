@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "hardover/study.hpp"
+#include "json/value.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -70,10 +71,11 @@ std::string what_fails(const Study& study) {
 /// The worst of all canards and instants.
 std::string headline(const Study& study, const Effect& worst) {
   return fmt::format(
-      "One canard {} turns this rocket's way by up to {} deg and moves its apogee by up to {} m. It rolls the rocket "
+      "{}One canard {} turns this rocket's way by up to {} deg and moves its apogee by up to {} m. It rolls the rocket "
       "away by up to {} deg and pushes it aside by up to {} N.",
-      what_fails(study), fixed(degrees(worst.turned_rad), 1), fixed(worst.away_m, 0),
-      fixed(degrees(worst.rolled_rad), 0), fixed(worst.side_force_n, 1));
+      study.beyond_model.empty() ? "" : fmt::format("Outside the model: {}. ", study.beyond_model), what_fails(study),
+      fixed(degrees(worst.turned_rad), 1), fixed(worst.away_m, 0), fixed(degrees(worst.rolled_rad), 0),
+      fixed(worst.side_force_n, 1));
 }
 
 result::Figures at_worst(const Study& study, const Effect& worst) {
@@ -179,6 +181,7 @@ std::vector<result::Fact> facts(const Study& study) {
           {"changes", "changed", study.made.changes},
           {"seed", "seed", study.seed},
           {"canard_fault", "", name_of(study.policy)},
+          {"outside_model", "", json::text_or_null(study.beyond_model)},
           {"failure", "", study.options.failure == Failure::hard_over ? "hard_over" : "cut_pulses"},
           {"version", "version", study.made.version},
           {"command", "command", study.made.command}};

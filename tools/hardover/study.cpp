@@ -7,7 +7,9 @@
 
 #include <fmt/core.h>
 
+#include "flight/model_end.hpp"
 #include "fly/describe.hpp"
+#include "fly/fly_scenario.hpp"
 #include "runs/runner.hpp"
 #include "sim/atmosphere.hpp"
 #include "sim/nearest_tick.hpp"
@@ -175,6 +177,7 @@ Study fly(sim::Scenario scenario, const Options& options,
               .sound_apogee_m = sound.apogee_m,
               .sound_angle_of_attack_rad = {},
               .sound_roll_rate_rad_s = 0.0,
+              .beyond_model = flight::how_far_beyond(fly::fly_scenario(scenario).extremes),
               .options = options};
   for (std::size_t i = static_cast<std::size_t>(std::lround(1e3 * sound.clear_s)); i < sound.air_speed_m_s.size();
        ++i) {

@@ -77,6 +77,7 @@ struct Study {
   double sound_apogee_m;
   std::optional<double> sound_angle_of_attack_rad;  ///< likewise
   double sound_roll_rate_rad_s;                     ///< largest, either way, from the end of the guide to apogee
+  std::string beyond_model;  ///< how far the sound rocket is beyond the roll model (flight/model_end.hpp); empty: not
   Options options;
   std::size_t instants = 0;
   std::vector<Effect> effects{};  ///< by canard, then by stop, the positive one first, then by time

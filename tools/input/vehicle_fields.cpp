@@ -79,7 +79,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "thickness_m", number("m", {0.0001, 0.2}), may, AT(made(made(it.geometry).set).thickness_m), "Of the plate."}
 // NOLINTEND(bugprone-macro-parentheses)
   FIN_SET("fins", fins),
-  {"fins", "count", integer({}, {2, 8}), may, AT(made(made(it.geometry).fins).count), "Evenly around the body."},
+  {"fins", "count", integer({}, {3, 8}), may, AT(made(made(it.geometry).fins).count), "Evenly around the body; two would hold it in one plane only."},
   {"fins", "cant_deg", number(deg, {-10, 10}), may, AT(made(made(it.geometry).fins).cant_rad), "All fins turned alike: positive rolls the rocket as positive canards do."},
   FIN_SET("canard_fins", canards),
   {"canard_fins", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "The shaft, behind the leading edge at the root."},

@@ -94,6 +94,12 @@ std::string silence_doubt(const Heard& heard) {
             event.time_s, gap.from_s, gap.to_s);
       }
     }
+    if (is_silence) {
+      return fmt::format(
+          "At {:.3f} s of the log's clock the law took its gyro for failed: the log has no usable rate there. What it "
+          "would have done with one, nobody knows.",
+          event.time_s);
+    }
   }
   return {};
 }

@@ -284,8 +284,8 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds, cons
   }
   d.text = fmt::format("{}: {}{}.", d.heading(), joined(d.criteria, d.go),
                        d.cautions.empty() ? "" : fmt::format("; but {}", fmt::join(d.cautions, "; ")));
-  if (const std::string missing = missing_spread(prediction); !missing.empty()) {
-    d.text += " " + missing;
+  for (const std::string& missing : {missing_spread(prediction), spread_not_drawn(prediction)}) {
+    d.text += missing.empty() ? "" : " " + missing;
   }
   d.advice = advice(d, prediction, look);
   return d;

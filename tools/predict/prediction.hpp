@@ -26,8 +26,9 @@ using campaign::share;
 
 /// What a person asked for, for the results to repeat.
 struct Request {
-  std::vector<std::string> changes{};  ///< of the scenario, as on the command line: "controller.canard_limit_deg=9"
-  std::string command{};               ///< with "--run 17" behind it, it flies run 17 alone
+  std::vector<std::string> changes{};    ///< of the scenario, as on the command line: "controller.canard_limit_deg=9"
+  std::string command{};                 ///< with "--run 17" behind it, it flies run 17 alone
+  std::vector<std::string> not_drawn{};  ///< fields of the scenario's [[spread]] that no tunnel step has
 };
 
 struct Options {

@@ -156,7 +156,7 @@ std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_
   if (std::abs(offset_rad) <= limit_rad + same_angle_rad) {
     return std::nullopt;
   }
-  const double left_rad = offset_rad - std::copysign(limit_rad, offset_rad);
+  const double left_rad = offset_rad - std::copysign(1.0, offset_rad) * limit_rad;  // below zero: they add to it
   return speed_m_s * airframe.torque_m * left_rad / airframe.damping_m2;
 }
 

@@ -87,8 +87,8 @@ std::string wind_sentence(const sim::Scenario& scenario) {
   const double from_deg = text::degrees(wind.from_rad);
   if (is_known) {
     return fmt::format(
-        "The wind is {} m/s from {} degrees in all runs{}: no spread of it is stated "
-        "(wind.speed_spread_m_s, wind.direction_spread_deg).",
+        "The wind is {} m/s from {} degrees in all runs{}: neither wind.speed_spread_m_s nor "
+        "wind.direction_spread_deg is stated.",
         brief(wind.speed_m_s, 2), brief(from_deg, 1), turbulence);
   }
   const std::string speed =
@@ -135,6 +135,18 @@ std::string resonance_warning(const Prediction& p) {
 
 std::string resonance_caution(const Prediction& p) {
   return p.resonance && p.resonance->with_canards > 0 ? caution(*p.resonance) : "";
+}
+
+std::string spread_not_drawn(const Prediction& p) {
+  constexpr std::size_t named = 3;
+  const std::vector<std::string>& fields = p.request.not_drawn;
+  if (fields.empty()) {
+    return {};
+  }
+  const std::size_t shown = std::min(named, fields.size());
+  return fmt::format("The scenario's [[spread]] of {}{} is not drawn here: fantail campaign draws it.",
+                     fmt::join(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                     shown < fields.size() ? fmt::format(" and {} more", fields.size() - shown) : "");
 }
 
 std::vector<std::string> not_in_verdict(const Prediction& p) {

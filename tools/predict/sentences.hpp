@@ -39,6 +39,8 @@ namespace fantail::predict {
 
 /// In how many runs, a clause for the verdict; empty where nothing speaks for it.
 [[nodiscard]] std::string resonance_caution(const Prediction& prediction);
+/// Of what the scenario spreads and a prediction does not; empty: nothing.
+[[nodiscard]] std::string spread_not_drawn(const Prediction& prediction);
 
 /// What the runs or the model show and neither go nor no go counts, with what to do about it: roll resonance, in short,
 /// and the notes of the flights. A sentence or two each.

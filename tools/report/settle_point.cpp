@@ -34,7 +34,7 @@ std::string in_numbers(const flight::Flight& flight) {
     return fmt::format(" Here that is between {} and {} deg from R.", lowest, highest);
   }
   const std::string offset = brief(std::ranges::min(offsets_deg));
-  const std::string gain = brief(static_cast<double>(flight.plan.controller.proportional_gain));
+  const std::string gain = text::brief(static_cast<double>(flight.plan.controller.proportional_gain), 4);
   return flight.left_by_fins != 1.0
              ? fmt::format(
                    " Here that is {} deg from R: u_d is {} deg, kp is {}, and {} times the canards' roll is left "

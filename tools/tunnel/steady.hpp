@@ -56,7 +56,8 @@ struct SteadySegments {
 /// "100,230:300,390": begins, or begin and end. Empty: not such a list, or times that do not increase.
 [[nodiscard]] std::optional<std::vector<NamedStretch>> parse_stretches(std::string_view text);
 
-/// The coarsest usual step that all values are multiples of: what a sensor rounds to. Zero when there is none.
+/// The coarsest usual step, in m/s, km/h, mph, knots or feet a second, that all speeds (m/s) are multiples of: what a
+/// sensor rounds to. Zero when there is none.
 [[nodiscard]] double rounding_of(const std::vector<double>& values);
 
 /// Standard deviation that rounding alone makes: a twelfth of the step squared, as of a value that is equally likely

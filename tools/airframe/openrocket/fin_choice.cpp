@@ -31,9 +31,13 @@ void Reader::join_single_fins() {
     if (set.count == 1) {
       design_.not_used.push_back(fmt::format("Fin \"{}\": its force, as it is alone; only its mass.", name));
       design_.left_out.push_back({.what = fmt::format("fin \"{}\": its force", name), .is_force = true});
+    } else if (set.count == 2) {
+      design_.not_used.push_back(
+          fmt::format("Fins \"{}\": their force, as two hold one plane only; only their mass.", name));
+      design_.left_out.push_back({.what = fmt::format("the two fins \"{}\": their force", name), .is_force = true});
     }
   }
-  std::erase_if(joined, [](const auto& one) { return one.second.count == 1; });
+  std::erase_if(joined, [](const auto& one) { return one.second.count < 3; });
   fins_ = std::move(joined);
 }
 
