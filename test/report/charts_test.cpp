@@ -21,11 +21,14 @@ TEST(Html, SaysWhyTheTimeUnderControlIsShorterThanItsEventsAreApart) {
     const Figures f = figures(synthetic.flight);
     return result::html(answer(synthetic.flight, f, verdict(synthetic.flight, f)));
   };
-  EXPECT_EQ(page().find("from its first row to its last"), std::string::npos);
+  const auto time_under_control = [&page] {
+    const std::string all = page();
+    const std::size_t begin = all.find("<dt>time under control</dt>");
+    return all.substr(begin, all.find("</dd>", begin) - begin);
+  };
+  EXPECT_EQ(time_under_control().find("<small>"), std::string::npos);
   std::erase_if(synthetic.flight.rows, [count = 0](const flight::Row&) mutable { return count++ % 50 != 0; });
-  EXPECT_NE(page().find("<dt>time under control</dt><dd>3.75 <span>s</span><small>from its first row to its last"),
-            std::string::npos)
-      << page().substr(page().find("<dt>time under"), 200);
+  EXPECT_NE(time_under_control().find("3.75 <span>s</span><small>from"), std::string::npos) << time_under_control();
 }
 
 // A plot of no time at all has no ticks, and what draws it in a browser gives up.
@@ -76,8 +79,7 @@ TEST(CameraRoll, IsToldOnThePageAndInTheSummary) {
   EXPECT_NEAR(camera["largest_apart_deg"].number(), 3.399 * apart_deg_s, 1e-4);
   EXPECT_NEAR(camera["at_end_apart_deg"].number(), 3.399 * apart_deg_s, 1e-4);
   const std::string page = result::html(answer(flight, f, v));
-  EXPECT_NE(page.find("The rocket coned: what a camera sees of its roll came up to 9.3 deg away from the roll angle"),
-            std::string::npos);
+  EXPECT_NE(page.find("9.3 deg", page.find("camera")), std::string::npos);
 }
 
 TEST(CameraRoll, IsNotMentionedWhereNothingIsKnownOfIt) {
@@ -142,6 +144,22 @@ TEST(GainMarginText, SaysWhereLessGainIsWhatMakesTheLoopSwing) {
   EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0}), "any");
   EXPECT_EQ(gain_margin_text({.phase_margin_rad = -0.2, .gain_margin = 0.7}), "0.7 times");
   EXPECT_EQ(gain_margin_text({.phase_margin_rad = -0.2, .gain_margin = 1.5}), "1.5 times, and swings with less");
+}
+
+TEST(Html, OfALoopThatSwingsWithLessGainPageAndTerminalSaySo) {
+  SyntheticFlight synthetic;
+  const flight::Flight& flight = synthetic.flight;
+  synthetic.flight.loop_margins = {{.speed_m_s = 20.0, .phase_margin_rad = 0.5, .gain_margin = 0.4},
+                                   {.speed_m_s = 50.0, .phase_margin_rad = 0.6, .gain_margin = 3.0},
+                                   {.speed_m_s = 80.0, .phase_margin_rad = 0.7}};
+  const Figures f = figures(flight);
+  const result::Document document = summary(flight, f, verdict(flight, f));
+  for (const std::string& out : {result::text(document), result::html(answer(flight, f, verdict(flight, f)))}) {
+    EXPECT_NE(out.find(gain_margin_text(flight.loop_margins[0])), std::string::npos);
+    EXPECT_NE(out.find("3 times"), std::string::npos);
+    EXPECT_NE(out.find("any"), std::string::npos);
+  }
+  EXPECT_EQ(json::parse(result::json(document))["loop_margins"][0]["gain_margin"], 0.4);
 }
 
 TEST(DifferentMargins, OfThoseThatArePrintedAlikeTheWorstIsShown) {

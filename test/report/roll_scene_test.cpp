@@ -33,7 +33,7 @@ TEST(RollScene, OfALogTurnsAsTheFlightComputerKnewItAndStandsUnknownInAGap) {
   const page::RollScene scene = roll_scene(synthetic.flight, -0.5).value();
   EXPECT_NEAR(scene.roll_deg[sample_at(scene, 1.5)], -10.0, 1e-9);
   EXPECT_TRUE(std::isnan(scene.roll_deg[sample_at(scene, 2.2)]));
-  EXPECT_NE(scene.note.find("as the flight computer knew it"), std::string::npos);
+  EXPECT_NE(scene.note.find("flight computer"), std::string::npos);
 }
 
 TEST(RollScene, TurnsACanardFromItsTrimInTheSenseOfRoll) {
@@ -68,8 +68,9 @@ TEST(RollScene, HasASecondRocketWhereItIsKnownHowItWouldHaveRolled) {
   EXPECT_NEAR(figures(synthetic.flight).roll_turns_without_control.value(), 3.9, 1e-9);
   const Figures all = figures(synthetic.flight);
   const std::string page = result::html(answer(synthetic.flight, all, verdict(synthetic.flight, all)));
-  EXPECT_NE(page.find("turned by 0.00 turns; with its canards at trim it would have turned by 3.90."),
-            std::string::npos);
+  const std::size_t turns = page.find("0.00 turns");
+  ASSERT_NE(turns, std::string::npos);
+  EXPECT_NE(page.substr(turns, page.find("</", turns) - turns).find(" 3.90"), std::string::npos);
 }
 
 TEST(RollScene, HasThePathAndTheWindOfAFlightThatGoesAnywhere) {
@@ -84,7 +85,8 @@ TEST(RollScene, HasThePathAndTheWindOfAFlightThatGoesAnywhere) {
   EXPECT_FALSE(scene.path->wind);
   synthetic.flight.wind = {.speed_m_s = 5.0, .from_rad = text::radians(270.0), .height_m = 10.0};
   scene = roll_scene(synthetic.flight, 0.0).value();
-  EXPECT_EQ(scene.path->wind->words, "wind 5 m/s from the west");
+  EXPECT_EQ(fantail::figures(scene.path->wind->words), Numbers{"5"});
+  EXPECT_NE(scene.path->wind->words.find("west"), std::string::npos) << scene.path->wind->words;
   EXPECT_NEAR(std::sin(scene.path->wind->to_rad), 1.0, 1e-9);  // to the east
   synthetic.flight.path_frame = flight::PathFrame::plane;
   EXPECT_FALSE(roll_scene(synthetic.flight, 0.0)->path) << "nobody knows where it points";

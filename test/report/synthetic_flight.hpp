@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/flight_plan_fields.hpp"
+#include "figures.hpp"
 #include "flight/flight.hpp"
 #include "report/verdict.hpp"
 #include "text/degrees.hpp"
@@ -68,5 +69,13 @@ class SyntheticFlight {
 };
 
 inline Verdict verdict_of(const flight::Flight& flight) { return verdict(flight, figures(flight)); }
+
+using Numbers = std::vector<std::string>;
+
+/// Those of its sentences, in their order. A steady flight that is not changed has 10.0 deg from the command, 0.0 deg
+/// from where the law settles, 0.0 % at the limit and 4.0 deg to spare.
+inline Numbers numbers(const Verdict& v) { return fantail::figures(v.text); }
+
+inline bool says(const Verdict& v, std::string_view word) { return v.text.find(word) != std::string::npos; }
 
 }  // namespace fantail::report
