@@ -80,7 +80,7 @@ TEST(Study, OfAClosedLoopSaysThatTheLawThatFlewIsNotTheOneAskedFor) {
     log.offset_estimate_rad.assign(log.time_s.size(), estimate_rad);
     const Study found = study(log, question);
     return std::ranges::any_of(found.windows[0].remarks, [](const std::string& remark) {
-      return remark.find("took an estimate of the offset off its command") != std::string::npos;
+      return remark.find("estimate of the offset") != std::string::npos;
     });
   };
   EXPECT_TRUE(says(0.01));

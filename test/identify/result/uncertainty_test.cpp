@@ -26,7 +26,6 @@ TEST(Uncertainty, CanardsThatMoveMakeBothNumbersKnown) {
   const Identification found = of({}, {.angle_deg = 0.2}, 1);
   EXPECT_TRUE(found.uncertainty->alpha_identifiable);
   EXPECT_TRUE(found.uncertainty->beta_identifiable);
-  EXPECT_EQ(found.uncertainty->verdict, "alpha and beta are identifiable from this window");
 }
 
 TEST(Uncertainty, CanardsThatStandStillAreSaidToExciteNothing) {
@@ -34,9 +33,7 @@ TEST(Uncertainty, CanardsThatStandStillAreSaidToExciteNothing) {
   const Identification found = of({.canard_amplitude_deg = 0.02, .start_rate_deg_s = -90.0}, {.angle_deg = 0.3}, 4);
   EXPECT_FALSE(found.uncertainty->alpha_identifiable);
   EXPECT_FALSE(found.uncertainty->beta_identifiable);
-  EXPECT_EQ(found.uncertainty->verdict,
-            "alpha and beta are not identifiable from this window: too little excitation for the noise and length of "
-            "this window");
+  EXPECT_NE(found.uncertainty->verdict.find("too little excitation"), std::string::npos) << found.uncertainty->verdict;
 }
 
 // The beta that is written then is none that was found.
@@ -50,9 +47,8 @@ TEST(Uncertainty, CanardsThatDidWhatTheNodesCouldHaveDoneLeaveBetaUnknownHowever
           record, tasha,
           {.nodes = NodeTimes{0.0}, .start = start_fitted ? Start::fitted : Start::measured, .with_error_map = false});
       EXPECT_FALSE(found.uncertainty->beta_identifiable) << found.uncertainty->standard_deviation[1];
-      EXPECT_NE(found.uncertainty->verdict.find("beta is not identifiable from this window: no excitation"),
-                std::string::npos)
-          << found.uncertainty->verdict;
+      EXPECT_TRUE(found.uncertainty->alpha_identifiable);
+      EXPECT_NE(found.uncertainty->verdict.find("no excitation"), std::string::npos) << found.uncertainty->verdict;
     }
   }
 }
