@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "figures.hpp"
 #include "json/value.hpp"
 #include "logs/refused.hpp"
 #include "seed.hpp"
@@ -23,6 +24,14 @@ logs::RollLog noisy(logs::RollLog log, Gaussian& gaussian, double angle_deg, dou
     log.roll_rate_rad_s[i] += rate_deg_s * degree * gaussian();
   }
   return log;
+}
+
+/// Has one of them these numbers, one behind the other?
+bool tells(const std::vector<std::string>& sentences, const std::vector<std::string>& numbers) {
+  return std::ranges::any_of(sentences, [&](const std::string& sentence) {
+    const std::vector<std::string> all = figures(sentence);
+    return !std::ranges::search(all, numbers).empty();
+  });
 }
 
 std::string joined(const std::vector<std::string>& sentences) {
@@ -136,8 +145,7 @@ TEST(IdentifySteps, AStepTooShortIsLeftOutAndTheOthersStay) {
   ASSERT_EQ(table.steps.size(), 2U);
   EXPECT_EQ(table.steps[1].number, 2U);
   EXPECT_NEAR(table.mean.alpha_m2, 17.5, 0.05);
-  EXPECT_NE(joined(table.remarks).find("Left out: step 3 (at 12 s, 0.02 s long): "), std::string::npos)
-      << joined(table.remarks);
+  EXPECT_TRUE(tells(table.remarks, {"3", "12", "0.02"})) << joined(table.remarks);
 }
 
 // Canards that stand still in a step tell the ratio of alpha and beta at most; such numbers are no part of a mean.
@@ -152,8 +160,7 @@ TEST(IdentifySteps, AStepThatDoesNotTellAlphaIsLeftOut) {
   }
   const StepTable table = identify_steps(noisy(log, gaussian, 0.05, 0.5), tasha, at_22_m_s());
   ASSERT_EQ(table.steps.size(), 2U) << "seed " << seed;
-  EXPECT_NE(joined(table.remarks).find("Left out: step 3 (at 12 s, 5.99 s long): "), std::string::npos)
-      << joined(table.remarks);
+  EXPECT_TRUE(tells(table.remarks, {"3", "12", "5.99"})) << joined(table.remarks);
 }
 
 // The case that misled: airframes that differ by 0.047 in alpha, seen through instruments that make it ten times that.
@@ -195,8 +202,7 @@ TEST(IdentifySteps, ASpeedThatChangesIsNoTunnels) {
   for (const double time_s : run.time_s) {
     run.speed_m_s.push_back(40.0 - 2.0 * time_s);
   }
-  EXPECT_TRUE(
-      identify_steps(run, tasha, options).remarks[0].starts_with("Step 1: the speed changes from 40 to 30 m/s"));
+  EXPECT_TRUE(tells({identify_steps(run, tasha, options).remarks[0]}, {"1", "40", "30"}));
 }
 
 TEST(StepsCsv, HasTheColumnsThatAPredictionReads) {
@@ -240,7 +246,7 @@ TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {
   EXPECT_EQ(json["speed_m_s"], 22.0);
   const std::string text = result::text(found, nullptr, 80);
   EXPECT_NE(text.find("dart: inertia 0.00393 kg m2"), std::string::npos) << text;
-  for (const char* part : {"\n  deviation ", "\n  measurement ", "\n  between ", "Between the steps alpha"}) {
+  for (const char* part : {"\n  deviation ", "\n  measurement ", "\n  between ", "Between the steps"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
   EXPECT_NE(text.find("  step         alpha, m2"), std::string::npos) << "fits into the usual 80 columns\n" << text;

@@ -151,14 +151,14 @@ TEST(SwirlReport, SaysTheSameToPersonScriptAndPage) {
   const result::Document found = swirl_answer(sessions, swirl, {});
   const std::string text = result::text(found);
   EXPECT_NE(text.find("\nSwirl: -2.000 \u00b1"), std::string::npos) << text;
-  const std::string whose = "with alpha 19.4 m2 and beta 9.6 m, the means of the published tunnel steps of Tasha III.";
-  EXPECT_NE(text.find(whose), std::string::npos) << text;
-  EXPECT_NE(text.find("clockwise, seen from the tail"), std::string::npos);
+  EXPECT_NE(text.find("alpha 19.4 m2 and beta 9.6 m"), std::string::npos) << text;
+  EXPECT_NE(text.find("clockwise"), std::string::npos);
   const json::Value json = json::parse(result::json(found));
   EXPECT_NEAR(json["swirl_deg"].number(), -2.0, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["offset_deg"].number(), -6.1, 1e-6);
   EXPECT_NEAR(json["without"]["set_points"][0]["roll_rate_deg_s"].number(), -66.41, 0.005);
-  EXPECT_EQ(json["alpha_and_beta"], "the means of the published tunnel steps of Tasha III");
+  EXPECT_NE(json["alpha_and_beta"].text().find("Tasha III"), std::string::npos);
+  EXPECT_NE(text.find(json["alpha_and_beta"].text()), std::string::npos) << text;
   EXPECT_EQ(json["differences"].size(), 2U);
 }
 
