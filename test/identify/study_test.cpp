@@ -79,9 +79,8 @@ TEST(Study, OfAClosedLoopSaysThatTheLawThatFlewIsNotTheOneAskedFor) {
   const auto says = [&](double estimate_rad) {
     log.offset_estimate_rad.assign(log.time_s.size(), estimate_rad);
     const Study found = study(log, question);
-    return std::ranges::any_of(found.windows[0].remarks, [](const std::string& remark) {
-      return remark.find("estimate of the offset") != std::string::npos;
-    });
+    return std::ranges::any_of(found.windows[0].remarks,
+                               [](const std::string& remark) { return remark.find("estimate") != std::string::npos; });
   };
   EXPECT_TRUE(says(0.01));
   EXPECT_FALSE(says(0.0));
