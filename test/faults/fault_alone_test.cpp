@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "faults/results.hpp"
+#include "figures.hpp"
 #include "switches.hpp"
 #include "text/error.hpp"
 
@@ -76,9 +77,10 @@ TEST(FaultAlone, HasTheVerdictOfTheCampaignAndSaysWhy) {
   EXPECT_EQ(said["run"], 0);
   EXPECT_EQ(said["result"], "known limit");
   EXPECT_EQ(said["answer"], "undecided");
-  EXPECT_TRUE(said["limit"]["what_to_do"].text().starts_with("fly on two gyros")) << said;
+  const std::string what_to_do = said["limit"]["what_to_do"].text();
+  EXPECT_NE(what_to_do.find("two gyros"), std::string::npos) << said;
   const std::string text = result::text(answer(campaign, limit, "r"));
-  EXPECT_NE(text.find("To do: fly on two gyros"), std::string::npos) << text;
+  EXPECT_NE(text.find(what_to_do), std::string::npos) << text;
   const Alone all = fly_alone(campaign, "servo/all_dead/controlling", 0);
   EXPECT_EQ(said_of(all)["result"], "not judged further");
   EXPECT_EQ(said_of(fly_alone(campaign, "bus/dead/launched", 0))["answer"], "yes");
@@ -91,7 +93,7 @@ TEST(FaultAlone, IsNotJudgedFurtherWhereTheWholeCellIsNot) {
   result.cells = {concluded(cell, {spun}, {})};
   EXPECT_EQ(result.cells[0].colour, Colour::not_judged);
   EXPECT_FALSE(has_red(result));
-  EXPECT_NE(headline(result).find(" Not judged beyond what holds for every flight: 1 cell."), std::string::npos);
+  EXPECT_EQ(figures(headline(result)), (std::vector<std::string>{"0", "1", "1"})) << "flights, cells, and not judged";
   EXPECT_NE(result::html(answer(result)).find("not judged further, 1"), std::string::npos);
   EXPECT_EQ(json::parse(result::json(answer(result)))["not_judged"], 1);
 }
@@ -105,12 +107,13 @@ TEST(FaultHeadline, OfAKnownLimitTheBarIsAmberAndTheWorstCellIsNamed) {
   Result result;
   result.cells = {concluded(cell_of("servo/hardover/controlling"), {red(645.0)}, {&limit}),
                   concluded(cell_of("servo/garbage/controlling"), {red(714.0)}, {&limit})};
-  EXPECT_NE(headline(result).find("2 cells, at worst servo/garbage/controlling (714 deg off)."), std::string::npos)
-      << headline(result);
+  EXPECT_EQ(figures(headline(result)), (std::vector<std::string>{"0", "2", "2", "714"})) << headline(result);
+  EXPECT_NE(headline(result).find("servo/garbage/controlling"), std::string::npos) << headline(result);
   EXPECT_EQ(answer_of(result), result::Answer::undecided);
   EXPECT_EQ(result::html(answer(result)).find("No red cell"), std::string::npos);
   result.cells.push_back(concluded(cell_of("servo/dead/controlling"), {red(100.0)}, {}));
-  EXPECT_NE(headline(result).find("RED: 1 cell, at worst servo/dead/controlling (100 deg off)."), std::string::npos);
+  EXPECT_EQ(figures(headline(result)), (std::vector<std::string>{"0", "3", "1", "100", "2", "714"}));
+  EXPECT_NE(headline(result).find("servo/dead/controlling"), std::string::npos) << headline(result);
   EXPECT_EQ(answer_of(result), result::Answer::no);
   result.cells = {concluded(cell_of("servo/dead/controlling"), {faults::Run{.outcome = Outcome::holds}}, {})};
   EXPECT_EQ(answer_of(result), result::Answer::yes);

@@ -83,7 +83,7 @@ TEST(FaultJudge, InSafeACommandOffTrimIsRedAfterIgnitionWhereItMovesAwayFromTrim
     };
   };
   EXPECT_EQ(breach_of(after_a_reset(-30.0)), "");
-  EXPECT_NE(breach_of(after_a_reset(1.0)).find("away from its trim in Safe"), std::string::npos);
+  EXPECT_NE(breach_of(after_a_reset(1.0)).find("Safe"), std::string::npos);
 }
 
 TEST(FaultJudge, ATickThatDidNotComeToItsEndIsRedUnlessThereWasNone) {
@@ -99,19 +99,22 @@ TEST(FaultJudge, ATickThatDidNotComeToItsEndIsRedUnlessThereWasNone) {
   EXPECT_EQ(missing(false), "");
 }
 
+void expect_no_launch(const std::string& breach) {
+  EXPECT_TRUE(breach.find("Controlling") != std::string::npos && breach.find("Launched") != std::string::npos)
+      << breach;
+}
+
 TEST(FaultJudge, ControllingWithoutLaunchedIsRed) {
-  EXPECT_EQ(breach_of([](Moment& moment) {
-              if (moment.phase == core::Phase::launched) {
-                moment.phase = core::Phase::armed;
-              }
-            }),
-            "Controlling without Launched before");
-  EXPECT_EQ(breach_of([](Moment& moment) {
-              if (is_at(moment, 10.5)) {
-                moment.phase = core::Phase::controlling;
-              }
-            }),
-            "Controlling without Launched before");
+  expect_no_launch(breach_of([](Moment& moment) {
+    if (moment.phase == core::Phase::launched) {
+      moment.phase = core::Phase::armed;
+    }
+  }));
+  expect_no_launch(breach_of([](Moment& moment) {
+    if (is_at(moment, 10.5)) {
+      moment.phase = core::Phase::controlling;
+    }
+  }));
 }
 
 TEST(FaultJudge, AfterAResetControllingComesFromAFlightThatWasControlledAndFromNoOther) {
@@ -129,16 +132,16 @@ TEST(FaultJudge, AfterAResetControllingComesFromAFlightThatWasControlledAndFromN
   };
   EXPECT_EQ(breach_of(reset_at(5.0)), "");
   EXPECT_EQ(breach_of(reset_at(0.3)), "");
-  EXPECT_EQ(breach_of(reset_at(-0.5)), "Controlling without Launched before");
+  expect_no_launch(breach_of(reset_at(-0.5)));
 }
 
 TEST(FaultJudge, AnotherPhaseAfterFinishedIsRed) {
-  EXPECT_EQ(breach_of([](Moment& moment) {
-              if (moment.time_s > 10.5) {
-                moment.phase = core::Phase::armed;
-              }
-            }),
-            "another phase after Finished");
+  const std::string breach = breach_of([](Moment& moment) {
+    if (moment.time_s > 10.5) {
+      moment.phase = core::Phase::armed;
+    }
+  });
+  EXPECT_NE(breach.find("Finished"), std::string::npos) << breach;
 }
 
 TEST(FaultJudge, ARollAngleElevenDegreesFromTheTwinIsNotHeldAndNineIs) {

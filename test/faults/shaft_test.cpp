@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "faults/flown_cell.hpp"
+#include "figures.hpp"
 #include "input/scenario_file.hpp"
 #include "made_flight.hpp"
 #include "text/error.hpp"
@@ -35,17 +36,17 @@ Shafts third(Shaft shaft) {
 
 TEST(FaultShaft, ThatStandsBeyondItsLimitIsRedThoughThePulseIsRight) {
   for (const double angle_deg : {9.2, -9.2, 25.0, std::nan("")}) {
-    EXPECT_NE(breach_where(third_stands_at(angle_deg, 4.0, 4.001)).find("canard 3 truly stands at"), std::string::npos)
-        << angle_deg;
+    const std::string breach = breach_where(third_stands_at(angle_deg, 4.0, 4.001));
+    EXPECT_TRUE(breach.find("canard 3") != std::string::npos && figures(breach).back() == "9.000") << breach;
+    EXPECT_EQ(breach.find("trim"), std::string::npos) << breach;
   }
   EXPECT_EQ(breach_where(third_stands_at(-9.05, 4.0, 5.0)), "");
 }
 
 TEST(FaultShaft, ThatStandsOffTrimIsRedWhenItHadTheTimeToGetThere) {
   for (const double time_s : {-1.0, 0.35, 10.5}) {
-    EXPECT_NE(breach_where(third_stands_at(0.2, time_s, time_s + 0.001)).find("canard 3 truly stands 0.200 deg off"),
-              std::string::npos)
-        << time_s;
+    const std::string breach = breach_where(third_stands_at(0.2, time_s, time_s + 0.001));
+    EXPECT_EQ(figures(breach), (std::vector<std::string>{"3", "0.200"})) << time_s << ": " << breach;
   }
   EXPECT_EQ(breach_where(third_stands_at(2.0, 9.0, 10.19)), "");
   EXPECT_NE(breach_where(third_stands_at(2.0, 9.0, 10.21)).find("in Finished"), std::string::npos);
@@ -100,7 +101,7 @@ TEST(FaultShaft, InSafeAfterIgnitionGoesToTrimAndNotAwayFromIt) {
   };
   EXPECT_EQ(after_a_reset(-30.0).breach, "");
   EXPECT_EQ(after_a_reset(0.0).breach, "");
-  EXPECT_NE(after_a_reset(1.0).breach.find("truly moves away from its trim in Safe"), std::string::npos);
+  EXPECT_NE(after_a_reset(1.0).breach.find("Safe"), std::string::npos);
 }
 
 // Without a pulse there is no command off trim to be found, and the canards stand where friction holds them.
@@ -148,7 +149,7 @@ TEST(FaultShaft, AtItsStopIsSeenInAFlightOfTheSimulator) {
   FaultRow nothing_stated = *cell.row;
   nothing_stated.shaft = Shaft::obeys;
   cell.row = &nothing_stated;
-  EXPECT_NE(fly_run(twins, cell, run, 0).breach.find("canard 1 truly stands at"), std::string::npos);
+  EXPECT_NE(fly_run(twins, cell, run, 0).breach.find("canard 1"), std::string::npos);
 }
 
 // Servos so weak that the air turns them: without any fault the canards go where no pulse asks them to.
