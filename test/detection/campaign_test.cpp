@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "detection/report.hpp"
+#include "figures.hpp"
 #include "json/value.hpp"
 #include "runs/folder.hpp"
 #include "text/error.hpp"
@@ -29,6 +30,12 @@ Campaign small() {
 void let_control_begin_at_once(Rule& rule) {
   rule.plan.guide.length_m = 0.1F;
   rule.plan.guide.clearance_m = 0.0F;
+}
+
+/// The rest of the line, from where these words stand first.
+std::string line_from(const std::string& text, const std::string& words) {
+  const std::size_t begin = text.find(words);
+  return begin == std::string::npos ? "" : text.substr(begin, text.find('\n', begin) - begin);
 }
 
 class DetectionCampaign : public testing::Test {
@@ -136,10 +143,7 @@ TEST_F(DetectionCampaign, OfNoneThereIsAReportAllTheSame) {
   const Report report{.campaign = campaign, .results = play(campaign, std::nullopt, "1", 2, look_away), .at_most = 0.0};
   EXPECT_TRUE(failures(report).empty());
   const std::string text = result::text(answer(report));
-  EXPECT_NE(text.find("tasha3_launch1: 0 events, false actuations 0 of 0; 0 with one accelerometer bad, false "
-                      "actuations 0 of 0; 0 launches, missed 0 of 0"),
-            std::string::npos)
-      << text;
+  EXPECT_EQ(figures(line_from(text, "tasha3_launch1: 0 ")), std::vector<std::string>(9, "0")) << text;
   EXPECT_NO_THROW((void)result::json(answer(report)));
   EXPECT_NE(result::html(answer(report)).find("<html"), std::string::npos);
 }
@@ -166,8 +170,9 @@ TEST_F(DetectionCampaign, TheReportSaysWhichJudgedPlanMovedACanard) {
     EXPECT_EQ(failure.find("missed"), std::string::npos) << failure;
   }
   const std::string text = result::text(answer(report));
-  EXPECT_NE(text.find("tasha3_launch1: 300 events, false actuations "), std::string::npos) << text;
-  EXPECT_NE(text.find("; 60 launches, missed "), std::string::npos) << text;
+  const std::vector<std::string> counts = figures(line_from(text, "tasha3_launch1: 300 "));
+  ASSERT_GE(counts.size(), 9U) << text;
+  EXPECT_EQ(counts[6], "60") << "launches; " << text;
   const json::Value said = json::parse(result::json(answer(report)));
   EXPECT_EQ(said["rules"][0]["rows"][0]["kind"], "shaking");
   EXPECT_FALSE(known_limits(report).empty()) << "most shakes in which its accelerometer is stuck";
@@ -220,9 +225,9 @@ TEST(ShownEventOfACampaign, HasTheAnswerThatWasCounted) {
       const result::Document document = event_answer(campaign, Kind::shaking, event, {});
       const std::string text = result::text(document);
       EXPECT_NE(text.find("the canards move"), std::string::npos) << text;
-      EXPECT_NE(text.find("range of the kind"), std::string::npos) << text;
-      EXPECT_LT(text.find("gate: control may begin"), text.find("% of the gate")) << text;
-      EXPECT_NE(shown.verdict.find("This is no launch."), std::string::npos) << shown.verdict;
+      EXPECT_NE(text.find("range of the"), std::string::npos) << text;
+      EXPECT_LT(text.find("control may begin"), text.find("% of the gate")) << text;
+      EXPECT_NE(shown.verdict.find("no launch"), std::string::npos) << shown.verdict;
       const std::string page = result::html(document);
       EXPECT_LT(page.find(shown.verdict), page.find("<svg"));
       for (const char* const line :
