@@ -99,6 +99,7 @@ TEST(DetectionVerdict, WithBothWellAFalseActuationIsAFailureAndWithOneBadAKnownL
   EXPECT_EQ(first_required(report), (Numbers{"0", "1", "300", "0", "3", "100"})) << "pooled, and shaking alone";
   const Numbers limit = figures_said(report, known_limits(report).at(0));
   EXPECT_EQ((Numbers{limit.begin(), limit.begin() + 3}), (Numbers{"3", "14.8", "50"}));
+  EXPECT_TRUE(says(report, "stands still"));
   EXPECT_TRUE(page_says(report, "moved a canard", {"300", "2"}));
   count_of(report, Kind::gust).controlling = 1;
   EXPECT_EQ(verdict(requirements(report)), Verdict::not_met);
