@@ -94,7 +94,7 @@ TEST(Hardover, OfARocketFasterThanTheModelHoldsForSaysSoBeforeItsFigures) {
   const Study slow = study({}, few);
   EXPECT_TRUE(slow.beyond_model.empty());
   EXPECT_EQ(answer(slow).verdict.sentence.find("Mach"), std::string::npos);
-  const Study fast = study({"motor.thrust_factor=1.5", "body.mass_kg=0.8", "body.drag_area_m2=0.0005"}, few);
+  const Study fast = study({"motor.thrust_factor=1.2", "body.mass_kg=1.4", "body.drag_area_m2=0.001"}, few);
   EXPECT_NE(fast.beyond_model.find("Mach"), std::string::npos);
   EXPECT_LT(answer(fast).verdict.sentence.find(fast.beyond_model), answer(fast).verdict.sentence.find("canard"));
 }

@@ -85,6 +85,7 @@ TEST(Geometry, APartOfADesignMayBeAnotherSetOfFins) {
 }
 
 TEST(Geometry, OfPartsOutsideTheRocketIsRefused) {
+  EXPECT_NE(refusal({"fins.count=2"}).find("allowed: 3 to 8"), std::string::npos) << "two hold one plane only";
   EXPECT_EQ(refusal({"shape.nose_length_m=1.6"}),
             "--set shape.nose_length_m=1.6: shape.nose_length_m = 1.6; allowed: at most length_m, 1.51");
   EXPECT_EQ(refusal({"fins.position_m=1.4"}),

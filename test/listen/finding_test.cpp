@@ -221,6 +221,19 @@ TEST(FlyLog, WhoseGapTheLawTakesForAGyroThatFailedDoubtsWhatCameOfIt) {
   EXPECT_TRUE(doubts(heard, "gyro", {"5.320", "5.640"})) << text_of(heard);
 }
 
+// Rows whose rate alone is missing, as empty cells are.
+TEST(FlyLog, WithoutARateWhileTheForceGoesOnDoubtsAGyroThatFailed) {
+  ImuLog log = log_of(signal(20.0, 0.01, constant_push));
+  log.roll_rate = signal(20.0, 0.01, [](double t) { return 0.1 * t; });
+  std::erase_if(log.roll_rate.time_s, [](double t) { return t > 5.325 && t < 6.325; });
+  log.roll_rate.value.clear();
+  std::ranges::transform(log.roll_rate.time_s, std::back_inserter(log.roll_rate.value),
+                         [](double t) { return 0.1 * t; });
+  const Heard heard = fly_log(std::move(log), question());
+  EXPECT_FALSE(heard.control) << text_of(heard);
+  EXPECT_TRUE(doubts(heard, "gyro")) << text_of(heard);
+}
+
 // A rocket that is carried uphill: its height has a top, which is no apogee of a flight.
 TEST(FlyLog, WithoutLiftOffHasNoApogeeAndNoTimeAfterIt) {
   ImuLog log = log_of(signal(10.0, 0.01, [](double) { return g; }));

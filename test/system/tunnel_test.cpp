@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <regex>
+
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"

@@ -60,6 +60,14 @@ TEST_F(Read, TheSameDesignPlainGzippedAndZipped) {
   }
 }
 
+// Half the number of fins is what a set of two lifts in the mean of all planes; along them none lifts.
+TEST_F(Read, TwoFinsHoldOnePlaneOnlyAndAreLeftOut) {
+  const Design read = read_design(plain(design(nose + tube(fins("Tail", 2, "0")))));
+  EXPECT_FALSE(read.geometry.fins);
+  ASSERT_EQ(read.left_out.size(), 1U);
+  EXPECT_TRUE(read.left_out[0].is_force && says(read.left_out[0].what, "Tail")) << read.left_out[0].what;
+}
+
 TEST_F(Read, LettersThatAreNotUtf8AreLatin1AndThatIsSaid) {
   const auto called = [&](const std::string& name, const std::string& head = "") {
     std::string xml = design(nose + tube(fins("Tail", 3, "0")));

@@ -31,13 +31,9 @@ void Reader::join_single_fins() {
     if (set.count == 1) {
       design_.not_used.push_back(fmt::format("Fin \"{}\": its force, as it is alone; only its mass.", name));
       design_.left_out.push_back({.what = fmt::format("fin \"{}\": its force", name), .is_force = true});
-    } else if (set.count == 2) {
-      design_.not_used.push_back(
-          fmt::format("Fins \"{}\": their force, as two hold one plane only; only their mass.", name));
-      design_.left_out.push_back({.what = fmt::format("the two fins \"{}\": their force", name), .is_force = true});
     }
   }
-  std::erase_if(joined, [](const auto& one) { return one.second.count < 3; });
+  std::erase_if(joined, [](const auto& one) { return one.second.count == 1; });
   fins_ = std::move(joined);
 }
 
@@ -45,7 +41,8 @@ void Reader::choose_fins() {
   join_single_fins();
   std::ranges::sort(fins_, {}, [](const auto& one) { return one.second.position_m; });
   Geometry& g = design_.geometry;
-  if (!fins_.empty() && fins_.back().second.position_m > 0.5 * g.length_m) {
+  // Two fins hold the rocket in one plane only: no margin is computed with them.
+  if (!fins_.empty() && fins_.back().second.count >= 3 && fins_.back().second.position_m > 0.5 * g.length_m) {
     g.fins = fins_.back().second;
     fins_.pop_back();
   }
