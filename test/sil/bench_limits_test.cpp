@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "avionics/can_frame.hpp"
+#include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
 #include "sil/said.hpp"
 #include "test.hpp"
