@@ -33,8 +33,6 @@ std::string remark(const Summary& summary, const std::string& word) {
   return found == summary.remarks.end() ? std::string{} : *found;
 }
 
-using Numbers = std::vector<std::string>;
-
 // The publication prints 3.0, 3.47 and 3.99 kg, and roll inertias of 0.00311, 0.00361 and 0.00393 kg m2.
 TEST(ShippedShapes, WeighWhatIsPublishedAndTurnAboutAsHard) {
   struct Row {

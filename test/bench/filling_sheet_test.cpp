@@ -5,6 +5,7 @@
 #include "bench/sheet.hpp"
 #include "bench/watch.hpp"
 #include "bench/zero.hpp"
+#include "figures.hpp"
 #include "json/value.hpp"
 #include "synthetic.hpp"
 #include "test.hpp"
@@ -29,8 +30,6 @@ Signed signed_sheet(const std::optional<protocol::BoardReport>& board, const Bou
   const Sheet sheet = examine(recording, exercise, {}, heading);
   return {sheet, sheet_text(sheet), sheet_html(sheet, recording, exercise), json::parse(sheet_json(sheet))};
 }
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(BoardOnTheSheet, AHealthyBoardStandsOnPageTerminalAndJsonAndPasses) {
   const Signed all = signed_sheet(

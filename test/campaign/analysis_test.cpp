@@ -14,11 +14,9 @@
 namespace fantail::campaign {
 namespace {
 
-using Figures = std::vector<std::string>;
-
 /// The first of them.
-Figures figures_before(const std::string& sentence, std::size_t count) {
-  Figures all = figures(sentence);
+Numbers figures_before(const std::string& sentence, std::size_t count) {
+  Numbers all = figures(sentence);
   all.resize(std::min(count, all.size()));
   return all;
 }
@@ -70,7 +68,7 @@ TEST(Analysis, LeavesUndecidedWhatIsWithinTheInterval) {
 }
 
 TEST(Analysis, SaysWhyItKnowsNoInfluences) {
-  EXPECT_EQ(figures(analyse(made(99), {.runs = 99}, {}, {}).no_influences), (Figures{"99", "100"}));
+  EXPECT_EQ(figures(analyse(made(99), {.runs = 99}, {}, {}).no_influences), (Numbers{"99", "100"}));
   EXPECT_EQ(analyse(made(120), {.runs = 120}, {}, {}).no_influences, "");
   FlownCampaign same = made(120);
   for (FlownRun& run : same.runs) {
@@ -78,7 +76,7 @@ TEST(Analysis, SaysWhyItKnowsNoInfluences) {
   }
   const std::string why = analyse(same, {.runs = 60}, {}, {}).no_influences;
   EXPECT_NE(why.find("same"), std::string::npos) << why;
-  EXPECT_EQ(figures(why), Figures{});
+  EXPECT_EQ(figures(why), Numbers{});
 }
 
 /// With these runs, as a campaign that asked for no fewer.
@@ -128,7 +126,7 @@ TEST(CampaignReport, IsUndecidedOfRunsThatLieOutsideTheModelWhateverIsAskedAndBe
     return report_of(std::move(flown), parse_question("largest_hold_error_deg<=1000"), 0.5);
   };
   const Report fast = report([](FlownRun& run) { run.figures[top_mach_column] = run.run < 20 ? 1.27 : 0.79; });
-  EXPECT_EQ(figures_before(headline(fast), 4), (Figures{"20", "60", "0.8", "1.27"})) << headline(fast);
+  EXPECT_EQ(figures_before(headline(fast), 4), (Numbers{"20", "60", "0.8", "1.27"})) << headline(fast);
   EXPECT_EQ(said_of(fast)["answer"], "undecided");
   EXPECT_EQ(said_of(fast)["judgement"], "met");
   EXPECT_EQ(said_of(fast)["runs_outside_model"], 20);
@@ -137,7 +135,7 @@ TEST(CampaignReport, IsUndecidedOfRunsThatLieOutsideTheModelWhateverIsAskedAndBe
     run.figures[top_mach_column + 1] = run.run < 7 ? -0.25 : 0.1;
     run.figures[top_mach_column + 2] = run.run < 9 ? 15.1 : 14.9;
   });
-  EXPECT_EQ(figures_before(headline(unstable), 7), (Figures{"7", "60", "-0.25", "9", "60", "15", "15.1"}))
+  EXPECT_EQ(figures_before(headline(unstable), 7), (Numbers{"7", "60", "-0.25", "9", "60", "15", "15.1"}))
       << headline(unstable);
   EXPECT_EQ(said_of(unstable)["runs_outside_model"], 9);
 }

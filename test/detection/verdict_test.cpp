@@ -31,8 +31,6 @@ bool says(const Report& report, const std::string& text) {
   return std::ranges::all_of(outputs, [&](const std::string& all) { return all.find(text) != std::string::npos; });
 }
 
-using Numbers = std::vector<std::string>;
-
 /// The numbers of this sentence, which stands in every output.
 Numbers figures_said(const Report& report, const std::string& sentence) {
   EXPECT_TRUE(says(report, sentence)) << sentence;

@@ -108,6 +108,8 @@ thorough() {
     command -v "$tool" >/dev/null || { echo "SKIPPED: $tool is not installed" && exit 77; }
   done
   call 0 firmware
+  # A stale page would be mended by the next line, and the sources would change while other tests compile them.
+  python3 "$project/tools/dev/trace.py" "$project" --check >said 2>&1 || { echo "FAILED: $(cat said)" && exit 1; }
   call 0 trace
   call 0 sanitize tools/json # the folder that is built the fastest
   call 0 lint tools/replies

@@ -15,8 +15,6 @@ sim::Scenario launch_with(const std::vector<std::string>& changes) {
   return input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
 }
 
-using Numbers = std::vector<std::string>;
-
 TEST(FaultLimit, SaysHowTheRocketThatWasFlownBreaksTheRuleOfTheStop) {
   const auto about = [](const std::vector<std::string>& changes) {
     const StopRule rule{launch_with(changes), hardover_back.fault};

@@ -3,6 +3,7 @@
 #include "flight_log/integrity.hpp"
 
 #include "core/flight_plan_fields.hpp"
+#include "figures.hpp"
 #include "flight_log/log_maker.hpp"
 #include "flight_log/made_flight.hpp"
 #include "seed.hpp"
@@ -12,8 +13,6 @@ namespace fantail::flight_log {
 namespace {
 
 using core::Microseconds;
-
-bool says(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
 
 TEST(Integrity, AWholeLogIsIntact) {
   const MadeFlight made = make_flight();

@@ -25,8 +25,6 @@ Question exactly() {
   return question;
 }
 
-using Numbers = std::vector<std::string>;
-
 std::string said(const Study& found) {
   std::string all;
   for (const std::vector<std::string>* sentences : {&found.warnings, &found.windows[0].remarks}) {

@@ -40,12 +40,6 @@ logs::RollLog noisy_log(const Planting& planting, const Noise& noise, std::uint6
 
 bool holds(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
-/// These numbers, one behind the other.
-bool tells(const std::string& text, const std::vector<std::string>& numbers) {
-  const std::vector<std::string> all = figures(text);
-  return !std::ranges::search(all, numbers).empty();
-}
-
 bool knows_both(const Uncertainty& known) { return known.alpha_identifiable && known.beta_identifiable; }
 
 /// What is said of a lag of the canard column, with "--nodes" where these explain it, too; empty: nothing.

@@ -37,13 +37,10 @@ inline Question question() { return {.plan_name = "default", .plan = core::defau
 // 5 s on the pad, 5 g for 2 s, free fall.
 inline double constant_push(double t) { return t < 5.0 ? g : t < 7.0 ? 5.0 * g : 0.0; }
 
-using Numbers = std::vector<std::string>;
-
 /// Has one of them this word, and these numbers one behind the other?
 inline bool has(const std::vector<std::string>& sentences, const std::string& word, const Numbers& numbers = {}) {
   return std::ranges::any_of(sentences, [&](const std::string& one) {
-    const Numbers all = figures(one);
-    return one.find(word) != std::string::npos && (numbers.empty() || !std::ranges::search(all, numbers).empty());
+    return fantail::says(one, word) && (numbers.empty() || tells(one, numbers));
   });
 }
 

@@ -14,8 +14,6 @@ namespace fantail::predict {
 namespace {
 
 using text::radians;
-using Figures = std::vector<std::string>;
-
 /// Runs with these offsets on the vehicle of the second launch.
 Prediction with_offsets(const std::vector<double>& offsets_deg) {
   Prediction p;
@@ -51,11 +49,11 @@ TEST(AdviceOnCanardLimit, MeetsTheDemandThatTheDecisionMakes) {
 TEST(AdviceOnCanardLimit, EndsWhereTheCanardsEndAndSaysWhatEndsThem) {
   Prediction p = with_offsets(spread_over(11.0, 0.01, 200));
   EXPECT_EQ(advice_on_canard_limit(p, 0.95).limit_deg, 13.0);
-  EXPECT_EQ(figures(advice_on_canard_limit(p, 0.95).sentence), (Figures{"13", "98", "200"}));
+  EXPECT_EQ(figures(advice_on_canard_limit(p, 0.95).sentence), (Numbers{"13", "98", "200"}));
   p.flown.vehicle.servo.stop_rad = radians(12.5);
   const LimitAdvice stopped = advice_on_canard_limit(p, 0.95);
   EXPECT_FALSE(stopped.limit_deg);
-  EXPECT_EQ(figures(stopped.sentence), (Figures{"95", "12.5", "75"}));
+  EXPECT_EQ(figures(stopped.sentence), (Numbers{"95", "12.5", "75"}));
   EXPECT_NE(stopped.sentence.find("servo"), std::string::npos) << stopped.sentence;
   p.flown.plan.canards.each[2].mechanical_stop = core::Angle::from_degrees(11.5F);
   EXPECT_NE(advice_on_canard_limit(p, 0.95).sentence.find("canard 3"), std::string::npos);
@@ -69,7 +67,7 @@ TEST(AdviceOnCanardLimit, CountsWhatTheFinsTakeBack) {
   p.flown.vehicle.canard_air.stall_rad = radians(9.5);
   const LimitAdvice stalled = advice_on_canard_limit(p, 0.95);
   EXPECT_FALSE(stalled.limit_deg);
-  EXPECT_EQ(figures(stalled.sentence), (Figures{"95", "7.6"}));
+  EXPECT_EQ(figures(stalled.sentence), (Numbers{"95", "7.6"}));
   for (const char* end : {"stall", "wash"}) {
     EXPECT_NE(stalled.sentence.find(end), std::string::npos) << stalled.sentence;
   }
@@ -81,13 +79,13 @@ TEST(AdviceOnCanardLimit, CountsWhatTheFinsTakeBack) {
 TEST(AdviceOnCanardLimit, NoneIsMoreThanAPlanMayHave) {
   const LimitAdvice none = advice_on_canard_limit(with_offsets(std::vector(200, -20.5)), 0.95);
   EXPECT_FALSE(none.limit_deg);
-  EXPECT_EQ(figures(none.sentence), (Figures{"95", "20"}));
+  EXPECT_EQ(figures(none.sentence), (Numbers{"95", "20"}));
 }
 
 TEST(AdviceOnCanardLimit, OfTooFewRunsIsNone) {
   const LimitAdvice none = advice_on_canard_limit(with_offsets(std::vector(20, 10.0)), 0.95);
   EXPECT_FALSE(none.limit_deg);
-  EXPECT_EQ(figures(none.sentence), (Figures{"20", "95"}));
+  EXPECT_EQ(figures(none.sentence), (Numbers{"20", "95"}));
 }
 
 // The same airframes, the gains of the sentence: it must be true when it is tried.
@@ -135,7 +133,7 @@ TEST(AdviceOnGains, SaysThatNoneReachesIt) {
   const Prediction p = predict(scenario, tunnel, {.runs = 3}, look_away);
   const GainAdvice advice = advice_on_gains(p, radians(170.0));
   EXPECT_FALSE(advice.gains);
-  EXPECT_EQ(figures(advice.sentence), (Figures{"10", "2", "170", "95", "0.5"}));
+  EXPECT_EQ(figures(advice.sentence), (Numbers{"10", "2", "170", "95", "0.5"}));
 }
 
 // Straight through: the advised limit and gains put into the scenario, the same runs flown again.
@@ -151,7 +149,7 @@ TEST(Trial, SaysHowManyRunsHoldTheirRollWithTheAdvice) {
   scenario.plan.controller.proportional_gain = static_cast<float>(gains.gains.value().proportional);
   scenario.plan.controller.derivative_gain_s = static_cast<float>(gains.gains.value().derivative_s);
   const Prediction tried = predict(scenario, tunnel, {.runs = 20}, look_away);
-  EXPECT_EQ(figures(trial(p, limit, gains).sentence), (Figures{std::to_string(tried.held.count), "20"}));
+  EXPECT_EQ(figures(trial(p, limit, gains).sentence), (Numbers{std::to_string(tried.held.count), "20"}));
   EXPECT_GT(tried.held.count, p.held.count);
   EXPECT_TRUE(trial(p, limit, gains).helps);
   EXPECT_EQ(trial(p, {}, {}).sentence, "");
@@ -163,7 +161,7 @@ TEST(Trial, SaysNotToFollowGainsThatCostRuns) {
   const Prediction p = predict(scenario, tunnel, {.runs = 5}, look_away);
   const GainAdvice gains{.sentence = {}, .gains = stability::Gains{.proportional = 2.0, .derivative_s = 0.001}};
   const Trial tried = trial(p, {}, gains);
-  const Figures counts = figures(tried.sentence);
+  const Numbers counts = figures(tried.sentence);
   EXPECT_EQ(counts.at(1), "5") << "flown";
   EXPECT_LT(std::stoi(counts.at(0)), 5) << "held";
   EXPECT_EQ(counts.back(), "5") << "held as planned";
@@ -179,7 +177,7 @@ TEST(Trial, FliesAReferenceThatIsHeldWhereNothingElseCanBeJudged) {
   const GainAdvice gains{.sentence = {}, .gains = stability::Gains{.proportional = 0.22, .derivative_s = 0.047}};
   std::size_t flights = 0;
   const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0}, gains, [&flights] { ++flights; });
-  EXPECT_EQ(figures(tried.sentence), (Figures{"5", "0", "5"}));
+  EXPECT_EQ(figures(tried.sentence), (Numbers{"5", "0", "5"}));
   EXPECT_NE(tried.sentence.find("reference.kind=hold"), std::string::npos) << tried.sentence;
   EXPECT_TRUE(tried.helps);
   EXPECT_EQ(flights, 10U);
@@ -192,7 +190,7 @@ TEST(Trial, SaysThatNobodyKnowsWhetherItHelpsWhereAHeldReferenceCannotBeJudgedEi
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   const Prediction p = predict(scenario, tunnel, {.runs = 2}, look_away);
   const Trial tried = trial(p, {.sentence = {}, .limit_deg = 8.0}, gains);
-  EXPECT_EQ(figures(tried.sentence), (Figures{"2", "0"}));
+  EXPECT_EQ(figures(tried.sentence), (Numbers{"2", "0"}));
   EXPECT_EQ(tried.sentence.find("reference.kind"), std::string::npos) << tried.sentence;
   EXPECT_FALSE(tried.helps);
 }
@@ -210,7 +208,7 @@ TEST(Decision, AdvisesTheDerivativeGainAloneWhereASmallerProportionalGainCostsRu
   ASSERT_EQ(d.advice.size(), 2U);
   EXPECT_EQ(std::stof(figures(d.advice[0]).at(0)), scenario.plan.controller.proportional_gain) << d.advice[0];
   EXPECT_GT(std::stof(figures(d.advice[0]).at(1)), scenario.plan.controller.derivative_gain_s) << d.advice[0];
-  EXPECT_EQ(figures(d.advice[1]), (Figures{"20", "20"}));
+  EXPECT_EQ(figures(d.advice[1]), (Numbers{"20", "20"}));
 }
 
 TEST(Percent, DoesNotRoundToAllOrNone) {

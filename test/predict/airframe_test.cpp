@@ -8,13 +8,13 @@
 namespace fantail::predict {
 namespace {
 
-using Numbers = std::array<double, 4>;
+using Four = std::array<double, 4>;
 
-Numbers numbers(const TunnelStep& s) { return {s.damping_m2, s.torque_m, s.offset_begin_rad, s.offset_end_rad}; }
+Four numbers(const TunnelStep& s) { return {s.damping_m2, s.torque_m, s.offset_begin_rad, s.offset_end_rad}; }
 
 struct Moments {
-  Numbers mean{};
-  std::array<Numbers, 4> covariance{};  ///< with n - 1
+  Four mean{};
+  std::array<Four, 4> covariance{};  ///< with n - 1
 };
 
 Moments moments(const std::vector<TunnelStep>& steps) {

@@ -9,8 +9,6 @@
 namespace fantail::predict {
 namespace {
 
-using Figures = std::vector<std::string>;
-
 /// 200 runs that leave nothing to be desired.
 Prediction all_held() {
   Prediction p;
@@ -41,7 +39,7 @@ TEST(Caution, ARollThatRestsFarFromItsCommandIsNoGo) {
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
   EXPECT_EQ(judgement_of(d, "held"), Judgement::not_met);
-  EXPECT_EQ(figures(d.text), (Figures{"0", "70.7", "10"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"0", "70.7", "10"}));
 }
 
 TEST(Caution, FasterThanTheModelHoldsForIsNotJudgedAndNoGo) {
@@ -54,7 +52,7 @@ TEST(Caution, FasterThanTheModelHoldsForIsNotJudgedAndNoGo) {
   }
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"200", "200", "0.8", "1.27"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"200", "200", "0.8", "1.27"}));
   EXPECT_EQ(judgement_of(d, "model"), Judgement::not_judged);
   EXPECT_EQ(judgement_of(d, "held"), Judgement::not_judged);
 }
@@ -70,7 +68,7 @@ TEST(Caution, ARocketThatIsNotStableIsNotJudgedAndNoGo) {
   }
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"200", "200", "-5.00"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"200", "200", "-5.00"}));
   EXPECT_EQ(judgement_of(d, "model"), Judgement::not_judged);
   EXPECT_EQ(judgement_of(d, "held"), Judgement::not_judged);
 }
@@ -90,7 +88,7 @@ TEST(Caution, AFewRunsInAirFromTheSideAreACautionAndManyNoGo) {
   const Decision few = blown(2);
   EXPECT_EQ(few.heading(), "Go with caution");
   ASSERT_EQ(few.cautions.size(), 1U);
-  EXPECT_EQ(figures(few.cautions[0]), (Figures{"2", "200", "15", "20.3"}));
+  EXPECT_EQ(figures(few.cautions[0]), (Numbers{"2", "200", "15", "20.3"}));
   EXPECT_TRUE(few.text.ends_with(few.cautions[0] + ".")) << few.text;
   EXPECT_FALSE(blown(60).go);
   EXPECT_EQ(judgement_of(blown(60), "model"), Judgement::not_judged);
@@ -127,7 +125,7 @@ TEST(Caution, AGoNearRollResonanceSaysSoInItsHeadline) {
   EXPECT_EQ(d.heading(), "Go with caution");
   EXPECT_TRUE(d.text.starts_with("Go with caution: ")) << d.text;
   ASSERT_EQ(d.cautions.size(), 1U);
-  EXPECT_EQ(figures(d.cautions[0]), (Figures{"12", "200", "200"}));
+  EXPECT_EQ(figures(d.cautions[0]), (Numbers{"12", "200", "200"}));
   EXPECT_TRUE(d.text.ends_with(d.cautions[0] + ".")) << d.text;
   p.resonance->with_canards = 0;
   EXPECT_EQ(decide(p, {}).heading(), "Go");

@@ -11,8 +11,6 @@ namespace fantail::predict {
 namespace {
 
 using text::radians;
-using Figures = std::vector<std::string>;
-
 /// 200 runs that leave nothing to be desired.
 Prediction good() {
   Prediction p;
@@ -51,9 +49,9 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
 TEST(Decision, SaysWhatHeldMeansAndHowFarFromTheReferenceThatIs) {
   Prediction p = good();
   p.settle_off_rad = Quantiles{.p50 = radians(13.0)};
-  EXPECT_EQ(figures(criterion(decide(p, {}), "held").clause), (Figures{"10", "13.0", "20"}));
+  EXPECT_EQ(figures(criterion(decide(p, {}), "held").clause), (Numbers{"10", "13.0", "20"}));
   p.flown.plan.offset.rejection = core::OffsetRejection::integral;
-  EXPECT_EQ(figures(criterion(decide(p, {}), "held").clause), Figures{"10"});
+  EXPECT_EQ(figures(criterion(decide(p, {}), "held").clause), Numbers{"10"});
 }
 
 // A run may end control early and be not held for it, or for another reason: it counts all the same.
@@ -67,7 +65,7 @@ TEST(Decision, CountsEveryRunInWhichControlEndedEarly) {
   }
   const Decision d = decide(p, {});
   EXPECT_EQ(figures(criterion(d, "held").clause),
-            (Figures{"98", "10", "20", "1", "9.50", "0.78", "3", "200", "0", "9.50", "0.78"}));
+            (Numbers{"98", "10", "20", "1", "9.50", "0.78", "3", "200", "0", "9.50", "0.78"}));
   EXPECT_EQ(criterion(d, "held").judgement, Judgement::met);
 }
 
@@ -82,7 +80,7 @@ TEST(Decision, NamesRunsWhoseAscentFailsAndNotThatThisEndsControl) {
   }
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"60", "80", "200", "0", "1.74"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"60", "80", "200", "0", "1.74"}));
   EXPECT_NE(d.text.find("run 0: " + turned_over), std::string::npos) << d.text;
 }
 
@@ -107,7 +105,7 @@ TEST(Decision, AnOffsetAtTheLimitIsNotCalledLarger) {
   p.runs[5].authority_margin_rad = -1e-8;
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"9.0", "9"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"9.0", "9"}));
   EXPECT_NE(d.text, larger);
 }
 
@@ -116,7 +114,7 @@ TEST(Decision, IsNoGoWhenTheLoopIsTooNearToSwinging) {
   p.worst_speed->phase_margin_rad.p5 = radians(22.6);  // the median is 57
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"82", "5", "23", "30"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"82", "5", "23", "30"}));
   EXPECT_EQ(criterion(d, "phase_margin").judgement, Judgement::not_met);
   EXPECT_TRUE(decide(p, {.phase_margin_rad = radians(20.0)}).go);
 }
@@ -127,7 +125,7 @@ TEST(Decision, IsNoGoWhenRollIsNotHeldAndSaysHowFastItSpins) {
   p.spin_rate_rad_s = Quantiles{.p50 = radians(128.7)};
   const Decision d = decide(p, {});
   EXPECT_EQ(criterion(d, "held").judgement, Judgement::not_met);
-  EXPECT_EQ(figures(d.text), (Figures{"50", "129"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"50", "129"}));
 }
 
 /// Under control from 0.6 to 9.8 s after lift-off.
@@ -144,7 +142,7 @@ Prediction on_a_leaning_guide(double tilt_deg) {
 TEST(Decision, IsNoGoWhenTheTiltLimitWouldEndControlEarlyWhichTheStraightLineDoesNotShow) {
   const Decision d = decide(on_a_leaning_guide(15.0), {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"15", "60", "8.0"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"15", "60", "8.0"}));
   EXPECT_EQ(criterion(d, "tilt_limit").judgement, Judgement::not_met);
   EXPECT_NEAR(std::stod(figures(criterion(d, "tilt_limit").found).at(0)), 8.0, 0.05);
 }
@@ -168,7 +166,7 @@ TEST(Decision, RunsThatAreTooFewToTellAreNoGo) {
   p.authority = share(72, 72);
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"4.1", "9", "72", "95"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"4.1", "9", "72", "95"}));
   EXPECT_NE(d.text.find("--runs"), std::string::npos) << d.text;
   p.authority = share(73, 73);
   EXPECT_TRUE(decide(p, {}).go);
@@ -190,8 +188,8 @@ TEST(Decision, WhatCannotBeJudgedCountsAgainstALaunch) {
   p.not_judged = 50;
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Figures{"75", "50", "200", "150", "0.63"}));
-  EXPECT_EQ(figures(criterion(d, "held").found), (Figures{"75", "68", "81", "50", "200"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"75", "50", "200", "150", "0.63"}));
+  EXPECT_EQ(figures(criterion(d, "held").found), (Numbers{"75", "68", "81", "50", "200"}));
 }
 
 TEST(Decision, ALaunchThatCannotBeJudgedAtAllIsNoGoAndSaysWhy) {
@@ -202,7 +200,7 @@ TEST(Decision, ALaunchThatCannotBeJudgedAtAllIsNoGoAndSaysWhy) {
   p.not_judged = 200;
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), Figures{"0"});
+  EXPECT_EQ(figures(d.text), Numbers{"0"});
   EXPECT_NE(d.text.find("run 0: " + why), std::string::npos) << d.text;
 }
 
@@ -215,7 +213,7 @@ TEST(Decision, ARocketThatNeverComesUnderControlIsNoGoAndTheCauseIsSaidOnce) {
   p.speeds_m_s.clear();
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), Figures{"0"});
+  EXPECT_EQ(figures(d.text), Numbers{"0"});
   EXPECT_NE(d.text.find("run 0: no launch was detected"), std::string::npos) << d.text;
   EXPECT_EQ(decide(p, {.held_share = 0.0}).text, d.text);
 }
@@ -226,15 +224,15 @@ TEST(Decision, SaysWhatTheFirstRunThatIsNotHeldCameTo) {
            "Roll not held: up to 28.2 deg from where this law settles; canards at their limit 29.0 % of control time.");
   end_with(p, 50, 60, report::Outcome::oscillates, "The canards oscillate at 13 Hz between -1.3 and 8.3 deg. Roll.");
   p.held = share(147, 200);
-  EXPECT_EQ(figures(decide(p, {}).text), (Figures{"74", "7", "28.2", "10", "200", "50", "13", "-1.3", "8.3"}));
+  EXPECT_EQ(figures(decide(p, {}).text), (Numbers{"74", "7", "28.2", "10", "200", "50", "13", "-1.3", "8.3"}));
 }
 
 TEST(Decision, NumbersAreNotRoundedToWhatIsAskedFor) {
   Prediction p = good();
   p.worst_speed->phase_margin_rad.p5 = radians(29.96);
-  EXPECT_EQ(figures(decide(p, {}).text), (Figures{"82", "5", "29.9", "30"}));
+  EXPECT_EQ(figures(decide(p, {}).text), (Numbers{"82", "5", "29.9", "30"}));
   p.held = share(189, 200);  // the low end is 90.42 %
-  EXPECT_EQ(figures(criterion(decide(p, {.held_share = 0.905}), "held").found), (Figures{"94", "90", "97"}));
+  EXPECT_EQ(figures(criterion(decide(p, {.held_share = 0.905}), "held").found), (Numbers{"94", "90", "97"}));
 }
 
 TEST(Decision, NamesWhatTheScenarioSpreadsAndAPredictionDoesNotDraw) {
@@ -272,7 +270,7 @@ TEST(Decision, AdvisesGainsThatCostNoRunWhichWouldHold) {
   ASSERT_FALSE(d.go);
   ASSERT_EQ(d.advice.size(), 2U);
   EXPECT_EQ(d.advice[0], advice_on_gains(p, text::radians(30.0)).sentence);
-  EXPECT_EQ(figures(d.advice[1]), (Figures{"20", "20"}));
+  EXPECT_EQ(figures(d.advice[1]), (Numbers{"20", "20"}));
 }
 
 }  // namespace

@@ -14,8 +14,6 @@ namespace fantail::predict {
 namespace {
 
 using text::degrees;
-using Figures = std::vector<std::string>;
-
 Prediction predicted(const std::string& scenario_name, const Options& options) {
   const sim::Scenario scenario = input::load_scenario(scenario_name, {});
   return predict(scenario, read_tunnel_result(scenario.tunnel_result.value(), {}), options, look_away);
@@ -28,7 +26,7 @@ TEST(Prediction, OfTheFirstLaunchIsNoGoBecauseOfItsOffset) {
   EXPECT_FALSE(d.go);
   EXPECT_EQ(d.criteria.at(0).key, "authority");
   EXPECT_EQ(d.criteria.at(0).judgement, Judgement::not_met);
-  const Figures offset_and_limit = figures(d.criteria.at(0).clause);
+  const Numbers offset_and_limit = figures(d.criteria.at(0).clause);
   ASSERT_EQ(offset_and_limit.size(), 2U) << d.text;  // in all runs
   EXPECT_NEAR(std::stod(offset_and_limit[0]), 7.15, 0.2);
   EXPECT_EQ(offset_and_limit[1], "6");
@@ -168,7 +166,7 @@ TEST(Prediction, SaysThatWhatTheRowsHaveCountsMoreThanAnAssumption) {
   scenario.assumed = {"Fin offset: 3 deg, which nobody has measured."};
   const auto notes = predict(scenario, three_rows(), {.runs = 1}, look_away).notes;
   EXPECT_NE(notes[0].find("steps.csv"), std::string::npos) << notes[0];
-  EXPECT_EQ(figures(notes[0]), Figures{"2"}) << "sentences that follow";
+  EXPECT_EQ(figures(notes[0]), Numbers{"2"}) << "sentences that follow";
   EXPECT_EQ(notes[1], scenario.vehicle.assumed[0]);
   EXPECT_EQ(notes[2], scenario.assumed[0]);
   const auto note_of_the_run = [&] { return repeat_run(scenario, three_rows(), {.runs = 1}, 0).flight.notes.front(); };
@@ -176,7 +174,7 @@ TEST(Prediction, SaysThatWhatTheRowsHaveCountsMoreThanAnAssumption) {
   scenario.vehicle.assumed.clear();
   const auto note = predict(scenario, three_rows(), {.runs = 1}, look_away).notes[0];
   EXPECT_NE(note.find("steps.csv"), std::string::npos) << note;
-  EXPECT_EQ(figures(note), Figures{}) << "one sentence follows";
+  EXPECT_EQ(figures(note), Numbers{}) << "one sentence follows";
   EXPECT_EQ(note_of_the_run(), below);
   scenario.assumed.clear();
   const std::string alone = note_of_the_run();
@@ -265,7 +263,7 @@ TEST(Prediction, SaysWhereItHasNoSpread) {
     return missing_spread(predict(scenario, tunnel, {.runs = runs}, look_away));
   };
   const std::string one_airframe = missing(2);
-  EXPECT_EQ(figures(one_airframe), (Figures{"0.1", "2"}));  // degrees of the offset, % of damping and torque
+  EXPECT_EQ(figures(one_airframe), (Numbers{"0.1", "2"}));  // degrees of the offset, % of damping and torque
   EXPECT_NE(one_airframe.find("steps.csv"), std::string::npos) << one_airframe;
   const Decision d = decide(predict(scenario, tunnel, {.runs = 2}, look_away), {});
   EXPECT_TRUE(d.text.ends_with(". " + one_airframe)) << d.text;
@@ -275,10 +273,10 @@ TEST(Prediction, SaysWhereItHasNoSpread) {
   EXPECT_EQ(missing(2), one_airframe);
   tunnel.steps[1].damping_m2 = 20.0;
   const std::string one_offset = missing(2);
-  EXPECT_EQ(figures(one_offset), Figures{"0.1"});
+  EXPECT_EQ(figures(one_offset), Numbers{"0.1"});
   const std::string one_run = missing(1);
   EXPECT_FALSE(one_run.empty());
-  EXPECT_EQ(figures(one_run), Figures{});
+  EXPECT_EQ(figures(one_run), Numbers{});
   tunnel.steps[1].offset_end_rad = -0.05;
   EXPECT_EQ(missing(2), "");
 }

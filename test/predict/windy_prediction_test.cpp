@@ -16,8 +16,6 @@
 namespace fantail::predict {
 namespace {
 
-using Figures = std::vector<std::string>;
-
 // A launch in six degrees of freedom, in a wind that is known roughly.
 
 sim::Scenario scenario(const std::vector<std::string>& changes) {
@@ -78,7 +76,7 @@ TEST(WindyPrediction, TellsHeightDriftAndWindWithTheirRanges) {
   EXPECT_EQ(p.drift_m.value().p95, campaign::quantiles(drifts).p95);
   const Decision d = decide(p, {});
   const std::string wind = wind_sentence(p.flown);
-  EXPECT_EQ(figures(wind), (Figures{"5", "1.5"})) << "from anywhere";
+  EXPECT_EQ(figures(wind), (Numbers{"5", "1.5"})) << "from anywhere";
   EXPECT_NE(wind.find("turbulence"), std::string::npos) << wind;
   for (const std::string& said : {std::string{"  apogee  "}, std::string{"  drift at apogee  "}, wind}) {
     EXPECT_NE(result::text(answer(p, d, {})).find(said), std::string::npos) << said;
@@ -94,7 +92,7 @@ TEST(WindyPrediction, WithoutASpreadSaysThatTheWindIsTheSameInAllRuns) {
   EXPECT_EQ(p.wind_m_s.value().p5, 5.0);
   EXPECT_EQ(p.wind_m_s.value().p95, 5.0);
   const std::string wind = wind_sentence(p.flown);
-  EXPECT_EQ(figures(wind), (Figures{"5", "270"}));
+  EXPECT_EQ(figures(wind), (Numbers{"5", "270"}));
   EXPECT_NE(wind.find("wind.speed_spread_m_s"), std::string::npos) << wind;
   EXPECT_NE(result::text(answer(p, decide(p, {}), {})).find(wind), std::string::npos);
 }
@@ -107,7 +105,7 @@ TEST(WindyPrediction, SaysInHowMuchLessWindTheTiltLimitEndsNoControl) {
   const Decision d = decide(p, {});
   ASSERT_FALSE(d.advice.empty());
   const std::string& said = d.advice.back();
-  EXPECT_EQ(figures(said), (Figures{"3", "3", "3"})) << "none again, and all hold their roll: " << said;
+  EXPECT_EQ(figures(said), (Numbers{"3", "3", "3"})) << "none again, and all hold their roll: " << said;
   for (const char* changed : {"half", "upright"}) {
     EXPECT_NE(said.find(changed), std::string::npos) << said;
   }
@@ -134,11 +132,11 @@ TEST(WindyPrediction, DoesNotBlameTheWindWhereTheGuideLeansTooFar) {
     EXPECT_FALSE(again.ended_by_tilt);
     return again.outcome == report::Outcome::held;
   });
-  EXPECT_EQ(figures(d.advice.back()), (Figures{"2", "2", "2", "2", std::to_string(held)})) << "2 still do without wind";
+  EXPECT_EQ(figures(d.advice.back()), (Numbers{"2", "2", "2", "2", std::to_string(held)})) << "2 still do without wind";
   EXPECT_NE(d.advice.back().find("upright"), std::string::npos) << d.advice.back();
   const Prediction calm = predicted(scenario({"flight.motion=six_dof", "launch_guide.tilt_deg=15"}), {.runs = 2});
   const std::string calm_advice = decide(calm, {}).advice.back();
-  EXPECT_EQ(figures(calm_advice), (Figures{"2", "2", "2"})) << calm_advice;
+  EXPECT_EQ(figures(calm_advice), (Numbers{"2", "2", "2"})) << calm_advice;
   EXPECT_NE(calm_advice.find("upright"), std::string::npos) << calm_advice;
 }
 

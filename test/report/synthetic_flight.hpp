@@ -70,8 +70,6 @@ class SyntheticFlight {
 
 inline Verdict verdict_of(const flight::Flight& flight) { return verdict(flight, figures(flight)); }
 
-using Numbers = std::vector<std::string>;
-
 /// Those of its sentences, in their order. A steady flight that is not changed has 10.0 deg from the command, 0.0 deg
 /// from where the law settles, 0.0 % at the limit and 4.0 deg to spare.
 inline Numbers numbers(const Verdict& v) { return fantail::figures(v.text); }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "avionics/can_frame.hpp"
+#include "figures.hpp"
 #include "input/scenario_file.hpp"
 #include "link/arm_steps.hpp"
 #include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {

@@ -3,8 +3,8 @@
 #include "avionics/can_frame.hpp"
 #include "bench/cycle.hpp"
 #include "bench/perform.hpp"
+#include "figures.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 
 #include "avionics/can_frame.hpp"
+#include "figures.hpp"
 #include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {

@@ -2,11 +2,11 @@
 
 #include "avionics/can_frame.hpp"
 #include "core/flight_plan_fields.hpp"
+#include "figures.hpp"
 #include "link/arm_steps.hpp"
 #include "link/plan_transfer.hpp"
 #include "replies/sentence.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {

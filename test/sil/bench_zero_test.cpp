@@ -5,10 +5,10 @@
 #include "bench/zero.hpp"
 #include "core/flight_plan_members.hpp"
 #include "degree.hpp"
+#include "figures.hpp"
 #include "link/plan_transfer.hpp"
 #include "protocol/bus_codec.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A PC that is too busy for its programs, or was suspended: no sentence may blame the avionics for it.
 
+#include "figures.hpp"
 #include "link/arm_steps.hpp"
 #include "link/place.hpp"
 #include "link/plan_transfer.hpp"
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {

@@ -2,11 +2,11 @@
 // Rockets that sink, turn over or come down before their motor has burnt out, in flights of the whole avionics.
 
 #include "campaign/flown_run.hpp"
+#include "figures.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
 #include "report/verdict.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -25,11 +25,11 @@ struct JudgedAscent {
       : flight{fly::fly_scenario(scenario)},
         figures{report::figures(flight)},
         verdict{report::verdict(flight, figures)} {}
-  [[nodiscard]] bool says(const std::string& word) const { return sil::says(verdict.text, word); }
+  [[nodiscard]] bool says(const std::string& word) const { return fantail::says(verdict.text, word); }
   [[nodiscard]] bool tells(const std::vector<double>& times_s) const {
     std::vector<std::string> numbers;
     std::ranges::transform(times_s, std::back_inserter(numbers), [](double s) { return text::fixed(s, 2); });
-    return sil::tells(verdict.text, numbers);
+    return fantail::tells(verdict.text, numbers);
   }
   [[nodiscard]] const flight::BeforeBurnout& before() const { return flight.before_burnout.value(); }
 

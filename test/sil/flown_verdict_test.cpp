@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Verdicts on flights that once misled: what the report says of a simulated flight, against the truth of the world.
 
+#include "figures.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/verdict.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -12,18 +12,17 @@
 namespace fantail::sil {
 namespace {
 
-using Numbers = std::vector<std::string>;
 using report::Outcome;
 
 struct Judged {
   flight::Flight flight;
   report::Figures figures;
   report::Verdict verdict;
-  [[nodiscard]] bool says(const std::string& word) const { return sil::says(verdict.text, word); }
-  [[nodiscard]] bool tells(const Numbers& numbers) const { return sil::tells(verdict.text, numbers); }
+  [[nodiscard]] bool says(const std::string& word) const { return fantail::says(verdict.text, word); }
+  [[nodiscard]] bool tells(const Numbers& numbers) const { return fantail::tells(verdict.text, numbers); }
   /// The first note with this word; empty: none.
   [[nodiscard]] std::string note(const std::string& word) const {
-    const auto found = std::ranges::find_if(flight.notes, [&](const auto& note) { return sil::says(note, word); });
+    const auto found = std::ranges::find_if(flight.notes, [&](const auto& note) { return fantail::says(note, word); });
     return found == flight.notes.end() ? std::string{} : *found;
   }
   [[nodiscard]] Numbers note_figures(const std::string& word) const { return fantail::figures(note(word)); }
@@ -210,7 +209,7 @@ TEST(FlownVerdict, PrandtlGlauertPromisesNothingAboveMach08) {
     const std::string note = fly(launch2(changes)).note("Mach");
     Numbers all = fantail::figures(note);
     std::ranges::copy_if(Numbers{"drag", "damping", "torque", "normal force"}, std::back_inserter(all),
-                         [&](const std::string& quantity) { return sil::says(note, quantity); });
+                         [&](const std::string& quantity) { return fantail::says(note, quantity); });
     return all;
   };
   const std::vector<std::string> factor{"aerodynamics.compressibility=prandtl_glauert"};
@@ -275,8 +274,9 @@ TEST(FlownVerdict, AServoTooWeakForTheLimitIsSaid) {
       overrides.push_back(input::parse_override(change));
     }
     const flight::Flight flight = fly::fly_scenario(input::load_scenario("tunnel_steps", overrides));
-    return std::ranges::any_of(
-        flight.notes, [](const std::string& note) { return sil::says(note, "servo") && sil::tells(note, {"6.6"}); });
+    return std::ranges::any_of(flight.notes, [](const std::string& note) {
+      return fantail::says(note, "servo") && fantail::tells(note, {"6.6"});
+    });
   };
   EXPECT_TRUE(flown({"servo.torque_n_m=0.1", "aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
   EXPECT_FALSE(flown({"servo.torque_n_m=1", "aerodynamics.canard_hinge_moment_m3=0.003", "tunnel.turbulence=0"}));
@@ -292,7 +292,7 @@ TEST(FlownVerdict, WhyTheRocketWasNotArmedIsPartOfTheVerdict) {
   biased.vehicle.imu.specific_force_bias_m_s2 = 2.0;
   const Judged refused = fly(biased);
   EXPECT_EQ(refused.verdict.outcome, Outcome::no_control);
-  EXPECT_TRUE(sil::says(refused.flight.why_not_armed, "avionics") && refused.says(refused.flight.why_not_armed))
+  EXPECT_TRUE(fantail::says(refused.flight.why_not_armed, "avionics") && refused.says(refused.flight.why_not_armed))
       << refused.verdict.text;
 }
 

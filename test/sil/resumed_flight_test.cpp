@@ -2,13 +2,13 @@
 // The processor is reset in flight and the world goes on: what is flown, recorded, replayed and said of it.
 
 #include "degree.hpp"
+#include "figures.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/regenerate.hpp"
 #include "flight_log/to_report.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
-#include "sil/said.hpp"
 #include "sim/world.hpp"
 #include "test.hpp"
 #include "text/number.hpp"

@@ -2,11 +2,11 @@
 #include <fstream>
 
 #include "bench/perform.hpp"
+#include "figures.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "sil/bench_at_world.hpp"
 #include "sil/bus_filter.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 

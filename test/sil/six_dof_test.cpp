@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/flight_plan_fields.hpp"
+#include "figures.hpp"
 #include "fly/fly_scenario.hpp"
 #include "fly/gravity_turn.hpp"
 #include "input/scenario_file.hpp"
@@ -12,7 +13,6 @@
 #include "seed.hpp"
 #include "sil/any_rocket.hpp"
 #include "sil/plain_judge.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 

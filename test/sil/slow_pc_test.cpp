@@ -7,10 +7,10 @@
 #include <fmt/core.h>
 
 #include "bench/perform.hpp"
+#include "figures.hpp"
 #include "random_stream.hpp"
 #include "seed.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {

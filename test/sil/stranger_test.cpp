@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 #include "avionics/can_frame.hpp"
+#include "figures.hpp"
 #include "link/arm_steps.hpp"
 #include "protocol/bus_codec.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 
 namespace fantail::sil {

@@ -3,12 +3,12 @@
 
 #include "avionics/can_frame.hpp"
 #include "bench/axes.hpp"
+#include "figures.hpp"
 #include "link/arm_steps.hpp"
 #include "link/log_reader.hpp"
 #include "link/plan_transfer.hpp"
 #include "protocol/plan_block.hpp"
 #include "sil/bench_at_world.hpp"
-#include "sil/said.hpp"
 #include "sil/second_rocket.hpp"
 #include "test.hpp"
 

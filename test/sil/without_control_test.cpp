@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
+#include "figures.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "report/verdict.hpp"
-#include "sil/said.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"

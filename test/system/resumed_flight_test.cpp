@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A flight whose processor is reset, as a person flies it and reads it.
 
+#include "figures.hpp"
 #include "system/refusal.hpp"
 
 namespace fantail::test {
@@ -23,8 +24,6 @@ struct ResumedFlight : testing::Test {
   }
   std::string said;
 };
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 const std::string gap =
     "The processor was reset (watchdog): no tick is on record from 2.986 s to 3.047 s, and then the "

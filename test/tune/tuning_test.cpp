@@ -17,11 +17,9 @@
 namespace fantail::tune {
 namespace {
 
-using Figures = std::vector<std::string>;
-
 /// The last three of a sentence: of how many flights, the new plan's and the old one's.
-Figures last_three(const std::string& sentence) {
-  const Figures all = figures(sentence);
+Numbers last_three(const std::string& sentence) {
+  const Numbers all = figures(sentence);
   return {all.end() - std::min<std::ptrdiff_t>(3, std::ssize(all)), all.end()};
 }
 
@@ -74,14 +72,14 @@ TEST(Tuning, SaysOfWhichFlightsTheNewPlanHasFewer) {
   }
   t.pairs.front().after.outcome = report::Outcome::off_command;
   EXPECT_FALSE(t.is_proposed());
-  EXPECT_EQ(last_three(flights_sentence(t)), (Figures{"6", "1", "6"})) << "steady ones: " << flights_sentence(t);
+  EXPECT_EQ(last_three(flights_sentence(t)), (Numbers{"6", "1", "6"})) << "steady ones: " << flights_sentence(t);
   for (Pair& pair : t.pairs) {
     pair.after.outcome = report::Outcome::off_command;
   }
   EXPECT_TRUE(t.is_proposed());
   t.pairs.front().before.outcome = report::Outcome::held;
   EXPECT_FALSE(t.is_proposed());
-  EXPECT_EQ(last_three(flights_sentence(t)), (Figures{"6", "0", "1"})) << "held ones: " << flights_sentence(t);
+  EXPECT_EQ(last_three(flights_sentence(t)), (Numbers{"6", "0", "1"})) << "held ones: " << flights_sentence(t);
 }
 
 // 7.3 degrees of offset, and a limit of 6.
@@ -126,7 +124,7 @@ TEST(Tuning, OfARocketThatIsNotStableSaysSoFirst) {
   EXPECT_EQ(model_sentence(tuning), "");
   tuning.pairs.resize(2);
   tuning.pairs[1].after.extremes.static_margin_calibres = -5.0;
-  EXPECT_EQ(figures(model_sentence(tuning)), Figures{"-5.00"});
+  EXPECT_EQ(figures(model_sentence(tuning)), Numbers{"-5.00"});
   EXPECT_NE(model_sentence(tuning).find("stable"), std::string::npos) << model_sentence(tuning);
 }
 

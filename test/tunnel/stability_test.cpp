@@ -67,9 +67,6 @@ TEST(Swing, OneThatGrowsIsNamed) {
   EXPECT_FALSE(result.swing.has_value());
 }
 
-using Numbers = std::vector<std::string>;
-
-bool says(const std::string& sentence, const std::string& word) { return sentence.find(word) != std::string::npos; }
 std::string first_figure(const std::string& sentence) { return figures(sentence).at(0); }
 
 TEST(Swing, OneThatIsTooShortOrLostSaysSo) {

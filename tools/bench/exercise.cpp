@@ -141,10 +141,10 @@ std::size_t Exercise::turns_before(std::size_t stretch) const {
   return static_cast<std::size_t>(std::ranges::count_if(turns_, [&](const Turn& turn) { return turn.last < stretch; }));
 }
 
-Exercise Exercise::beginning(std::size_t wanted) const {
-  require(wanted >= 1 && wanted <= turns_.size(), "an exercise has one turn at least");
+Exercise Exercise::beginning(std::size_t first_turns) const {
+  require(first_turns >= 1 && first_turns <= turns_.size(), "an exercise has one turn at least");
   Exercise first = *this;
-  first.turns_.resize(wanted);
+  first.turns_.resize(first_turns);
   first.stretches_.resize(first.turns_.back().last + 1);
   return first;
 }

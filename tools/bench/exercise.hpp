@@ -104,7 +104,7 @@ class Exercise {
   /// How many of its turns are over when this stretch is done.
   [[nodiscard]] std::size_t turns_before(std::size_t stretch) const;
   /// Its first turns, one at least, as an exercise of their own.
-  [[nodiscard]] Exercise beginning(std::size_t wanted) const;
+  [[nodiscard]] Exercise beginning(std::size_t first_turns) const;
   /// What is done in it, for people: "canard 2 alone: slowly beyond the + limit".
   [[nodiscard]] std::string doing(std::size_t stretch) const;
 

@@ -59,8 +59,7 @@ std::vector<flight::Extremes> extremes_of_all(const Report& report) {
 
 /// Empty where no run is.
 std::string outside_the_model(const Report& report) {
-  const std::string which = flight::which_are_beyond(extremes_of_all(report));
-  return which.empty() ? "" : fmt::format("Outside the model: {}. ", which);
+  return flight::outside_model(flight::which_are_beyond(extremes_of_all(report)));
 }
 
 std::string interval_sentence(const Report& report) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,19 +83,6 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
-// A prediction draws damping, torque and fin offset, of the tunnel's rows; what a campaign would draw besides stands
-// still.
-std::vector<std::string> fields_not_drawn(const ScenarioOptions& options) {
-  std::vector<std::string> names;
-  for (const campaign::Spread& spread : campaign::read_spreads(input::ScenarioFiles::load(options.scenario))) {
-    std::ranges::transform(spread.fields, std::back_inserter(names), &input::NumberField::name);
-  }
-  std::erase_if(names, [](const std::string& name) {
-    return name == "aerodynamics.damping_m2" || name == "aerodynamics.torque_m" || name.starts_with("disturbance.");
-  });
-  return names;
-}
-
 predict::Options prediction_options(const PredictOptions& options) {
   return {.runs = options.runs,
           .threads = options.threads,
@@ -107,7 +92,8 @@ predict::Options prediction_options(const PredictOptions& options) {
           .servo_delay_s = options.servo_delay_s,
           .request = {.changes = changes_of(options.scenario),
                       .command = command_of(options.scenario),
-                      .not_drawn = fields_not_drawn(options.scenario)}};
+                      .not_drawn = predict::fields_not_drawn(
+                          campaign::read_spreads(input::ScenarioFiles::load(options.scenario.scenario)))}};
 }
 
 predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict::TunnelResult& tunnel,

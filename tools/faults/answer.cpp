@@ -5,6 +5,7 @@
 
 #include "campaign/setup.hpp"
 #include "faults/results.hpp"
+#include "flight/model_end.hpp"
 #include "json/value.hpp"
 #include "text/quoting.hpp"
 
@@ -206,30 +207,28 @@ result::Document answer(const Result& result, const result::Made& made) {
 result::Document answer(const Campaign& campaign, const Alone& alone, const std::string& report,
                         const result::Made& made) {
   const CellResult& judged = alone.judged;
-  const bool is_beyond = !alone.beyond_model.empty();
+  const bool safe_outside_model = judged.colour == Colour::green && !alone.beyond_model.empty();
   result::Figures run = result::figures("", alone.run, run_fields);
   std::vector<result::Block> limit;
   if (judged.colour == Colour::known_limit) {
     limit = {fmt::format("Why: {}.", judged.limit->why), fmt::format("To do: {}.", what_to_do(judged)),
              result::Data{"limit", limit_of(judged)}};
   }
-  return {
-      .title = judged.cell.name(),
-      .subtitle = fmt::format("run {}", alone.run.number),
-      .verdict = {.answer = is_beyond && judged.colour == Colour::green ? result::Answer::undecided
-                                                                        : answer_of(judged.colour),
-                  .heading = is_beyond && judged.colour == Colour::green ? "Outside the model" : word_of(judged.colour),
-                  .sentence = outside_model(alone.beyond_model) + alone.findings.what_it_was()},
-      .facts = {{"version", "", made.version},
-                {"scenario", "", alone.scenario.name},
-                {"seed", "", alone.run.seed},
-                {"command", "", run_command(campaign, judged.cell, alone.run.number)},
-                {"report", "report", report}},
-      .sections = {{"Safe is", {judged.cell.safe()}},
-                   {"It was", {run}},
-                   {"A known limit", limit},
-                   {"For programs", {result::figures("", alone, alone_fields)}, result::Readers::programs}},
-      .made = made};
+  return {.title = judged.cell.name(),
+          .subtitle = fmt::format("run {}", alone.run.number),
+          .verdict = {.answer = safe_outside_model ? result::Answer::undecided : answer_of(judged.colour),
+                      .heading = safe_outside_model ? "Outside the model" : word_of(judged.colour),
+                      .sentence = flight::outside_model(alone.beyond_model) + alone.findings.what_it_was()},
+          .facts = {{"version", "", made.version},
+                    {"scenario", "", alone.scenario.name},
+                    {"seed", "", alone.run.seed},
+                    {"command", "", run_command(campaign, judged.cell, alone.run.number)},
+                    {"report", "report", report}},
+          .sections = {{"Safe is", {judged.cell.safe()}},
+                       {"It was", {run}},
+                       {"A known limit", limit},
+                       {"For programs", {result::figures("", alone, alone_fields)}, result::Readers::programs}},
+          .made = made};
 }
 
 }  // namespace fantail::faults

@@ -26,8 +26,6 @@ namespace fantail::faults {
 [[nodiscard]] const char* word_of(Colour colour);
 /// How many cells came to what, the worst first, with the flight that is farthest off.
 [[nodiscard]] std::string headline(const Result& result);
-/// "Outside the model: up to Mach 1.27, and ... . ", before it; empty: the flight is within.
-[[nodiscard]] std::string outside_model(const std::string& beyond);
 
 /// What a person types to fly it, and one run of it alone.
 [[nodiscard]] std::string command_of(const Campaign& campaign);

@@ -5,6 +5,7 @@
 
 #include "campaign/setup.hpp"
 #include "faults/results.hpp"
+#include "flight/model_end.hpp"
 #include "text/quoting.hpp"
 
 // What came of it, in words, and the commands that fly it again.
@@ -66,10 +67,6 @@ std::string what_to_do(const CellResult& cell) {
   return fmt::format("{}{}{}", cell.limit->what_to_do, cell.of_rocket.empty() ? "" : ". ", cell.of_rocket);
 }
 
-std::string outside_model(const std::string& beyond) {
-  return beyond.empty() ? "" : fmt::format("Outside the model: {}. ", beyond);
-}
-
 std::string headline(const Result& result) {
   const std::size_t flown = result.cells.size() - count(result, Colour::not_applicable);
   const std::size_t red = count(result, Colour::red);
@@ -80,8 +77,9 @@ std::string headline(const Result& result) {
   const auto line = [](std::string_view what, std::size_t number, const std::string& more = {}) {
     return number == 0 ? std::string{} : fmt::format(" {}: {} cell{}{}.", what, number, number == 1 ? "" : "s", more);
   };
-  return fmt::format("{}{} flights in {} cells.{}{}{}{}{}{}", outside_model(result.beyond_model), result.flights, flown,
-                     red == 0 ? " No cell is RED." : "", line("RED", red, worst_of(result, Colour::red)),
+  return fmt::format("{}{} flights in {} cells.{}{}{}{}{}{}", flight::outside_model(result.beyond_model),
+                     result.flights, flown, red == 0 ? " No cell is RED." : "",
+                     line("RED", red, worst_of(result, Colour::red)),
                      line("Not safe, for a limit that is known", limits, worst_of(result, Colour::known_limit)),
                      line("Not judged beyond what holds for every flight", not_judged),
                      line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe));

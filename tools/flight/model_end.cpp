@@ -101,6 +101,10 @@ std::string how_far_beyond(const Extremes& worst) {
   });
 }
 
+std::string outside_model(const std::string& beyond) {
+  return beyond.empty() ? "" : fmt::format("Outside the model: {}. ", beyond);
+}
+
 std::string which_are_beyond(const std::vector<Extremes>& runs) {
   const Extremes worst = worst_of(runs);
   return clauses(worst, "; ", [&](ModelEnd end) {

@@ -38,6 +38,9 @@ inline constexpr std::array model_ends{ModelEnd::mach, ModelEnd::stability, Mode
 /// nowhere.
 [[nodiscard]] std::string how_far_beyond(const Extremes& worst);
 
+/// "Outside the model: up to Mach 1.27, ... . ", to stand before a verdict; empty: `beyond`, of one of these two, is.
+[[nodiscard]] std::string outside_model(const std::string& beyond);
+
 /// Which flights of many are beyond, and how far: "20 of 60 runs are faster than Mach 0.8, up to Mach 1.27"; empty:
 /// none.
 [[nodiscard]] std::string which_are_beyond(const std::vector<Extremes>& runs);

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "flight/model_end.hpp"
 #include "hardover/study.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
@@ -73,9 +74,8 @@ std::string headline(const Study& study, const Effect& worst) {
   return fmt::format(
       "{}One canard {} turns this rocket's way by up to {} deg and moves its apogee by up to {} m. It rolls the rocket "
       "away by up to {} deg and pushes it aside by up to {} N.",
-      study.beyond_model.empty() ? "" : fmt::format("Outside the model: {}. ", study.beyond_model), what_fails(study),
-      fixed(degrees(worst.turned_rad), 1), fixed(worst.away_m, 0), fixed(degrees(worst.rolled_rad), 0),
-      fixed(worst.side_force_n, 1));
+      flight::outside_model(study.beyond_model), what_fails(study), fixed(degrees(worst.turned_rad), 1),
+      fixed(worst.away_m, 0), fixed(degrees(worst.rolled_rad), 0), fixed(worst.side_force_n, 1));
 }
 
 result::Figures at_worst(const Study& study, const Effect& worst) {

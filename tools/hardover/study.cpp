@@ -163,22 +163,23 @@ Study fly(sim::Scenario scenario, const Options& options,
   complete(scenario);
   refuse_station_outside(scenario.vehicle, options.coupler_m);
   const Flown sound = flown(scenario);
-  Study study{.scenario = scenario.name,
-              .vehicle = scenario.vehicle.name,
-              .plan = scenario.plan_name,
-              .seed = scenario.seed,
-              .policy = scenario.plan.run.canard_fault,
-              .side_area_m2 = *scenario.vehicle.canard_air.side_area_m2,
-              .position_m = *scenario.vehicle.canard_air.position_m,
-              .stop_rad = scenario.vehicle.servo.stop_rad,
-              .stall_rad = scenario.vehicle.canard_air.stall_rad,
-              .first_s = sound.clear_s,
-              .last_s = sound.apogee_s,
-              .sound_apogee_m = sound.apogee_m,
-              .sound_angle_of_attack_rad = {},
-              .sound_roll_rate_rad_s = 0.0,
-              .beyond_model = flight::how_far_beyond(fly::fly_scenario(scenario).extremes),
-              .options = options};
+  Study study{
+      .scenario = scenario.name,
+      .vehicle = scenario.vehicle.name,
+      .plan = scenario.plan_name,
+      .seed = scenario.seed,
+      .policy = scenario.plan.run.canard_fault,
+      .side_area_m2 = *scenario.vehicle.canard_air.side_area_m2,
+      .position_m = *scenario.vehicle.canard_air.position_m,
+      .stop_rad = scenario.vehicle.servo.stop_rad,
+      .stall_rad = scenario.vehicle.canard_air.stall_rad,
+      .first_s = sound.clear_s,
+      .last_s = sound.apogee_s,
+      .sound_apogee_m = sound.apogee_m,
+      .sound_angle_of_attack_rad = {},
+      .sound_roll_rate_rad_s = 0.0,
+      .beyond_model = flight::how_far_beyond(fly::fly_without_rows(scenario, [](const auto&, const auto&) {}).extremes),
+      .options = options};
   for (std::size_t i = static_cast<std::size_t>(std::lround(1e3 * sound.clear_s)); i < sound.air_speed_m_s.size();
        ++i) {
     if (static_cast<double>(i) < 1e3 * sound.apogee_s) {

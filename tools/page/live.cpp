@@ -36,17 +36,17 @@ struct Point {
 std::vector<Point> points_of(const std::vector<double>& time_s, std::span<const std::vector<double>> columns,
                              std::size_t buckets) {
   const std::vector<std::size_t> missing_before = gaps(time_s);
-  std::vector<Point> drawn;
-  auto hole = missing_before.begin();
+  std::vector<Point> drawn_points;
+  auto next_gap = missing_before.begin();
   for (const std::size_t i : keep_extremes(columns, buckets)) {
-    for (; hole != missing_before.end() && *hole <= i; ++hole) {
-      if (!drawn.empty()) {
-        drawn.push_back({0.5 * (time_s[*hole - 1] + time_s[*hole]), {}});
+    for (; next_gap != missing_before.end() && *next_gap <= i; ++next_gap) {
+      if (!drawn_points.empty()) {
+        drawn_points.push_back({0.5 * (time_s[*next_gap - 1] + time_s[*next_gap]), {}});
       }
     }
-    drawn.push_back({time_s[i], i});
+    drawn_points.push_back({time_s[i], i});
   }
-  return drawn;
+  return drawn_points;
 }
 
 Json levels_of(const Chart& chart) {
@@ -126,14 +126,14 @@ Json data_of(const Chart& chart) {
     return {};
   }
   const bool wide = chart.width > half_page;
-  const std::vector<Point> drawn = points_of(chart.series.front().x, columns, wide ? 1500 : 800);
+  const std::vector<Point> drawn_points = points_of(chart.series.front().x, columns, wide ? 1500 : 800);
   Json times = Json::array();
-  for (const Point& point : drawn) {
+  for (const Point& point : drawn_points) {
     times.push_back(static_cast<std::int64_t>(std::llround(point.time_s * 1000.0)));
   }
   for (std::size_t s = 0; s < columns.size(); ++s) {
     Json values = Json::array();
-    for (const Point& point : drawn) {
+    for (const Point& point : drawn_points) {
       values.push_back(point.sample ? hundredths(columns[s][*point.sample]) : Json{});
     }
     series[s]["hundredths"] = std::move(values);

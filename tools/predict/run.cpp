@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "campaign/flown_run.hpp"
@@ -158,6 +159,17 @@ std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_
   }
   const double left_rad = offset_rad - std::copysign(1.0, offset_rad) * limit_rad;  // below zero: they add to it
   return speed_m_s * airframe.torque_m * left_rad / airframe.damping_m2;
+}
+
+std::vector<std::string> fields_not_drawn(const std::vector<campaign::Spread>& spreads) {
+  std::vector<std::string> names;
+  for (const campaign::Spread& spread : spreads) {
+    std::ranges::transform(spread.fields, std::back_inserter(names), &input::NumberField::name);
+  }
+  std::erase_if(names, [](const std::string& name) {
+    return name == "aerodynamics.damping_m2" || name == "aerodynamics.torque_m" || name.starts_with("disturbance.");
+  });
+  return names;
 }
 
 flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,

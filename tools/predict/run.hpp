@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/spread.hpp"
 #include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
 #include "predict/tunnel_result.hpp"
@@ -67,6 +68,9 @@ inline void fields(runs::RowText& text, Run& run) {
 /// is left out: nobody knows it beforehand. The wind is drawn_wind().
 [[nodiscard]] flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,
                                           fly::Log log);
+
+/// Of the fields that a campaign would draw, those that such a flight does not replace.
+[[nodiscard]] std::vector<std::string> fields_not_drawn(const std::vector<campaign::Spread>& spreads);
 
 /// What such a flight came to.
 [[nodiscard]] Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe);

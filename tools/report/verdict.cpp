@@ -245,7 +245,7 @@ void say_what_is_outside_the_model(Verdict& v, const flight::Flight& flight) {
     return;
   }
   v.outcome = is_steady(v.outcome) ? Outcome::outside_model : v.outcome;
-  v.text = fmt::format("Outside the model: {}. {}", beyond, v.text);
+  v.text = flight::outside_model(beyond) + v.text;
 }
 
 Verdict on_roll(const flight::Flight& flight, const Figures& figures) {

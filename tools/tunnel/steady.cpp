@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string_view>
 
 #include <fmt/core.h>
 
+#include "files/quantities.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "tunnel/statistics.hpp"
@@ -201,14 +203,10 @@ std::optional<std::vector<NamedStretch>> parse_stretches(std::string_view text) 
 }
 
 double rounding_of(const std::vector<double>& values) {
-  constexpr double kmh = 1.0 / 3.6;
-  constexpr double mph = 0.44704;
-  constexpr double knot = 1.852 / 3.6;
-  constexpr double foot_per_s = 0.3048;
   double coarsest = 0.0;
-  for (const double unit_m_s : {1.0, kmh, mph, knot, foot_per_s}) {
+  for (const std::string_view unit : {"m/s", "km/h", "mph", "kt", "ft/s"}) {
     for (const double decimal : {1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) {
-      const double step = decimal * unit_m_s;
+      const double step = decimal * files::find_unit(unit)->si;
       const auto is_multiple = [step](double value) {
         return std::abs(value / step - std::round(value / step)) < 1e-6;
       };

@@ -40,8 +40,6 @@ const sim::Geometry::Mass& part(const Design& design, const std::string& name) {
   throw std::out_of_range{name};
 }
 
-bool says(const std::string& sentence, const std::string& word) { return sentence.find(word) != std::string::npos; }
-
 using Read = DesignFiles;
 
 TEST_F(Read, TheSameDesignPlainGzippedAndZipped) {
