@@ -43,7 +43,7 @@ std::string sentence(protocol::SessionReason reason) {
     case Reason::none_yet: return "there has been no session yet";
     case Reason::opened: return "it is open";
     case Reason::closed_by_bench: return "a bench closed it";
-    case Reason::heartbeat_lost: return "it heard no heartbeat for 0.1 s";
+    case Reason::heartbeat_lost: return "no heartbeat of the bench arrived for 0.1 s";
     case Reason::not_safe: return "the rocket is not in phase safe; open the arm switch";
     case Reason::not_at_rest:
       return "the rocket is moving; it must stand still for the plan's rest time (2 s unless changed)";
