@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Usage: plain_english.py PROJECT [PAGE...] [--fantail PROGRAM] [--count]
+
+Lists sentences that are too long, and turns of phrase that read like another language put into English: in the pages of the manual (or
+those that are named), and with --fantail in the help of every verb. --count prints the words of each page. Exit code 1 if there is one.
+
+A word has a letter or a digit; code counts as one word. A sentence ends at a full stop, a question mark or a paragraph; a cell of a
+table and an element of a list are paragraphs.
+"""
+
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+
+LONGEST_IN_DOCS, LONGEST_IN_HELP = 35, 28
+# What is odd, and what to write.
+ODD = [(re.compile(pattern, re.IGNORECASE), plain) for pattern, plain in (
+    (r"\bbut for\b", "except for"),
+    (r"\bwhat (?:is|are) (?:crooked|broken|wrong with|said|asked|left|known)\b", "a noun: the misalignment, the failed canard"),
+    (r"(?:^|[.;:] )Of (?:a|an|the|this|each|every) ", "the subject first"),
+    (r"\bis no (?!longer|more|less|better|worse|other)\w+", "is not a ..."),
+    (r"\bare no (?!longer|more|less|better|worse|other)\w+", "are not ..."),
+    (r"\b(?:was|were|is|are) not to be (?:found|had|read|seen)\b", "could not be found"),
+    (r"\bso-many(?:th|eth)\b|\bn-th so\b", "the number"),
+    (r"\b(?:it|rocket|avionics|board|bench|program|law|computer|detector|rule|plan)s? (?:\w+ )?(?:believe|hear|heard)s?\b",
+     "detects, receives, assumes"),
+    (r"\bis told\b|\bare told\b", "receives"),
+    (r"\bsound rocket\b", "healthy rocket"),
+    (r"\bhard[- ]?over (?:canard|servo)\b", "a canard that runs to its stop"),
+    (r"\bnobody (?:knows|has measured)\b", "unknown, not measured"),
+    (r"\bas fast a\b|\bsuch an? \w+ is no\b", "the usual order of words"),
+    (r"\bwhose each\b|\bas good as none\b|\bworth its while\b|\bto-morrow\b|\bhold(?:s)? nothing up\b", "standard English"),
+)]
+
+
+def paragraphs(text):
+    """Of a page: without code, headings and comments; a cell and an element of a list each for itself; with the number of its line."""
+    text = re.sub(r"^( *)```.*?^ *```$|<!--.*?-->", lambda found: re.sub(r"[^\n]+", "", found[0]), text, flags=re.MULTILINE | re.DOTALL)
+    at, lines = 0, []
+    for number, line in enumerate([*text.splitlines(), ""], 1):
+        is_row = line.lstrip().startswith("|")
+        starts = not line.strip() or is_row or line.startswith("#") or re.match(r"\s*(?:[-*]|\d+\.) ", line)
+        if starts and lines:
+            yield at, " ".join(lines)
+            lines = []
+        if is_row:
+            yield from ((number, cell.strip()) for cell in re.split(r"(?<!\\)\|", line) if cell.strip(" -:"))
+        elif line.strip() and not line.startswith("#"):
+            at = at if lines else number
+            lines.append(re.sub(r"^\s*(?:[-*]|\d+\.) ", "", line).strip())
+
+
+def plain(text):
+    """As a reader hears it: a link is its text, code one word."""
+    text = re.sub(r"!?\[((?:[^\[\]]|\[[^\]]*\])*)\](?:\([^)]*\)|\[[^\]]*\])", r"\1", text)
+    text = re.sub(r"<[^>]+>", "", text)
+    return re.sub(r"`[^`]*`", "CODE", text).replace("*", "")
+
+
+def words(text):
+    return [word for word in text.split() if re.search(r"\w", word)]
+
+
+def sentences(text):
+    return re.split(r"(?<=[.?!])[)\"”]? +(?=[\"(A-Z0-9])", plain(text))
+
+
+def offences(where, text, longest):
+    for sentence in sentences(text):
+        count = len(words(sentence))
+        if count > longest:
+            yield f"{where}: {count} words: {sentence}"
+        for pattern, better in ODD:
+            if found := pattern.search(sentence):
+                yield f"{where}: \"{found[0].strip()}\" (write: {better}): {sentence}"
+
+
+def help_paragraphs(text):
+    """An option and a line that is further in than the one before begin a paragraph."""
+    lines, indent = [], 0
+    for line in [*text.splitlines(), ""]:
+        own = len(line) - len(line.lstrip())
+        if lines and (not line.strip() or own < indent or re.match(r"\s*(?:-|fantail |\./dev )", line)):
+            yield " ".join(lines)
+            lines = []
+        if line.strip() and not re.match(r"\s*(?:fantail |\./dev )", line):
+            indent = own
+            lines.append(re.sub(r"^\s*-\S.*?(?:\s{2,}|$)", "", line).strip())
+
+
+def helps(program):
+    def printed(*command):
+        return subprocess.run([program, *command], capture_output=True, text=True, check=True).stdout
+
+    for row in printed("--complete", "").splitlines()[1:]:
+        verb = row.split("\t")[0]
+        if not verb.startswith("-"):
+            yield f"fantail {verb} --help", printed(verb, "--help")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("project", type=pathlib.Path)
+    parser.add_argument("pages", nargs="*")
+    parser.add_argument("--fantail")
+    parser.add_argument("--count", action="store_true")
+    asked = parser.parse_args()
+    pages = [asked.project / page for page in asked.pages] or [
+        asked.project / "README.md", *sorted((asked.project / "docs").rglob("*.md"))]
+    found, total = [], 0
+    for page in pages:
+        text, name = page.read_text(encoding="utf-8"), page.relative_to(asked.project)
+        total += (count := len(words(text)))
+        if asked.count:
+            print(f"{count:7} {name}")
+        for line, paragraph in paragraphs(text):
+            found += offences(f"{name}:{line}", paragraph, LONGEST_IN_DOCS)
+    for verb, text in helps(asked.fantail) if asked.fantail else ():
+        for paragraph in help_paragraphs(text):
+            found += offences(verb, paragraph, LONGEST_IN_HELP)
+    print("\n".join(found))
+    print(f"{len(found)} sentences to mend; {total} words in {len(pages)} pages")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
