@@ -20,7 +20,7 @@ cd "$work"
 # Its data is what was installed, not what lies in the sources.
 "$prefix/bin/fantail" plan check tasha3_launch2 | grep -qF "$prefix/share/fantail/firmware/plans/" ||
   fail "the installed program reads other data than what was installed"
-for verb in $("$build/fantail" --help | sed -n '/^Verbs:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
+for verb in $("$build/fantail" --help | sed -n 's/^  \([a-z]*\)  *  [A-Z].*/\1/p'); do
   "$prefix/bin/fantail" "$verb" --help >help.txt || fail "fantail $verb is not installed"
   grep -q "^Usage: fantail $verb" help.txt || fail "fantail $verb --help speaks of something else"
   cat help.txt >>helps.txt

@@ -33,7 +33,7 @@ for page in "$build"/manual/man1/*.1 "$build"/manual/man5/*.5; do
   mandoc -T lint -W warning "$page" || fail "$page is not sound"
 done
 
-verbs=$("$build/fantail" --help | sed -n '/^Verbs:/,/^$/s/^  \([a-z]*\) .*/\1/p')
+verbs=$("$build/fantail" --help | sed -n 's/^  \([a-z]*\)  *  [A-Z].*/\1/p')
 [ -n "$verbs" ] || fail "the help lists no verbs"
 for verb in $verbs; do
   page=$work/$verb.txt

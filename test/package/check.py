@@ -3,6 +3,7 @@
 Tries a Debian package and the sources as one file in bare systems, and says of each step how it went. Each function named in
 STEPS is one; what it does not say with an exception has passed. Without root and debootstrap only the first is run."""
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -84,9 +85,9 @@ def that_user_may_not_write_the_data(t):
 
 
 def every_verb_starts(t):
-    lines = t.anna("fantail", "--help").stdout.split("Verbs:\n")[1].split("\n\n")[0].splitlines()
-    wanted(len(lines) > 15, "the help lists hardly any verbs")
-    for verb in (line.split()[0] for line in lines if line.startswith("  ") and line[2] != " "):
+    verbs = re.findall(r"^  ([a-z]+)  +[A-Z]", t.anna("fantail", "--help").stdout, re.MULTILINE)
+    wanted(len(verbs) > 15, "the help lists hardly any verbs")
+    for verb in verbs:
         t.anna("fantail", verb, "--help")
 
 

@@ -174,6 +174,7 @@ void fill_detection(const Verb& verb) {
       .offers(shipped(input::Shipped::plan))
       .one_word_each_time()
       .changes_result();
+  verb.section("Events");
   verb.option("--kind", options->kinds, "Only this kind of event; may be given again [all]")
       .one_word_each_time()
       .check(objection_to_kind)
@@ -196,6 +197,7 @@ void fill_detection(const Verb& verb) {
       .range(0.0, 100.0)
       .value_name("PERCENT")
       .excludes(event);
+  verb.section("Results");
   verb.option("--false-at-most", options->false_at_most_percent,
               "Let so many per cent of the events that are no launch, of all kinds together, move a canard, both "
               "accelerometers well, by the 95 % bound, which is never 0 [none of those that are played]")

@@ -128,12 +128,14 @@ void fly_all(const FaultsOptions& options) {
 void fill_faults(const Verb& verb) {
   auto options = std::make_shared<FaultsOptions>();
   add_scenario_options(verb, options->scenario);
+  verb.section("Which faults");
   auto device = verb.option("--device", options->device, "Only the faults of this device, as --list has them [all]");
   device.value_name("NAME").changes_result();
   auto fault = verb.option("--fault", options->fault, "Only this fault, likewise [all]");
   fault.value_name("NAME").changes_result();
   auto phase = verb.option("--phase", options->phase, "Only faults that begin in this phase [all]");
   phase.one_of({"pad", "armed", "launched", "controlling", "after_control"}).changes_result();
+  verb.section("Onsets and runs");
   verb.option("--step-ms", options->step_ms, "Milliseconds between two onsets")
       .range(1, 10000)
       .show_default()
@@ -151,6 +153,7 @@ void fill_faults(const Verb& verb) {
   cell.value_name("CELL").excludes(device).excludes(fault).excludes(phase);
   verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
   add_threads_option(verb, options->threads);
+  verb.section("Results");
   verb.option(
           "--out", options->out,
           "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "

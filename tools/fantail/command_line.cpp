@@ -127,8 +127,12 @@ Option& Option::belongs_to_command() {
 }
 
 Verb Verb::verb(const std::string& name, const std::string& meaning) const {
-  return Verb{app_->add_subcommand(name, meaning)};
+  const Verb inner{app_->add_subcommand(name, meaning)};
+  inner.section("Options");  // or it begins with that of this verb
+  return inner;
 }
+
+void Verb::section(const std::string& title) const { app_->option_defaults()->group(title); }
 
 void Verb::needs_verb() const { app_->require_subcommand(1); }
 

@@ -79,6 +79,8 @@ class Verb {
   template <typename T>
   Option option(const std::string& names, T& value, const std::string& meaning) const;
   Option flag(const std::string& name, bool& value, const std::string& meaning) const;
+  /// The help and the manual show the options that follow below this title.
+  void section(const std::string& title) const;
 
   /// Stands below the options in the help.
   void examples(const std::string& text) const;

@@ -35,10 +35,12 @@ void add_reading(const Verb& verb, IdentifyOptions& o) {
       .offers(files)
       .value_name("FOLDER|FILE")
       .excludes(shared);
+  verb.section("Columns of the log");
   add_log_options(verb, o.log);
 }
 
 void add_windows(const Verb& verb, IdentifyOptions& o) {
+  verb.section("Window and timing");
   auto from = verb.option("--from", o.from_s, "Start of the window on the log's clock, in seconds")
                   .check(within(-1e6, 1e6))
                   .value_name("S");
@@ -60,10 +62,11 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
 }
 
 void add_rocket(const Verb& verb, IdentifyOptions& o) {
+  verb.section("Rocket and air");
   add_airframe_options(verb, o.airframe);
   verb.option("--density", o.density,
               "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
-  verb.option("--elevation", o.elevation_m, "Of the site above the sea, for the standard atmosphere")
+  verb.option("--elevation", o.elevation_m, "Height of the site above the sea, for the standard atmosphere")
       .check(within(-500, 9000))
       .value_name("M");
   verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's")
@@ -72,22 +75,24 @@ void add_rocket(const Verb& verb, IdentifyOptions& o) {
 }
 
 void add_method(const Verb& verb, IdentifyOptions& o) {
+  verb.section("Method");
   verb.option("--nodes", o.nodes,
-              "Of the disturbance: seconds on the log's clock as in 0,5; even:N; thrust:N,coast:M; auto")
+              "Nodes of the disturbance: seconds on the log's clock as in 0,5; even:N; thrust:N,coast:M; auto")
       .show_default();
   verb.option("--method", o.method,
               "grid (as published; its intervals include the rounding to the grid), continuous or both")
       .one_of({"grid", "continuous", "both"})
       .show_default();
   verb.option("--loss", o.loss,
-              "Of the angle errors: squares, or huber for a log with outliers, on which those have little influence "
-              "(continuous method, open loop; fits the first angle and rate, too)")
+              "How angle errors count: squares; huber for a log with outliers, which then have little influence. huber "
+              "needs the continuous method and the open loop, and also fits the first angle and rate")
       .one_of({"squares", "huber"})
       .show_default();
   verb.option("--grid-alpha", o.grid_alpha,
               "FIRST:LAST:STEP in m2 [1:60:1 for an area of 5.03e-5 m2, else in inverse proportion]")
       .check(objection_to_axis);
   verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5, likewise]").check(objection_to_axis);
+  verb.section("Closed loop");
   verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
       .one_of({"open", "closed"})
       .show_default();
@@ -165,6 +170,7 @@ void add_identify_options(const Verb& verb, IdentifyOptions& options) {
   add_windows(verb, options);
   add_rocket(verb, options);
   add_method(verb, options);
+  verb.section("Results");
   verb.flag("--json", options.json, "Print one JSON object instead of the text");
   verb.option("--out", options.out,
               "Folder for report.html, model.csv and identification.json [out/identify/DATA, with "

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -32,11 +33,10 @@ using fantail::tool::verb_table;
 
 constexpr const char* meaning = "roll control for sounding rockets, from the wind tunnel to flight";
 constexpr const char* description =
-    "It flies sounding rockets with roll canards in a simulated world, through the control code of the real avionics; "
-    "checks the canards of a rocket over CAN; makes a roll model of tunnel and flight logs, and predicts the next "
-    "flight with it.\n"
-    "Each verb explains itself, with examples, when it is given `--help`, and has a page of its own in this manual: "
-    "`man fantail-fly`.\n\n";
+    "It simulates sounding rockets with roll canards, with the control code of the real avionics. It checks the "
+    "canards "
+    "of a rocket over CAN. It finds the roll model in tunnel and flight logs, and predicts the next flight.\n"
+    "`--help` explains each verb, with examples. Each has a page in this manual: `man fantail-fly`.\n\n";
 constexpr const char* examples =
     "Examples:\n"
     "  fantail fly                          the second launch of Tasha III, with a report\n"
@@ -85,18 +85,26 @@ ExitCode printed() {
   return ExitCode::input_output;
 }
 
+/// What a person sees who does not know where to begin.
+std::string overview() {
+  std::string text =
+      fmt::format("Fantail: {}\nUsage: fantail VERB ...; fantail VERB --help explains one verb\n", meaning);
+  std::string_view group;
+  for (const auto& verb : verb_table) {
+    text += verb.group == group ? "" : fmt::format("\n{}:\n", verb.group);
+    group = verb.group;
+    text += fmt::format("  {:<10} {}\n", verb.name, verb.meaning);
+  }
+  return text;
+}
+
 ExitCode help() {
   show(
-      "Fantail: {}\n"
-      "Usage: fantail VERB ...\n\n"
-      "  -h,--help    Print this; fantail VERB --help is about one verb\n"
+      "{}\n"
+      "  -h,--help    Print this\n"
       "  --version    Print the version\n\n"
-      "Verbs:\n",
-      meaning);
-  for (const auto& verb : verb_table) {
-    show("  {:<10} {}\n", verb.name, verb.meaning);
-  }
-  show("\n{}\n{}", examples, list_of_exit_codes());
+      "{}\n{}",
+      overview(), examples, list_of_exit_codes());
   return printed();
 }
 
@@ -161,7 +169,8 @@ ExitCode answer_hidden(int argc, char** argv) {
 
 ExitCode start(int argc, char** argv) {
   if (argc < 2) {
-    return refuse("a verb is missing; allowed: " + list());
+    say(overview());
+    return ExitCode::usage;
   }
   const std::string word = argv[1];
   if (word == "--help" || word == "-h") {

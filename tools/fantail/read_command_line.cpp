@@ -115,6 +115,7 @@ manual::Option described(const CLI::Option& option) {
   manual::Option result{.allowed = more.allowed,
                         .usual = option.get_default_str(),
                         .meaning = option.get_description(),
+                        .section = option.get_group() == "Options" ? "" : option.get_group(),
                         .words = more.words,
                         .required = option.get_required(),
                         .repeated = option.get_expected_max() == CLI::detail::expected_max_vector_size,
@@ -194,7 +195,10 @@ void read_command_line(const std::string& name, const std::string& meaning, void
     }
     // Asked for. CLI11 puts the examples at its end.
     hide(*program);
-    const std::string help = program->help();
+    std::string help = program->help();
+    for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n", at)) {
+      help.erase(at, 1);  // CLI11 puts two lines between sections
+    }
     const std::string examples = innermost(*program).get_footer();
     const std::size_t end = examples.empty() ? help.size() : std::min(help.rfind(examples), help.size());
     show_text(help.substr(0, end));

@@ -95,6 +95,7 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
               "A flight folder, a flight log (.ftl), or a CSV, MAT or Parquet file with reference_deg and canard_deg")
       .offers(files)
       .required();
+  verb.section("Rocket and air");
   add_airframe_options(verb, options.airframe);
   verb.option("--speed", options.speed_m_s, "Wind speed, instead of tunnel.csv's mean or the log's own")
       .check(within(0.1, 1000.0))
@@ -109,6 +110,7 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
       .check(within(-500, 9000))
       .value_name("M")
       .excludes(density);
+  verb.section("Columns of the log");
   add_log_options(verb, options.logs);
 }
 
@@ -143,7 +145,9 @@ void add_tunnel_steps(const Verb& tunnel) {
   auto verb = tunnel.verb("steps", "The roll model of every step of a square-wave run, and their spread");
   auto options = std::make_shared<StepsVerbOptions>();
   add_run_options(verb, *options);
+  verb.section("Steps and method");
   add_method_options(verb, *options);
+  verb.section("Results");
   add_tunnel_output(verb, options->output, steps_folder);
   verb.examples(
       "Examples:\n"

@@ -125,8 +125,10 @@ void add_tunnel_swirl(const Verb& tunnel) {
       .offers(files)
       .required();
   verb.option("WITH", options->with.roll, "Roll log with flow straightener").offers(files).required();
+  verb.section("Wind and windows of each session");
   add_session(verb, "without", options->without);
   add_session(verb, "with", options->with);
+  verb.section("Roll model");
   auto alpha = verb.option("--alpha", options->alpha_m2,
                            "Damping of the rocket that rolled, as fantail tunnel steps finds it [of the shipped Tasha "
                            "III, wind tunnel, the published 19.4]");
@@ -137,7 +139,9 @@ void add_tunnel_swirl(const Verb& tunnel) {
       .check(within(0.0, 1e4))
       .value_name("M/S")
       .show_default();
+  verb.section("Columns of the logs");
   add_log_options(verb, options->logs);
+  verb.section("Results");
   add_tunnel_output(verb, options->output, swirl_folder);
   verb.examples(
       "Examples:\n"

@@ -191,6 +191,7 @@ void fill(const Verb& verb) {
   verb.option("--sampling", options->sampling, "Every run for itself, independent of the others; there is no other way")
       .check(campaign::objection_to_sampling)
       .value_name("independent");
+  verb.section("Question and when to stop");
   verb.option("--share", options->question,
               "What is counted: outcome=WORD, or a figure with >= or <= and a number, apogee_m>=900")
       .check(objection_to_question)
@@ -206,11 +207,13 @@ void fill(const Verb& verb) {
       .value_name("PERCENT");
   verb.flag("--until-decided", options->until_decided, "Stop as soon as the interval is all above or below --at-least")
       .needs(at_least);
+  verb.section("Machines and processors");
   verb.option("--shard", options->shard, "Fly one part of so many, each for a machine of its own; see campaign merge")
       .check(objection_to_shard)
       .value_name("NUMBER/OF")
       .changes_result();
   add_threads_option(verb, options->threads);
+  verb.section("Results");
   verb.option("--out", options->out,
               "Folder for runs.csv.gz, campaign.json, summary.json, campaign.html and the worst runs "
               "[out/campaign/SCENARIO, with what was changed in the name]")
@@ -218,7 +221,8 @@ void fill(const Verb& verb) {
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
       "A campaign that was interrupted goes on when the same command is given again.\n"
-      "Exit code 0: flown, and what was asked for is met; 1: it is not met, or not decided. Of a shard: flown.\n"
+      "Exit code 0: flown, and what was asked for is met; 1: it is not met, or not decided. A shard ends with 0 when "
+      "it is flown.\n"
       "Examples:\n"
       "  fantail campaign tasha3_launch2 --runs 10000        how often does it hold its roll, and what decides it?\n"
       "  fantail campaign tasha3_launch2 --share 'apogee_m>=420' --at-least 20 --until-decided\n"

@@ -141,10 +141,13 @@ void add_alignment(const Verb& verb, CompareVerbOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<CompareVerbOptions>();
+  verb.section("Logs and their columns");
   add_log(verb, "a", "A", options->a);
   add_log(verb, "b", "B", options->b);
   add_save_columns_option(verb, options->save_columns);
+  verb.section("Window and alignment");
   add_alignment(verb, *options);
+  verb.section("Results");
   verb.option("--require-angle", options->most_angle_deg, "Largest mean difference of the angle, deg; else exit code 1")
       .check(objection_to_requirement)
       .value_name("DEG");

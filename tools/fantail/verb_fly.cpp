@@ -202,6 +202,7 @@ void fill(const Verb& verb) {
       .offers(files)
       .value_name("FILE")
       .changes_result();
+  verb.section("A flight of a campaign");
   auto campaign = verb.option("--campaign", options->campaign,
                               "Fly a run of the campaign in this folder again, as it was: SCENARIO is that of the "
                               "campaign")
@@ -209,22 +210,23 @@ void fill(const Verb& verb) {
   auto run = verb.option("--run", options->run, "Which run of it, as in runs.csv, from 0 on").value_name("NUMBER");
   campaign.value_name("FOLDER").needs(run);
   run.range(0.0, 1e8 - 1.0).needs(campaign);
-  verb.option(
-          "--out", options->out,
-          "Folder for flight.csv, summary.json, report.html, flight.ftl (what the avionics recorded itself) and, "
-          "of a tunnel run, tunnel.csv, of a flight in six degrees of freedom or on a trajectory, trajectory.csv, "
-          "on the gimbal or on pins, turning.csv, and how it would have rolled without control, without_control.csv "
-          "[out/SCENARIO, with what --set and --seed change: out/SCENARIO+CHANGES; of a campaign, run_NUMBER in its "
-          "folder]")
-      .offers(folders);
+  verb.section("Where the avionics runs");
   add_flight_computer_options(verb, options->computer);
+  verb.section("Live");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
   add_page_options(verb, options->page);
   verb.flag("--realtime", options->realtime, "Fly no faster than real time; the files are the same");
+  verb.section("Results");
+  verb.option(
+          "--out", options->out,
+          "Folder for report.html, summary.json, flight.csv and flight.ftl, the record of the avionics. Some flights "
+          "add tunnel.csv, trajectory.csv, turning.csv or without_control.csv. [out/SCENARIO, with what --set and "
+          "--seed change: out/SCENARIO+CHANGES; for a flight of a campaign, run_NUMBER in its folder]")
+      .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
-      "Exit code 0: flown, whether or not the roll was held: `outcome` in summary.json and --json says that (held, "
-      "off_command, outside_model, not_held, oscillates, cut_short, not_judged, no_control, ascent_failed).\n"
+      "Exit code 0: flown, whether or not the roll was held. For scripts, `outcome` in summary.json says that: held, "
+      "off_command, outside_model, not_held, oscillates, cut_short, not_judged, no_control or ascent_failed.\n"
       "Examples:\n"
       "  fantail fly                                         the second launch, into out/tasha3_launch2\n"
       "  fantail fly tasha3_launch1 --set reference.kind=hold --set controller.canard_limit_deg=9\n"

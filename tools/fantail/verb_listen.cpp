@@ -146,8 +146,9 @@ void fill(const Verb& verb) {
               "QUANTITY=[-][SCALE*]COLUMN:UNIT for time, axial (or axial_from_rest, zero on the pad), second_axial, "
               "lateral_y, lateral_z, roll_rate, pitch_rate, yaw_rate, height, speed; x points to the nose")
       .value_name("QUANTITY=COLUMN:UNIT,...");
-  verb.option("--map", options->map,
-              fmt::format("A logger's columns, [the one that fits]: {}; --columns goes before it", names_of_maps()))
+  verb.option(
+          "--map", options->map,
+          fmt::format("The map of a logger's columns [the one that fits]. --columns overrides it. {}", names_of_maps()))
       .check(objection_to_map)
       .value_name("MAP");
   verb.option("--barometer", options->barometer, "A file of its own that has the height")
@@ -159,7 +160,7 @@ void fill(const Verb& verb) {
       .offers(shipped(input::Shipped::plan))
       .show_default();
   verb.option("--longest-gap", options->longest_gap_s,
-              "Longest time between two samples that a straight line bridges, s [ten usual intervals; of a log faster "
+              "Longest time between two samples that a straight line bridges, s [ten usual intervals; in a log faster "
               "than 400 Hz the plan's stale time]")
       .check(within(1e-4, 10.0))
       .value_name("S");

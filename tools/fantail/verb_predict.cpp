@@ -184,6 +184,7 @@ void add_thresholds(const Verb& verb, PredictOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<PredictOptions>();
   add_scenario_options(verb, options->scenario);
+  verb.section("Tunnel results and servos");
   verb.option("--tunnel", options->tunnel,
               "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
       .offers(shipped(input::Shipped::tunnel_result))
@@ -214,9 +215,12 @@ void fill(const Verb& verb) {
       .range(0.0, 0.05)
       .value_name("S")
       .changes_result();
+  verb.section("Runs");
   verb.option("--runs", options->runs, "How many airframes to fly").range(1.0, most_runs).show_default();
   add_threads_option(verb, options->threads);
+  verb.section("What a go asks for");
   add_thresholds(verb, *options);
+  verb.section("Results");
   verb.option("--run", options->run, "Fly only this row of runs.csv, counted from 0, and write its flight report")
       .range(0.0, most_runs - 1.0)
       .value_name("NUMBER");

@@ -157,6 +157,7 @@ void tune_scenario(const TuneOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<TuneOptions>();
   add_scenario_options(verb, options->scenario);
+  verb.section("Law and aims");
   verb.option("--rejection", options->rejection, "What the law does against a fin offset")
       .one_of({"none", "integral", "observer"})
       .show_default()
@@ -180,11 +181,13 @@ void fill(const Verb& verb) {
       .range(1.0, 4.0)
       .show_default()
       .changes_result();
+  verb.section("Flights");
   verb.option("--flights", options->flights, "How many rockets of the spread to fly, each by both plans")
       .range(1.0, 10000.0)
       .show_default()
       .changes_result();
   add_threads_option(verb, options->threads);
+  verb.section("Results");
   verb.option("--plan", options->plan,
               "The plan file to write [NAME_tuned.toml beside the old plan; for a shipped one in the working folder]")
       .offers(files)

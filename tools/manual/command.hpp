@@ -31,6 +31,7 @@ struct Option {
   std::string allowed{};             ///< "from 1 to 4"; empty: the meaning says it
   std::string usual{};               ///< the value when it is left out; empty: the meaning says it
   std::string meaning{};
+  std::string section{};                ///< the title that it stands below; empty: none
   std::vector<std::string> words{};     ///< of a choice
   std::vector<std::string> needs{};     ///< other options, by their names
   std::vector<std::string> excludes{};  ///< likewise

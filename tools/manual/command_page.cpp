@@ -121,9 +121,15 @@ std::string common_options(const Command& command) {
 /// Arguments and options of `command`, but those that all of `whole` have in common.
 std::string options(const Command& command, const Command& whole) {
   std::string text;
+  std::string section;
   for (const auto* list : {&command.arguments, &command.options}) {
     for (const Option& option : *list) {
-      text += is_common(whole, option) ? "" : option_item(option);
+      if (is_common(whole, option)) {
+        continue;
+      }
+      text += option.section == section || list == &command.arguments ? "" : subheading(option.section);
+      section = list == &command.arguments ? "" : option.section;
+      text += option_item(option);
     }
   }
   return text;
