@@ -21,9 +21,25 @@ Page example() {
 
 TEST(Page, LoadsNothingFromAnywhere) {
   const std::string page = html(example());
-  for (const char* way : {"src=", "@import", "<link", "url(", "href", "<script", "fetch("}) {
+  for (const char* way :
+       {"src=", "@import", "<link", "url(", "href", "fetch(", "import(", "XMLHttpRequest", "Socket"}) {
     EXPECT_FALSE(holds(page, way)) << way;
   }
+}
+
+TEST(Page, AScriptComesOnlyWithAChartOrAFold) {
+  Page page = example();
+  EXPECT_TRUE(holds(html(page), "<script>"));
+  page.body_html = section("One", paragraph("Words."));
+  EXPECT_FALSE(holds(html(page), "<script>"));
+  page.body_html = on_demand("More", paragraph("Words."));
+  EXPECT_TRUE(holds(html(page), "beforeprint")) << "or paper would not have what is folded";
+}
+
+TEST(Page, TheFirstSentenceOfAVerdictStandsAlone) {
+  Page page = example();
+  page.verdict = "Roll is held in 5 % of 3.5 m runs. The rest is not. It was tried.";
+  EXPECT_TRUE(holds(html(page), "<p>Roll is held in 5 % of 3.5 m runs.</p>\n<p>The rest is not. It was tried.</p>"));
 }
 
 TEST(Page, IsWholeAndEscaped) {

@@ -184,11 +184,11 @@ TEST(PaperPage, TheSummaryCountsEachKindApart) {
               .claims = {agreeing(Kind::computed), agreeing(Kind::computed), agreeing(Kind::simulated),
                          agreeing(Kind::fitted), agreeing(Kind::read_back), agreeing(Kind::read_back)}}};
   const std::string said = summary(tally(chapters));
-  EXPECT_NE(said.find("3 statements are reproduced: 2 computed from other printed numbers, 1 simulated, 0 described"),
-            std::string::npos)
+  EXPECT_NE(
+      said.find("3 printed statements are reproduced: 2 computed from other printed numbers, 1 simulated, 0 described"),
+      std::string::npos)
       << said;
-  EXPECT_NE(said.find("Not counted among them: 1 that our inputs were fitted to, 2 read back"), std::string::npos)
-      << said;
+  EXPECT_NE(said.find("Not counted: 1 that our inputs were fitted to, 2 read back"), std::string::npos) << said;
 }
 
 TEST(PaperPage, EveryRowIsCountedOnce) {

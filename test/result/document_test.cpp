@@ -213,6 +213,20 @@ TEST(Document, APageFoldsASectionAndDrawsByHand) {
   EXPECT_TRUE(holds(html(document), "<h2>Found</h2>\n<details><summary>Show it</summary>\n<figure>")) << html(document);
 }
 
+TEST(Document, APageHasThePictureBehindItsVerdictAndFoldsALongTable) {
+  const std::vector<Flight> few(4, quarter_turn());
+  const std::vector<Flight> many(5, quarter_turn());
+  Document document = document_of({table("few", few, flight_fields)});
+  document.sections.push_back({"Many", {table("many", many, flight_fields)}});
+  document.sections.push_back({"Seen", {Picture{}}});
+  const std::string page = html(document);
+  EXPECT_LT(page.find("<h2>Seen</h2>"), page.find("<h2>Found</h2>"));
+  EXPECT_LT(page.find("<h2>Found</h2>"), page.find("<h2>Many</h2>"));
+  EXPECT_FALSE(holds(page.substr(0, page.find("<h2>Many</h2>")), "<details>"));
+  EXPECT_TRUE(
+      holds(page.substr(page.find("<h2>Many</h2>")), "<details><summary>Table of 5 rows: canard ...</summary>"));
+}
+
 TEST(Document, ASectionWithNothingToShowHasNoHeading) {
   Document document = document_of({Sentences{"remarks"}, Table{.key = "rows"}, Figures{}});
   EXPECT_FALSE(holds(text(document), "Found"));

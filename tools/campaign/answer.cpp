@@ -121,8 +121,7 @@ std::vector<result::Block> outcomes(const Report& report) {
     all.push_back({name, count, static_cast<double>(count) / static_cast<double>(report.analysis.share.of)});
     counts[name] = count;
   }
-  return {result::table({}, all, outcome_fields), result::Data{"outcomes", counts},
-          result::Picture{convergence_chart(report)}};
+  return {result::table({}, all, outcome_fields), result::Data{"outcomes", counts}};
 }
 
 /// For people; of each run its mean is for programs.
@@ -213,6 +212,9 @@ result::Document answer(const Report& report) {
                        {"Slope of each figure", {slopes_of_each_figure(a)}, files},
                        {"The worst runs", worst(report)},
                        {"What was drawn", {shown(quantities)}, files},
+                       {.heading = "How the share settled",
+                        .blocks = {result::Picture{convergence_chart(report)}},
+                        .folded = "The share over the number of runs"},
                        {"How far this can be trusted", {result::Sentences{"remarks", remarks(report)}}},
                        {"Again", {report.command}},
                        {"For programs",

@@ -2,10 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "campaign/results.hpp"
+#include "page/page.hpp"
+#include "page/svg_plot.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -73,6 +77,47 @@ page::Chart histogram(const Column& column) {
           .levels = {{.value = column.quantiles.p5, .label = "5 %", .upright = true},
                      {.value = column.quantiles.p95, .label = "95 %", .upright = true}},
           .y_range = page::Range{0.0, 1.1 * std::ranges::max(counts)}};
+}
+
+std::string tornado_svg(const Report& report, double width) {
+  constexpr double row = 20.0;
+  constexpr double top = 6.0;
+  const std::size_t figure = report.analysis.question.measured_by();
+  std::vector<std::pair<std::string, Estimate>> bars;
+  double reach = 0.0;
+  double left = 60.0;
+  for (const QuantityInfluence& of : report.analysis.influences) {
+    if (const auto& slope = of.slopes[figure]) {
+      bars.emplace_back(page::shortened(column_words(of.name).words, 0.45 * width), *slope);
+      reach = std::max({reach, std::abs(slope->low), std::abs(slope->high)});
+      left = std::max(left, page::text_width(bars.back().first) + 12.0);
+    }
+  }
+  if (bars.empty()) {
+    return {};
+  }
+  std::ranges::stable_sort(bars, std::ranges::greater{}, [](const auto& bar) { return std::abs(bar.second.value); });
+  const page::Range x = page::drawable({-1.05 * reach, 1.05 * reach});
+  const double bottom = top + row * static_cast<double>(bars.size());
+  page::SvgPlot plot;
+  plot.place({left, top, width - 12.0, bottom}, x, {0.0, 1.0});
+  plot.begin("chart", "How much each quantity moves the " + column_words(figure_columns[figure]).words, width,
+             bottom + page::tick_row + page::label_row + 7.0);
+  plot.outline("frame");
+  plot.x_axis(page::even_ticks(x, (width - left) / 90.0), "slope, standard deviations");
+  plot.add("<path class=\"grid zero\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", plot.x(0.0), top, bottom);
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const auto& [name, slope] = bars[i];
+    const double y = top + row * (static_cast<double>(i) + 0.5);
+    const auto [from, to] = std::minmax(plot.x(0.0), plot.x(slope.value));
+    plot.add("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 8.0, y + 4.0,
+             page::printed(name));
+    plot.add("<rect class=\"stripe measured\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\"/>", from,
+             y - 6.0, std::max(to - from, 1.0));
+    plot.add("<path class=\"line measured\" d=\"M{:.1f} {:.1f}v6m0 -3H{:.1f}m0 -3v6\"/>", plot.x(slope.low), y - 3.0,
+             plot.x(slope.high));
+  }
+  return plot.end();
 }
 
 page::Chart scatter(const Report& report, const std::string& quantity) {

@@ -52,6 +52,8 @@ std::vector<result::Block> influences(const Report& report) {
   std::vector<result::Block> all{
       fmt::format("What the {} depends on, by {} runs, with 95 % intervals.",
                   column_words(figure_columns[figure]).words, a.influence_runs),
+      result::Drawing{tornado_svg(report, page::full_page), tornado_svg(report, page::half_page),
+                      "The line at the end of each bar is its 95 % interval."},
       slopes,
       "Slope: by how many of its standard deviations the figure moves with one of the quantity's, the others held. " +
           about_slopes(a)};

@@ -51,6 +51,9 @@ struct Report {
 [[nodiscard]] page::Chart convergence_chart(const Report& report);
 /// How many of the runs are in each of equally wide bins, of a column whose values are not all the same.
 [[nodiscard]] page::Chart histogram(const Column& column);
+/// A bar for each quantity: by how much the figure of the question moves with it, largest first, with the 95 %
+/// interval.
+[[nodiscard]] std::string tornado_svg(const Report& report, double width);
 /// The figure of the question over one of the quantities: runs that meet it, runs that do not.
 [[nodiscard]] page::Chart scatter(const Report& report, const std::string& quantity);
 

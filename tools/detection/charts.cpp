@@ -58,13 +58,18 @@ void draw_row(page::SvgPlot& plot, const Report& report, Kind kind, double top) 
     const Count& count = well(report, kind, rule);
     const double y = top + bar_row * (static_cast<double>(rule) + 0.5);
     const std::string_view role = page::class_of(roles[rule % roles.size()]);
-    plot.add("<g><title>{}: {} of {}</title><path class=\"line {}\" d=\"M{:.1f} {:.1f}H{:.1f}m0 -3v6\"/>",
-             page::printed(report.campaign.rules[rule].name()), with_bound(count.controlling, count.events),
-             count.events, role, plot.frame().left, y, plot.x(std::log10(percent_bound(count))));
+    const double bound = plot.x(std::log10(percent_bound(count)));
+    plot.add("<g><title>{}: {} of {}</title>", page::printed(report.campaign.rules[rule].name()),
+             with_bound(count.controlling, count.events), count.events);
     if (count.controlling > 0) {
-      plot.add("<path class=\"dots {}\" d=\"M{:.1f} {:.1f}h0\"/>", role,
-               plot.x(std::log10(100.0 * static_cast<double>(count.controlling) / static_cast<double>(count.events))),
-               y);
+      const double counted =
+          plot.x(std::log10(100.0 * static_cast<double>(count.controlling) / static_cast<double>(count.events)));
+      plot.add(
+          "<path class=\"line {0}\" d=\"M{1:.1f} {2:.1f}H{3:.1f}m0 -3v6\"/><path class=\"dots {0}\" d=\"M{1:.1f} "
+          "{2:.1f}h0\"/>",
+          role, counted, y, bound);
+    } else {  // somewhere below the bound: an arrow that is not filled
+      plot.add("<path class=\"bound {}\" d=\"M{:.1f} {:.1f}l-9 -4v8z m-9 0h-14\"/>", role, bound, y);
     }
     plot.add("</g>");
   }
@@ -142,7 +147,7 @@ std::string bounds_svg(const Report& report, double width) {
   for (const page::Tick& tick : ticks) {
     plot.add("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", plot.x(tick.value), top, bottom);
   }
-  plot.x_axis(ticks, "moves a canard / %: counted (dot), at most (bar)");
+  plot.x_axis(ticks, "moves a canard / %: counted (dot) up to its 95 % bound; none seen: below the arrow");
   draw_legend(plot, report, width);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     draw_row(plot, report, rows[i], top + row * static_cast<double>(i) + 0.5 * gap);

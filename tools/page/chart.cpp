@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "page/page.hpp"
 #include "page/parts.hpp"
 
 namespace fantail::page {
@@ -103,13 +104,14 @@ int depth(Role role) {
 
 void draw_curves(SvgPlot& plot, LabelPlacer& places, const Chart& chart, const std::vector<std::string>& style) {
   const Box frame = plot.frame();
-  const bool cut = chart.x_range || chart.y_range;  // an inner svg cuts off what lies outside, and needs no name for it
-  if (cut) {
-    plot.add(
-        "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} {1:.1f} {2:.1f} "
-        "{3:.1f}\">",
-        frame.left, frame.top, frame.width(), frame.height());
-  }
+  // An inner svg: it cuts off what lies outside, where a part is shown, and a reader can zoom it.
+  const bool cut = chart.x_range || chart.y_range;
+  plot.add(
+      "<svg class=\"curves\"{4} x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} "
+      "{1:.1f} {2:.1f} {3:.1f}\" preserveAspectRatio=\"none\">",
+      frame.left, frame.top, frame.width(), frame.height(), cut ? "" : " overflow=\"visible\"");
+  draw_shaded_ranges(plot, chart);
+  draw_levels(plot, chart);
   for (const Area& area : chart.areas) {
     draw(plot, area, chart.sampled);
   }
@@ -120,10 +122,11 @@ void draw_curves(SvgPlot& plot, LabelPlacer& places, const Chart& chart, const s
       }
     }
   }
-  if (cut) {
-    plot.add("</svg>");
-  }
+  plot.add("</svg>");
 }
+
+/// What stands in front of "/": "time after lift-off / s".
+std::string_view name_of(std::string_view label) { return label.substr(0, label.find(" / ")); }
 
 }  // namespace
 
@@ -151,15 +154,18 @@ std::string svg(const Chart& chart) {
   const Box frame{left, top, right, height - below};
   plot.place(frame, x, y);
 
-  plot.begin("chart", chart.label, chart.width, height);
+  plot.begin(
+      "chart", chart.label, chart.width, height,
+      fmt::format(" data-frame=\"{:.1f} {:.1f} {:.1f} {:.1f}\" data-x=\"{:.9g} {:.9g}\" data-y=\"{:.9g} {:.9g}\" "
+                  "data-x-name=\"{}\"",
+                  frame.left, frame.top, frame.right, frame.bottom, x.low, x.high, y.low, y.high,
+                  escape_html(chart.x_label.empty() ? "x" : name_of(chart.x_label))));
   const bool anything = std::ranges::any_of(chart.series, [](const Series& one) { return anything_in(one); }) ||
                         std::ranges::any_of(chart.areas, [](const Area& one) { return anything_in(one); });
   plot.outline(anything ? "frame" : "frame empty");
-  draw_shaded_ranges(plot, chart);
   plot.x_axis(anything || chart.x_range || !chart.shaded_ranges.empty() ? x_ticks : std::vector<Tick>{}, chart.x_label);
   plot.y_axis(anything || chart.y_range ? y_ticks : std::vector<Tick>{}, true);
   LabelPlacer places{frame};
-  draw_levels(plot, chart);
   draw_curves(plot, places, chart, style);
   top_labels.draw(plot);
   label_levels(plot, places, chart);

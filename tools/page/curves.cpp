@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "page/page.hpp"
 #include "page/parts.hpp"
 #include "page/svg_plot.hpp"
 
@@ -129,7 +130,8 @@ void draw_line(SvgPlot& plot, LabelPlacer& places, const Series& series, std::st
     }
   }
   if (!path.empty()) {
-    plot.add("<path class=\"line {}{}\" d=\"{}\"/>", class_of(series.role), style, path);
+    plot.add("<path class=\"line {}{}\" data-name=\"{}\" d=\"{}\"/>", class_of(series.role), style,
+             escape_html(series.name), path);
   }
   if (!lone.empty()) {
     plot.add("<path class=\"dots lone {}\" d=\"{}\"/>", class_of(series.role), lone);
@@ -154,7 +156,8 @@ void draw_dots(SvgPlot& plot, LabelPlacer& places, const Series& series) {
     }
   }
   if (!path.empty()) {
-    plot.add("<path class=\"dots{} {}\" d=\"{}\"/>", drawn.size() > 120 ? " many" : "", class_of(series.role), path);
+    plot.add("<path class=\"dots{} {}\" data-name=\"{}\" d=\"{}\"/>", drawn.size() > 120 ? " many" : "",
+             class_of(series.role), escape_html(series.name), path);
   }
 }
 

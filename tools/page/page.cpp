@@ -2,6 +2,7 @@
 #include "page/page.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <ranges>
 #include <utility>
 
@@ -50,6 +51,16 @@ std::string header(const Page& page) {
   return titles + (facts.empty() ? "" : "<dl class=\"facts\">\n" + facts + "</dl>\n") + "</header>\n";
 }
 
+// The first sentence is the answer, and stands alone.
+std::string answer_and_rest(std::string_view text) {
+  for (std::size_t at = text.find(". "); at != std::string_view::npos; at = text.find(". ", at + 1)) {
+    if (std::isupper(static_cast<unsigned char>(text[at + 2])) != 0) {
+      return paragraph(text.substr(0, at + 1)) + paragraph(text.substr(at + 2));
+    }
+  }
+  return text.empty() ? "" : paragraph(text);
+}
+
 std::string verdict(const Page& page) {
   if (page.verdict_heading.empty()) {
     return {};
@@ -61,8 +72,7 @@ std::string verdict(const Page& page) {
                     target.empty() ? "" : fmt::format(" <a href=\"#{}\">What that means</a>", target));
   }
   return fmt::format("<section class=\"verdict {}{}\">\n<h2>{}</h2>\n{}{}</section>\n", class_of(page.tone),
-                     page.stamped ? " stamped" : "", printed(page.verdict_heading),
-                     page.verdict.empty() ? "" : paragraph(page.verdict),
+                     page.stamped ? " stamped" : "", printed(page.verdict_heading), answer_and_rest(page.verdict),
                      findings.empty() ? "" : "<ul>\n" + findings + "</ul>\n");
 }
 
@@ -114,6 +124,13 @@ std::string_view table_class(std::span<const Column> columns, std::span<const st
   return named ? "named" : "plain";
 }
 
+// For charts to be zoomed and folds to be opened on paper.
+std::string chart_scripts(std::string_view content_html) {
+  const bool any = content_html.find(" data-frame=") != std::string_view::npos ||
+                   content_html.find("<details>") != std::string_view::npos;
+  return any ? fmt::format("<script>\n{}</script>\n", chart_js) : "";
+}
+
 // Of the svg itself, beside those that it has.
 std::string with_class(std::string_view svg, std::string_view name) {
   constexpr std::string_view begin = "<svg class=\"";
@@ -132,9 +149,9 @@ std::string html(const Page& page) {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}{}{}</title>\n<style>{}{}{}</style>\n</head>\n"
-      "<body>\n<main>\n{}{}</main>\n{}</body>\n</html>\n",
+      "<body>\n<main>\n{}{}</main>\n{}{}</body>\n</html>\n",
       title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
-      chart_css, page_css, content, footer(page, content), live_scripts(page.live));
+      chart_css, page_css, content, footer(page, content), chart_scripts(content), live_scripts(page.live));
 }
 
 void set_made_by(std::string command, std::string version) {

@@ -79,6 +79,7 @@ class TopLabels {
 
 // The files of assets/ and of third_party/uplot, compiled in by embed.cmake.
 extern const std::string_view chart_css;  ///< the palette and the drawings
+extern const std::string_view chart_js;   ///< a cursor and zoom for each chart, and no folds on paper
 extern const std::string_view page_css;   ///< what stands around them
 extern const std::string_view live_js;
 extern const std::string_view rocket_js;  ///< fantailRocket(), which scene_js needs

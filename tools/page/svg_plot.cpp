@@ -75,10 +75,10 @@ std::optional<Box> LabelPlacer::take(std::span<const Box> candidates) {
   return best;
 }
 
-void SvgPlot::begin(std::string_view kind, std::string_view label, double width, double height) {
+void SvgPlot::begin(std::string_view kind, std::string_view label, double width, double height, std::string_view more) {
   add("<svg class=\"{0}\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {1} {2}\" style=\"--w:{1}\" role=\"img\" "
-      "aria-label=\"{3}\">",
-      kind, width, height, printed(label));
+      "aria-label=\"{3}\"{4}>",
+      kind, width, height, printed(label), more);
 }
 
 void SvgPlot::outline(std::string_view kind) {
@@ -94,7 +94,8 @@ void SvgPlot::x_axis(const std::vector<Tick>& ticks, std::string_view label) {
     add("<path class=\"tick\" d=\"M{:.1f} {:.1f}v4\"/>", at, frame_.bottom);
     const double half = 0.5 * text_width(tick.text);
     if (at - half >= taken) {
-      add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at, frame_.bottom + tick_row, tick.text);
+      add("<text class=\"at\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at, frame_.bottom + tick_row,
+          tick.text);
       taken = at + half + 5.0;
     }
   }
@@ -113,7 +114,8 @@ void SvgPlot::y_axis(const std::vector<Tick>& ticks, bool grid) {
     } else {
       add("<path class=\"tick\" d=\"M{:.1f} {:.1f}h-4\"/>", frame_.left, at);
     }
-    add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", frame_.left - 8.0, at + 4.2, tick.text);
+    add("<text class=\"at\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", frame_.left - 8.0, at + 4.2,
+        tick.text);
   }
 }
 

@@ -105,7 +105,8 @@ class SvgPlot {
     text_ += fmt::format(format, std::forward<T>(values)...);
   }
 
-  void begin(std::string_view kind, std::string_view label, double width, double height);
+  /// `more`: further attributes, with a space before each.
+  void begin(std::string_view kind, std::string_view label, double width, double height, std::string_view more = {});
   void outline(std::string_view kind);
   /// Texts below the frame; one without room is left out.
   void x_axis(const std::vector<Tick>& ticks, std::string_view label);

@@ -45,10 +45,13 @@ std::string chapter_html(const Chapter& chapter) {
   for (const Claim& claim : chapter.claims) {
     (is_folded(claim) ? folded : shown).push_back(claim);
   }
+  const auto differs = std::ranges::count_if(chapter.claims, [](const Claim& claim) { return !claim.agrees; });
+  const std::string tables = (shown.empty() ? "" : claim_table(shown)) +
+                             (folded.empty() ? "" : page::on_demand(folded_words(folded), claim_table(folded)));
   return page::section(chapter.title,
-                       page::paragraph(chapter.introduction) + (shown.empty() ? "" : claim_table(shown)) +
-                           (folded.empty() ? "" : page::on_demand(folded_words(folded), claim_table(folded))) +
-                           page::side_by_side(chapter.figures_html));
+                       page::paragraph(chapter.introduction) +
+                           page::on_demand(fmt::format("{} statements, {} different", chapter.claims.size(), differs),
+                                           tables + page::side_by_side(chapter.figures_html)));
 }
 
 std::string figure_table() {
@@ -100,10 +103,11 @@ Tally tally(std::span<const Chapter> chapters) {
 
 std::string summary(const Tally& count) {
   return fmt::format(
-      "Of what was printed, {} statements are reproduced: {} computed from other printed numbers, {} simulated, {} "
-      "described in words and seen here. Not counted among them: {} that our inputs were fitted to, {} read back from "
-      "our own simulator, {} taken as printed, {} outside the model. {} came out differently, {} are errors of the "
-      "print, and {} need data that are not printed.",
+      "{} printed statements are reproduced: {} computed from other printed numbers, {} simulated, {} described in "
+      "words "
+      "and seen here. Not counted: {} that our inputs were fitted to, {} read back from our own simulator, {} taken as "
+      "printed, {} outside the model. {} came out differently, {} are errors in print, and {} need data that are not "
+      "printed.",
       count.reproduced(), count.of(Kind::computed), count.of(Kind::simulated), count.of(Kind::described),
       count.of(Kind::fitted), count.of(Kind::read_back), count.of(Kind::definition), count.of(Kind::outside),
       count.differs, count.of(Kind::error_in_print), count.of(Kind::not_reproducible));
@@ -135,7 +139,7 @@ std::string paper_html(std::span<const Chapter> chapters, const std::string& ver
                      .subtitle = "Bryson et al., Aerospace 2016, 3(2), 10, repeated with Fantail " + version +
                                  ". Every number under \u201cOurs\u201d was worked out when this page was made.",
                      .tone = count.differs == 0 ? page::Tone::good : page::Tone::unsure,
-                     .verdict_heading = "Summary",
+                     .verdict_heading = count.differs == 0 ? "Reproduced" : fmt::format("{} different", count.differs),
                      .verdict = summary(count),
                      .body_html = body});
 }

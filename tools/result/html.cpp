@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -50,6 +54,9 @@ page::Cell in_page(const Column& column, const Cell& cell) {
   return {.text = shown(column, cell)};
 }
 
+/// A longer table is folded.
+constexpr std::size_t most_open_rows = 4;
+
 std::string html(const Table& table) {
   const std::vector<std::size_t> shown_columns = known_columns(table);
   std::vector<page::Column> columns;
@@ -63,7 +70,13 @@ std::string html(const Table& table) {
       row.push_back(in_page(table.columns[i], table.rows[at][i]));
     }
   }
-  return rows.empty() ? "" : page::table(columns, rows);
+  if (rows.empty()) {
+    return {};
+  }
+  const std::string all = page::table(columns, rows);
+  return rows.size() <= most_open_rows
+             ? all
+             : page::on_demand(fmt::format("Table of {} rows: {} ...", rows.size(), columns.front().heading), all);
 }
 
 bool is_half_page(const Block& block) {
@@ -86,6 +99,21 @@ std::string body(const std::vector<Block>& blocks) {
     }
   }
   return all;
+}
+
+/// As a page has them: behind the verdict the section with the picture that answers.
+std::vector<Section> picture_first(std::vector<Section> sections) {
+  const auto with_picture = std::ranges::find_if(sections, [](const Section& section) {
+    return section.readers != Readers::programs && section.folded.empty() &&
+           std::ranges::any_of(section.blocks, [](const Block& block) {
+             return std::holds_alternative<Picture>(block) || std::holds_alternative<Live>(block) ||
+                    std::holds_alternative<Drawing>(block);
+           });
+  });
+  if (with_picture != sections.end()) {
+    std::rotate(sections.begin(), with_picture, std::next(with_picture));
+  }
+  return sections;
 }
 
 /// "Go: every ..." below the heading "Go": "Every ..."
@@ -120,7 +148,7 @@ std::string html(const Document& document) {
   for (const std::string& sentence : document.verdict.not_in_it) {
     page.findings.push_back({.what = verdict.not_in_it_heading, .about = sentence});
   }
-  for (const Section& section : document.sections) {
+  for (const Section& section : picture_first(document.sections)) {
     const std::string inside = body(section.blocks);
     for (const Block& block : section.blocks) {
       if (const auto* live = std::get_if<Live>(&block)) {
