@@ -77,6 +77,10 @@ class TopLabels {
   std::size_t rows_ = 0;
 };
 
+[[nodiscard]] std::string_view class_of(Tone tone);
+/// <tag class="...">text</tag>, or nothing.
+[[nodiscard]] std::string unless_empty(std::string_view tag, std::string_view kind, std::string_view text);
+
 // The files of assets/ and of third_party/uplot, compiled in by embed.cmake.
 extern const std::string_view chart_css;  ///< the palette and the drawings
 extern const std::string_view chart_js;   ///< a cursor and zoom for each chart, and no folds on paper
