@@ -180,7 +180,7 @@ TEST_F(DetectionCampaign, TheReportSaysWhichJudgedPlanMovedACanard) {
   EXPECT_NE(result::html(answer(report)).find("<svg"), std::string::npos);
 }
 
-// All of the models through the shipped plan of the second launch, both accelerometers well: what docs/detection.md
+// All of the models through the shipped plan of the second launch, both accelerometers well: what docs/devices.md
 // says of 10^7 events, in the small.
 TEST_F(DetectionCampaign, NoneOfAHundredThousandEventsMovesACanardOfTheSecondLaunchWhenBothAccelerometersAreWell) {
   const std::vector<std::string> names{"tasha3_launch2"};

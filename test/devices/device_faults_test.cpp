@@ -11,7 +11,7 @@
 namespace fantail::devices {
 namespace {
 
-// The table of docs/device_faults.md, run: each row is a device and what is wrong with it, each column a phase. Every
+// The table of docs/devices.md, run: each row is a device and what is wrong with it, each column a phase. Every
 // case begins in a copy of a rocket that is well.
 
 using core::Phase;

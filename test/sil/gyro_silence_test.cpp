@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long may a gyro be silent in flight? The figures of docs/failures.md, and the claim behind them: to wait for it,
+// How long may a gyro be silent in flight? The figures of docs/devices.md, and the claim behind them: to wait for it,
 // with the canards at trim, is never worse than to end control.
 #include <cstdlib>
 

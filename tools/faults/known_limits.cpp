@@ -5,7 +5,7 @@
 #include "faults/stop_rule.hpp"
 
 // Cells that may be red, because nothing in this avionics makes them green. One that stands here and is green is
-// reported, too. docs/faults.md has the same list with figures.
+// reported, too. docs/devices.md has the same list with figures.
 namespace fantail::faults {
 namespace {
 

@@ -17,7 +17,7 @@ namespace {
 
 // From the last seal to the first look at the clock, for a board whose crystal of 32.768 kHz does not run: half of a
 // seal's 10 ms, and 10 ms of reset and start; when the watchdog had to find out, its 50 ms. All of it is computed and
-// nothing measured; docs/failures.md says how far it may be off.
+// nothing measured; docs/devices.md says how far it may be off.
 hal::Microseconds assumed_gap(hal::ResetCause cause) {
   return hal::Microseconds{cause == hal::ResetCause::watchdog ? 65'000 : 15'000};
 }
