@@ -36,9 +36,9 @@ def page(rows, seconds, passed, command, notes):
         "passed": passed,
         "tables": [
             {
-                "caption": "Each property, proved by the model checker ESBMC over all values that its inputs can have",
+                "caption": "By the model checker ESBMC, over all values of the inputs; [what each says](../evidence.md#what-is-proved)",
                 "columns": [
-                    "property",
+                    "proof",
                     "verdict",
                     "claims",
                     "seeded bugs refuted",
@@ -48,7 +48,7 @@ def page(rows, seconds, passed, command, notes):
                 ],
                 "rows": [
                     [
-                        row["says"],
+                        row["name"],
                         "proved" if row["proved"] else "NOT PROVED",
                         str(row["claims"]),
                         f"{row['bugs_refuted']} of {row['bugs']}",
@@ -61,6 +61,8 @@ def page(rows, seconds, passed, command, notes):
             }
         ],
         "notes": [
+            f"{sum(row['proved'] for row in rows)} of {len(rows)} properties proved: {sum(row['claims'] for row in rows)} claims, "
+            f"{sum(row['bugs_refuted'] for row in rows)} of {sum(row['bugs'] for row in rows)} seeded bugs refuted.",
             "A property counts as proved only if each error that was put into a copy of the source was found, and "
             "each place of the harness was shown to be reachable.",
             *notes,

@@ -147,7 +147,14 @@ def main():
                 subprocess.run([sys.executable, TOOLS / "checked.py", "The repository", "./dev repository", "checked.txt", "12", "checked.json"], check=True)
                 assert figures.main(["docs/figures/z.md", "Gates", "./dev gates", "checked.json"]) == passed
                 page = pathlib.Path("docs/figures/z.md").read_text()
-                assert "`./dev repository`, 12 s: " in page and f"| forms | {verdict} |" in page, page
+                assert "`./dev repository`, 12 s: " in page and f"({2 - passed} of 2 checks)" in page, page
+                assert ("| forms | NOT PASSED |" in page) == bool(passed) and "licences" not in page, page
+            # Of a table with a sum the sum alone.
+            pathlib.Path("summed.json").write_text(json.dumps({"title": "Coverage", "command": "./dev coverage", "seconds": 3, "passed": True, "tables": [
+                {"columns": ["file", "lines"], "rows": [["a.cpp", "1 of 1"], ["b.cpp", "2 of 2"], ["all", "3 of 3"]]}]}))
+            assert figures.main(["docs/figures/z.md", "Gates", "./dev gates", "summed.json"]) == 0
+            page = pathlib.Path("docs/figures/z.md").read_text()
+            assert "| all 2 | 3 of 3 |" in page and "a.cpp" not in page, page
 
 
 main()

@@ -4,7 +4,9 @@
 #   figures.py PAGE TITLE COMMAND FILE...   PAGE: docs/figures/NAME.md
 #
 # Each FILE is the JSON of one tool: title, command, seconds, passed, tables (caption, columns, rows), notes. Its name is the anchor
-# of its part of the page, which a requirement of the safety case names. Exit code 1 if a tool has not passed, 66 if a file is missing.
+# of its part of the page, which a requirement of the safety case names. The page is short: of a list of checks it has how many there
+# are and those that have not passed, and of a table that ends in the row "all" that row. Exit code 1 if a tool has not passed, 66 if a
+# file is missing.
 import datetime
 import json
 import os
@@ -31,16 +33,36 @@ def cell(value):
     return str(value).replace("|", "\\|").replace("\n", " ")
 
 
+def is_list_of_checks(table):
+    return table["columns"] == ["checked", "verdict"]  # what checked.py writes
+
+
+def shortened(table):
+    """The rows of a table that stand on the page."""
+    rows = table["rows"]
+    if is_list_of_checks(table):
+        return [row for row in rows if row[1] != "passed"]
+    if len(rows) > 1 and rows[-1][0] == "all":
+        return [[f"all {len(rows) - 1}", *rows[-1][1:]]]
+    return rows
+
+
 def part(path):
     tool = json.loads(path.read_text())
+    checks = [row for table in tool["tables"] if is_list_of_checks(table) for row in table["rows"]]
+    passed = sum(row[1] == "passed" for row in checks)
     lines = [f'## {tool["title"]} <a id="{path.stem}"></a>', ""]
-    lines += [f'`{tool["command"]}`, {round(tool["seconds"])} s: {"passed" if tool["passed"] else "**not passed**"}.', ""]
+    lines += [f'`{tool["command"]}`, {round(tool["seconds"])} s: {"passed" if tool["passed"] else "**not passed**"}'
+              f'{f" ({passed} of {len(checks)} checks)" if checks else ""}.', ""]
     for table in tool["tables"]:
+        rows = shortened(table)
+        if not rows:
+            continue
         if table.get("caption"):
             lines += [table["caption"], ""]
         lines.append("| " + " | ".join(map(cell, table["columns"])) + " |")
         lines.append("|" + "---|" * len(table["columns"]))
-        lines += ["| " + " | ".join(map(cell, row)) + " |" for row in table["rows"]]
+        lines += ["| " + " | ".join(map(cell, row)) + " |" for row in rows]
         lines.append("")
     lines += [f"- {note}" for note in tool.get("notes", [])] + ([""] if tool.get("notes") else [])
     return lines, tool["passed"]
