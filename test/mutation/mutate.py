@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Usage: mutate.py [--sample N] [--seed S] [--all] [--file F]... [--resume] [--json] [--check-options]
 
-Changes the code that moves canards in one place at a time and asks whether a test notices (docs/coverage.md). It needs
+Changes the code that moves canards in one place at a time and asks whether a test notices (docs/evidence.md). It needs
 build/host with test_core, test_protocol and test_avionics; build/mutation takes objects, programs and results_*.jsonl, one line
 a trial. --check-options: no more than that.
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes the place of the main function of a test program while mutants are on trial (docs/coverage.md):
+// Takes the place of the main function of a test program while mutants are on trial (docs/evidence.md):
 //   PROGRAM list                 the names of its tests
 //   PROGRAM run TESTS            runs the tests in the file TESTS, a line "SECONDS NAME" each, in that order, until one
 //   fails PROGRAM trace TESTS HITS     the same; HITS takes what each has reached: "NAME" and the places in the program

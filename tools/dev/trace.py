@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 # From a hazard to the line of code and to what shows that it works. Reads docs/safety.md (tables of hazards and of requirements),
-# the sources (comments "Meets LIM-1.") and the tests, and writes docs/trace.md with a link to each line.
+# docs/evidence.md (what each proof states), the sources (comments "Meets LIM-1.") and the tests, and writes docs/trace.md with a link
+# to each line. The text of a requirement stands in docs/safety.md alone, to which its number leads.
 #
 #   trace.py ROOT           writes the page
 #   trace.py ROOT --check   fails if the page is not what would be written
 #
 # Exit code 1 and a sentence for each fault: a requirement without code, without evidence or without a hazard; a number in the code,
-# or a test, proof or figure in the table, that does not exist; a proof that no requirement names; a figure that neither a requirement
-# names nor a link in the safety case leads to.
+# or a test, proof or figure in the table, that does not exist; a proof that no requirement names or docs/evidence.md does not state; a
+# figure that neither a requirement names nor a link in these two pages leads to; a requirement without an anchor, a link to none.
 import pathlib
 import re
 import sys
@@ -37,6 +38,8 @@ class Trace:
         self.root = root
         self.faults = []
         self.safety = safety = (root / "docs/safety.md").read_text()
+        page = root / "docs/evidence.md"
+        self.stated = page.read_text() if page.exists() else ""
         self.hazards = [(row[0], row) for _, row in rows_of(safety, "Hazards")]
         self.requirements = {}
         for number, row in rows_of(safety, "Requirements"):
@@ -117,24 +120,25 @@ class Trace:
             links += [link(text, place) for text, place in found]
         return links
 
-    def text(self, identifier, cell):
-        """A cell of docs/safety.md as it stands on another page: its links lead to where they led."""
-
-        def to_row(found):
-            if found[1] not in self.requirements:
-                self.fault(f"docs/safety.md: {identifier} names {found[1]}, which is no requirement")
-            return f"[{found[1]}](#{found[1].lower()})"
-
-        return re.sub(rf"\[({ID})\](?!\()", to_row, cell.replace("](#", "](safety.md#"))
+    def check_links(self):
+        """Each requirement has its anchor in docs/safety.md, and each number in brackets leads to one."""
+        for identifier in self.requirements:
+            if f'<a id="{identifier.lower()}"></a>' not in self.safety:
+                self.fault(f'docs/safety.md: {identifier} has no anchor: its row begins with | <a id="{identifier.lower()}"></a>{identifier} |')
+        for identifier, target in sorted(set(re.findall(rf"\[({ID})\](\([^)]*\))?", self.safety))):
+            if identifier not in self.requirements:
+                self.fault(f"docs/safety.md: names {identifier}, which is no requirement")
+            elif target != f"(#{identifier.lower()})":
+                self.fault(f"docs/safety.md: [{identifier}]{target} leads elsewhere: [{identifier}](#{identifier.lower()})")
 
     def page(self):
         self.used = set()
         lines = [
             "# From hazard to evidence",
             "",
-            "Written by `./dev trace` from [the safety case](safety.md), the comments in the sources and the names of the tests; a",
-            "test fails when it is not up to date. Each test can be run by its name, each proof by its own, and the links lead to what",
-            "they say:",
+            "For a reviewer of [the safety case](safety.md) who wants to see, for each requirement, the code that meets it and the tests and",
+            "proofs that show it. A number leads to the text of the requirement. Written by `./dev trace` from the safety case, comments in",
+            "the sources and names of tests; a test fails when it is not up to date. A test or a proof runs by its name:",
             "",
             "```",
             "./dev test --only FlightPhase.NeitherTheSwitchNorTheCommandAloneArms",
@@ -153,9 +157,9 @@ class Trace:
                     self.fault(f"docs/safety.md: hazard {identifier} names {one}, which is no requirement")
             if not wanted:
                 self.fault(f"docs/safety.md: hazard {identifier} names no requirement")
-            lines.append(f"| {identifier} {self.text(identifier, row[1])} | {', '.join(f'[{one}](#{one.lower()})' for one in dict.fromkeys(wanted))} |")
+            lines.append(f"| {identifier} {row[1].replace('](#', '](safety.md#')} | {', '.join(f'[{one}](#{one.lower()})' for one in dict.fromkeys(wanted))} |")
         lines += ["", "| requirement | code | shown by |", "|---|---|---|"]
-        for identifier, (_, text, made_in, shown_by) in self.requirements.items():
+        for identifier, (_, _, made_in, shown_by) in self.requirements.items():
             code = self.met.get(identifier, [])
             folders = re.findall(r"`([^`]+)`", made_in)
             for wanted in folders:
@@ -172,27 +176,22 @@ class Trace:
             if identifier not in named:
                 self.fault(f"docs/safety.md: no hazard names {identifier}")
             where = ", ".join(link(f"{pathlib.PurePath(name).name}:{number}", (name, number)) for name, number in code)
-            lines.append(f'| <a id="{identifier.lower()}"></a>**{identifier}** {self.text(identifier, text)} | {where} | {", ".join(shown)} |')
-        page = self.root / "docs/proofs.md"
-        stated = page.read_text().partition("## What is proved")[2].partition("\n## ")[0] if page.exists() else ""
-        targets = set(re.findall(rf"^\[({ID})\]: trace\.md#", self.safety, re.MULTILINE))
-        for identifier in sorted(set(re.findall(rf"\[({ID})\](?![(:])", self.safety))):
-            if identifier not in self.requirements:
-                self.fault(f"docs/safety.md: names {identifier}, which is no requirement")
-            elif targets and identifier not in targets:
-                self.fault(f"docs/safety.md: [{identifier}] leads nowhere: a line [{identifier}]: trace.md#{identifier.lower()} is missing")
+            anchor = identifier.lower()
+            lines.append(f'| <a id="{anchor}"></a>[{identifier}](safety.md#{anchor}) | {where} | {", ".join(shown)} |')
+        self.check_links()
+        stated = self.stated.partition("## What is proved")[2].partition("\n## ")[0]
         for name, (path, _) in self.proofs.items():
             row = re.search(rf"^\|[^|]*`{name}`[^|]*\|[^|]*\|([^|]*)\|$", stated, re.MULTILINE)
             if not row or len(row[1].split()) < 5:
-                self.fault(f"docs/proofs.md: the table of what is proved does not state the proof {name}")
+                self.fault(f"docs/evidence.md: the table of what is proved does not state the proof {name}")
             if ("proof", name) not in self.used:
                 self.fault(f"{path}: no requirement in docs/safety.md names the proof {name}")
-        linked = set(re.findall(r"\]\(figures/\w+\.md#(\w+)\)", self.safety))
+        linked = set(re.findall(r"\]\(figures/\w+\.md#(\w+)\)", self.safety + self.stated))
         for name, (path, _) in self.figures.items():
             if ("figures", name) not in self.used and name not in linked:
-                self.fault(f"{path}: nothing in docs/safety.md names the figures {name}")
+                self.fault(f"{path}: nothing in docs/safety.md or docs/evidence.md names the figures {name}")
         for name in sorted(linked - set(self.figures)):
-            self.fault(f"docs/safety.md: there are no figures {name} in docs/figures")
+            self.fault(f"docs/safety.md or docs/evidence.md: there are no figures {name} in docs/figures")
         return "\n".join(lines) + "\n"
 
 
