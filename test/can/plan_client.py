@@ -5,9 +5,11 @@ plan_client.py MANUAL DATABASE PLAN --can INTERFACE   sends the plan, waits unti
 plan_client.py MANUAL DATABASE PLAN --write FILE      writes the block instead
 
 MANUAL is the folder with can.md and flight_plan.md, PLAN a TOML file; what it does not mention has the manual's default.
+Beside the database stands plan_block.csv, the fields of the block.
 Exit code 0: in force; 1: refused, with the reason on standard output.
 """
 import argparse
+import csv
 import pathlib
 import re
 import struct
@@ -42,11 +44,10 @@ def rows(page, heading):
 
 
 class Manual:
-    def __init__(self, folder):
-        page = (folder / "can.md").read_text()
-        block_rows = rows(page, "### The plan block")
-        self.fields = [row for row in block_rows if row[0].isdigit() and row[1].startswith("`")]
-        layout = {row[0]: row[2] for row in block_rows if row not in self.fields}
+    def __init__(self, folder, field_table):
+        lines = [line for line in field_table.read_text().splitlines() if not line.startswith("#")]
+        self.fields = [list(row.values()) for row in csv.DictReader(lines)]
+        layout = {row[0]: row[2] for row in rows((folder / "can.md").read_text(), "### The plan block")}
         self.magic = re.search(r"`(\w{4})`", layout["0"])[1].encode()
         self.version = int(re.search(r"\d+$", layout["4"])[0])
         self.payload_size = int(re.search(r"\d+$", layout["6"])[0])
@@ -55,12 +56,12 @@ class Manual:
         self.defaults = tomllib.loads(toml)
 
     def name_of(self, number):
-        return self.fields[number][1].strip("`")
+        return self.fields[number][1]
 
     def block(self, plan):
         payload = b""
         for _, name, words, stored_as in self.fields:
-            section, key = name.strip("`").split(".")
+            section, key = name.split(".")
             value = plan.get(section, {}).get(key, self.defaults[section][key])
             payload += self.words(value, words, stored_as)
         assert len(payload) == self.payload_size, "the manual contradicts itself"
@@ -192,7 +193,7 @@ def main():
     parser.add_argument("--can")
     parser.add_argument("--write", type=pathlib.Path)
     options = parser.parse_args()
-    manual = Manual(options.manual)
+    manual = Manual(options.manual, pathlib.Path(options.database).with_name("plan_block.csv"))
     block = manual.block(tomllib.loads(options.plan.read_text()))
     if options.write:
         options.write.write_bytes(block)
