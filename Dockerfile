@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# docs/packages.md says how to build and use it. `./dev package --container` runs these steps without Docker.
+# docs/developing.md says how to build and use it. `./dev package --container` runs these steps without Docker.
 FROM debian:12-slim AS build
 WORKDIR /fantail
 # The list of packages alone: as long as it stays, they need not be installed again.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# A release (docs/releasing.md). All of it is made in a clone, from the commit on; only what is whole comes into this repository. Part of ./dev.
+# A release (docs/developing.md). All of it is made in a clone, from the commit on; only what is whole comes into this repository. Part of ./dev.
 
 release_packages="$package_packages git ca-certificates python3-venv python3-dev"
 

@@ -69,7 +69,7 @@ def main():
             stage.page(name, file.read_text(encoding="utf-8"))
         elif file.suffix == ".ipynb":
             stage.page(str(pathlib.PurePath(name).with_suffix(".md")), notebook.as_page(file))
-        elif file.suffix in SHOWN and name != "docs/playground.html":  # which would be in the place of docs/playground.md
+        elif file.suffix in SHOWN and name != "docs/playground.html":  # which ./dev playground makes and the gallery shows
             (pages / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(file, pages / name)
     for name, text in api.pages(xml).items():
