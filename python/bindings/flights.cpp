@@ -108,6 +108,7 @@ void bind_flights(nb::module_& m) {
       "pass dict(flight), its columns, or write(folder) and the folder, or the scenario's arguments and fly there");
   m.def("phase_names", [] {
     std::vector<std::string> names;
+    names.reserve(core::phases);
     for (std::size_t i = 0; i < core::phases; ++i) {
       names.emplace_back(core::name(static_cast<core::Phase>(i)));
     }

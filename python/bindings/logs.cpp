@@ -84,6 +84,7 @@ std::vector<core::Inputs> inputs(const Flight& flight) {
 
 std::vector<float> commands_rad(const Flight& flight) {
   std::vector<float> all;
+  all.reserve(flight.ticks.size());
   for (const flight_log::LoggedTick& logged : flight.ticks) {
     all.push_back(logged.tick.command.radians());
   }

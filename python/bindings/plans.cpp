@@ -60,7 +60,7 @@ json::Value value_of(const PlanField& field, const core::FlightPlan& plan, std::
   if (field.is_time()) {
     return field.get_bits(plan, slot) / 1e6;
   }
-  return field.kind == FieldKind::number ? as_written(field, plan, slot) : typed(field, field.get(plan, slot));
+  return field.kind == FieldKind::number ? as_written(field, plan, slot) : typed(field, double{field.get(plan, slot)});
 }
 
 std::string values_json(const core::FlightPlan& plan) {

@@ -10,6 +10,7 @@
 #include "core/tick_record.hpp"
 #include "json/value.hpp"
 #include "replies/sentence.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::bench {
 namespace {

@@ -166,6 +166,7 @@ std::vector<result::Block> worst(const Report& report) {
 
 std::vector<std::string> changes_of(const Campaign& campaign) {
   std::vector<std::string> all;
+  all.reserve(campaign.changes.size());
   for (const input::Override& change : campaign.changes) {
     all.push_back(lines_of({change}));
   }

@@ -105,6 +105,7 @@ Draw Drawer::draw(std::uint64_t run) const {
   for (std::size_t s = 0; s < spreads_.size(); ++s) {
     const Spread& spread = spreads_[s];
     std::vector<double> unit;
+    unit.reserve(spread.dimensions());
     for (std::size_t i = 0; i < spread.dimensions(); ++i) {
       unit.push_back(unit_coordinate(master_seed_, run, dimension++));
     }

@@ -35,7 +35,7 @@ Cell slope_cell(const std::optional<Estimate>& slope) {
                               : "not known"};
 }
 
-result::Column words_column(std::string label) { return {.key = label, .label = label}; }
+result::Column words_column(const std::string& label) { return {.key = label, .label = label}; }
 
 }  // namespace
 

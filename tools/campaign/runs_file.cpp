@@ -109,8 +109,11 @@ Finished finished_runs(const fs::path& folder, const Stretch& stretch, std::uint
     if (const auto place = edited_row(rows)) {
       found.remark =
           fmt::format("{}: the row of run {} is not as it was written", file.string(), stretch.first + *place);
-    } else if ((found.runs = whole(rows, spreads, stretch, master_seed, may_be_fewer))) {
-      found.remark.clear();
+    } else {
+      found.runs = whole(rows, spreads, stretch, master_seed, may_be_fewer);
+      if (found.runs) {
+        found.remark.clear();
+      }
     }
   } else if (text && !text->substr(0, text->find('\n')).ends_with(",row_check")) {
     found.remark = file.string() + ": was written by an earlier version, whose rows carry no check";

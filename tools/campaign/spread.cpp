@@ -86,6 +86,7 @@ std::vector<double> one_a_field(Section& section, const char* single, const char
 // Where no mean is said, the values that the files say are in the middle.
 std::vector<double> usual_means(const Spread& spread) {
   std::vector<double> means;
+  means.reserve(spread.fields.size());
   for (const input::NumberField& field : spread.fields) {
     means.push_back(spread.effect == Effect::value    ? field.values.front()
                     : spread.effect == Effect::factor ? 1.0

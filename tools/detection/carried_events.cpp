@@ -66,14 +66,16 @@ void make_handling(sim::Random& random, Motion& motion) {
     motion.axial_m_s2[i] += static_cast<float>(bounce * up.cosine * walk.sine());
     motion.across_m_s2[i] += static_cast<float>(bounce * up.sine * walk.sine());
   }
-  for (double t = walk_begins_s; t < 2.3; t += 1.0 / walk_hz) {
-    add_shock(motion, t, uniform(random, 0.03, 0.08), heel, turned);
+  double heel_s = walk_begins_s;
+  while (heel_s < 2.3) {
+    add_shock(motion, heel_s, uniform(random, 0.03, 0.08), heel, turned);
+    heel_s += 1.0 / walk_hz;
   }
   add_shock(motion, 2.35, uniform(random, 0.005, 0.03), uniform(random, 1.0, 6.0) * g, turned);
 }
 
 void make_drop(sim::Random& random, Motion& motion) {
-  constexpr double most_bounces = 4;
+  constexpr int most_bounces = 4;
   const double pitch =
       random.uniform() < 0.5 ? uniform(random, 0.0, 20.0 * degree) : uniform(random, 0.0, std::numbers::pi);
   motion.begin(steps(1.8), pitch);
@@ -83,7 +85,7 @@ void make_drop(sim::Random& random, Motion& motion) {
   double speed = std::sqrt(2.0 * g * height_m);
   double t = lead_s;
   double fall_s = speed / g;
-  for (double bounce = 0; bounce <= most_bounces && t < 1.8; ++bounce) {
+  for (int bounce = 0; bounce <= most_bounces && t < 1.8; ++bounce) {
     const std::size_t end = std::min(motion.length, steps(t + fall_s));
     std::fill(motion.carried.begin() + static_cast<std::ptrdiff_t>(std::min(end, steps(t))),
               motion.carried.begin() + static_cast<std::ptrdiff_t>(end), 0.0F);

@@ -34,8 +34,9 @@ std::vector<Kind> rows_of(const Report& report) {
 /// Powers of ten, by their logarithms.
 std::vector<page::Tick> decades(const page::Range& range) {
   std::vector<page::Tick> ticks;
-  for (double power = range.low; power <= range.high + 0.5; power += 1.0) {
-    ticks.push_back({power, fmt::format("{:.{}f}", std::pow(10.0, power), power < 0.0 ? static_cast<int>(-power) : 0)});
+  for (long power = std::lround(range.low); power <= std::lround(range.high); ++power) {
+    const auto logarithm = static_cast<double>(power);
+    ticks.push_back({logarithm, fmt::format("{:.{}f}", std::pow(10.0, logarithm), std::max(0L, -power))});
   }
   return ticks;
 }

@@ -32,9 +32,10 @@ void add_half_sine(std::span<float> values, double start_s, double width_s, doub
   const double into_s = static_cast<double>(first) * step_s - start_s;
   Oscillator wave{0.5 / width_s, std::numbers::pi * into_s / width_s};
   double t = into_s;
-  for (std::size_t i = first; i < values.size() && t <= width_s + 1e-9; ++i, t += step_s) {
+  for (std::size_t i = first; i < values.size() && t <= width_s + 1e-9; ++i) {
     values[i] += static_cast<float>(peak * wave.sine());
     wave.advance();
+    t += step_s;
   }
 }
 

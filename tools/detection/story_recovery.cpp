@@ -139,8 +139,10 @@ void Story::walk() {
     value += static_cast<float>(bounce * step.sine());
     step.advance();
   }
-  for (double t = 0.0; t < time_s; t += 1.0 / walk_hz) {
-    add_half_sine(carried, t, draw(0.03, 0.08), heel);
+  double heel_s = 0.0;
+  while (heel_s < time_s) {
+    add_half_sine(carried, heel_s, draw(0.03, 0.08), heel);
+    heel_s += 1.0 / walk_hz;
   }
   turn(0.0, time_s, draw(-30.0, 30.0) * degree);
   at_ += length;

@@ -48,6 +48,7 @@ std::string objection_to_kind(const std::string& text) {
     return "";
   }
   std::vector<std::string_view> names;
+  names.reserve(detection::kind_table.size());
   for (const detection::KindInfo& kind : detection::kind_table) {
     names.push_back(kind.name);
   }

@@ -172,9 +172,9 @@ void Verb::action(const std::function<void()>& action) const {
 }
 
 Asked Verb::asked() const {
-  Asked asked;
-  for (const CLI::App* app = app_; app != nullptr; app = app->get_parent()) {
-    asked.command.insert(0, app->get_name() + (app == app_ ? "" : " "));
+  Asked asked{.command = app_->get_name()};
+  for (const CLI::App* app = app_->get_parent(); app != nullptr; app = app->get_parent()) {
+    asked.command.insert(0, app->get_name() + " ");
   }
   for (const CLI::Option* option : app_->get_options()) {
     const Declared& more = declared(option);

@@ -159,10 +159,10 @@ std::string beyond_the_model(const std::filesystem::path& scenario) {
                              ? "; a weaker motor or more mass keeps it slower"
                              : "");
     }
+    return {};
   } catch (const text::Error&) {
-    // fly says what is wrong with it
+    return {};  // fly says what is wrong with it
   }
-  return {};
 }
 
 void make(const NewOptions& options) {

@@ -101,7 +101,8 @@ void fill(const Verb& verb) {
   verb.action([options] {
     try {
       watch(*options);
-    } catch (const Interrupted&) {  // while a pipe gave nothing: Ctrl-C is how this ends
+    } catch (const Interrupted&) {
+      return;  // while a pipe gave nothing: Ctrl-C is how this ends
     }
   });
 }

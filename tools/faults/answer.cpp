@@ -124,7 +124,7 @@ std::string meaning_of_phases() {
 }
 
 std::vector<std::string> how() {
-  return {
+  return {  // NOLINT(bugprone-suspicious-missing-comma): sentences that go on in the next line
       "A cell is a device, a fault and the phase in which the fault begins. Its flights differ by when it begins and "
       "by the seed.",
       "In every flight no command may go beyond the smallest of plan limit, hard limit and mechanical stop; none may "

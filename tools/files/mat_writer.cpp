@@ -15,7 +15,7 @@ namespace fantail::files::mat {
 namespace {
 
 /// How an element of a file is stored, of those that are written.
-enum class Stored : std::uint32_t {
+enum class Stored : std::uint8_t {
   int8 = 1,
   uint16 = 4,
   int32 = 5,

@@ -140,6 +140,7 @@ result::Table sheet(const StepsHeading& heading, const result::Table& whole) {
 result::Table read_table(const StepTable& table) {
   std::vector<StepFigures> figures = each(table, figures_of);
   std::vector<std::string> names;
+  names.reserve(table.steps.size() + 2);
   for (const StepResult& result : table.steps) {
     names.push_back(fmt::format("{} at {:g} s", result.number, result.step.begin_s));
   }

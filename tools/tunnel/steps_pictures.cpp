@@ -94,6 +94,7 @@ std::vector<Outlier> outliers(const StepTable& table) {
   }
   for (std::size_t figure = 0; figure < step_fields.size(); ++figure) {
     std::vector<double> values;
+    values.reserve(table.steps.size());
     for (const StepResult& result : table.steps) {
       values.push_back(value(figure, figures_of(result)));
     }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -24,7 +25,7 @@ constexpr double slow_mach = 0.5;
 constexpr double small_angle_rad = 5.0 * std::numbers::pi / 180.0;
 constexpr double falling_m_s = -1.0;
 
-enum Quantity : std::size_t { mass, gravity, pressure, margin, angle, mach, climb, quantities };
+enum Quantity : std::uint8_t { mass, gravity, pressure, margin, angle, mach, climb, quantities };
 
 /// As its columns are called in files, up to now by name and later by key.
 constexpr std::array<std::pair<std::string_view, std::string_view>, quantities> column_names{{
