@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Usage: readme_bench.sh SOURCE PROGRAM [OPTION OF WITH_VCAN...]
-# The lines of the README's bench section, one by one, as a reader copies them. Only ./dev is another one, because the
+# Usage: bench_lines.sh SOURCE PROGRAM [OPTION OF WITH_VCAN...]
+# The lines of docs/bench.md for a bench without hardware, one by one, as a reader copies them. Only ./dev is another one, because the
 # real one would build a program of its own: it hands its verbs to PROGRAM, and knows none that the real one does not.
 set -u
 source=$1 program=$2
 shift 2
 with_vcan="$source/tools/with_vcan --timeout 240 $*"
-work=$(mktemp -d /tmp/readme_bench.XXXXXX)
+work=$(mktemp -d /tmp/bench_lines.XXXXXX)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failures=0
@@ -34,8 +34,8 @@ $with_vcan true >skipped 2>&1
 [ $? -ne 77 ] || { cat skipped && exit 77; }
 
 # The first block of code below the heading.
-sed -n '/^## The bench/,/^## /p' "$source/README.md" | sed -n '/^```/,/^```/p' | sed '/^```/d' >lines
-[ "$(wc -l <lines)" -ge 4 ] || fail "the README's bench section has only $(wc -l <lines) lines"
+sed -n '/^### Without hardware/,/^## /p' "$source/docs/bench.md" | awk '/^```/ { block++; next } block == 1' >lines
+[ "$(wc -l <lines)" -ge 4 ] || fail "docs/bench.md has only $(wc -l <lines) lines"
 
 number=0
 while IFS= read -r line; do
