@@ -147,15 +147,10 @@ TEST(Hardover, OfARocketThatIsNeverFastItSaysSoInsteadOfAnAngleOfAttack) {
 }
 
 /// Of the verdict at the top of the page.
-std::string verdict_of(const std::string& page) {
-  const std::size_t begin = page.find("<p>", page.find("class=\"verdict"));
-  return page.substr(begin, page.find("</p>", begin) - begin);
-}
-
 TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichStopACurveIs) {
   const Study found = study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2});
   const std::string page = page_of(found);
-  const std::string verdict = verdict_of(page);
+  const std::string verdict = answer(found).verdict.sentence;
   std::size_t sentences = 0;
   for (std::size_t at = 0; (at = verdict.find(". ", at)) != std::string::npos; ++at) {
     ++sentences;

@@ -124,6 +124,16 @@ std::vector<result::Block> outcomes(const Report& report) {
   return {result::table({}, all, outcome_fields), result::Data{"outcomes", counts}};
 }
 
+std::vector<result::Block> roll(const Report& report) {
+  if (report.fan.time_s.empty()) {
+    return {};
+  }
+  const bool all = report.fan.runs == report.flown.runs.size();
+  return {result::Picture{fan_chart(report.fan),
+                          all ? "The true roll angle of all runs."
+                              : fmt::format("The true roll angle of the first {} runs.", report.fan.runs)}};
+}
+
 /// For people; of each run its mean is for programs.
 result::Table shown(const result::Table& columns) {
   return result::only(columns, {"name", "runs", "least", "p5", "p50", "p95", "largest"});
@@ -207,7 +217,8 @@ result::Document answer(const Report& report) {
                     {"seed", "", campaign.seed},
                     {"sampling", "", "independent"},
                     {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
-          .sections = {{"Outcomes", outcomes(report)},
+          .sections = {{"Roll angle of the runs", roll(report), files},
+                       {"Outcomes", outcomes(report)},
                        {"Figures of the runs", distributions(a, figures)},
                        {"What matters", influences(report)},
                        {"Slope of each figure", {slopes_of_each_figure(a)}, files},

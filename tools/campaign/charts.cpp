@@ -112,8 +112,8 @@ std::string tornado_svg(const Report& report, double width) {
     const auto [from, to] = std::minmax(plot.x(0.0), plot.x(slope.value));
     plot.add("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 8.0, y + 4.0,
              page::printed(name));
-    plot.add("<rect class=\"stripe measured\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\"/>", from,
-             y - 6.0, std::max(to - from, 1.0));
+    plot.add("<rect class=\"bar measured\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\"/>", from, y - 6.0,
+             std::max(to - from, 1.0));
     plot.add("<path class=\"line measured\" d=\"M{:.1f} {:.1f}v6m0 -3H{:.1f}m0 -3v6\"/>", plot.x(slope.low), y - 3.0,
              plot.x(slope.high));
   }

@@ -80,7 +80,7 @@ std::string signals() {
 
 std::string toml_page(const Title& title, const std::string& folder) {
   return beginning(title, "scenario, vehicle and flight plan of a rocket") + heading("DESCRIPTION") +
-         passages(folder + "/your_rocket.md") + heading("CAMPAIGN") + passages(folder + "/campaigns.md") +
+         passages(folder + "/your_rocket.md") + heading("CAMPAIGN") + passages(folder + "/predict.md") +
          heading("FLIGHT PLAN") + passages(folder + "/flight_plan.md") + plan_fields() +
          see_also({"fantail(1)", "fantail-fly(1)", "fantail-campaign(1)", "fantail-plan(1)", "fantail-new(1)"});
 }

@@ -124,7 +124,8 @@ std::string meaning_of_phases() {
 }
 
 std::vector<std::string> how() {
-  return {  // NOLINT(bugprone-suspicious-missing-comma): sentences that go on in the next line
+  return {
+      // NOLINT(bugprone-suspicious-missing-comma): sentences that go on in the next line
       "A cell is a device, a fault and the phase in which the fault begins. Its flights differ by when it begins and "
       "by the seed.",
       "In every flight no command may go beyond the smallest of plan limit, hard limit and mechanical stop; none may "
@@ -156,6 +157,10 @@ std::vector<result::Section> sections(const Result& result) {
         run_command(result.campaign, cell.cell, cell.worst->number));
   }
   std::vector<result::Section> list{
+      {"Every cell",
+       {result::Drawing{map_svg(result, page::full_page), map_svg(result, page::half_page),
+                        "A cell is a fault and the phase in which it begins."}},
+       files},
       {"The worst flights", worst},
       {"Not green", open.rows.empty() ? std::vector<result::Block>{"None."} : std::vector<result::Block>{open}},
       {"Why, and what to do", {reasons(result)}, files},

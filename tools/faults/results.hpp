@@ -31,7 +31,10 @@ namespace fantail::faults {
 [[nodiscard]] std::string command_of(const Campaign& campaign);
 [[nodiscard]] std::string run_command(const Campaign& campaign, const Cell& cell, std::uint64_t number);
 
-// Its tables.
+// Its picture and its tables.
+
+/// A row for each fault, a column for each phase, a cell in the colour of what it came to.
+[[nodiscard]] std::string map_svg(const Result& result, double width);
 
 /// Of one device each fault against each phase.
 [[nodiscard]] std::vector<result::Block> matrix(const Result& result, std::string_view device);

@@ -224,7 +224,12 @@ result::Document answer(const Study& study) {
                       .sentence = headline(study, worst),
                       .not_in_it = {std::string{no_clearance()}}},
           .facts = facts(study),
-          .sections = {{"At worst, each figure by itself", {at_worst(study, worst)}},
+          .sections = {{"Where the apogee lies",
+                        {result::Picture{
+                            apogee_map(study),
+                            "Apogee of each flight over ground, seen from above. The rocket lands farther downwind."}},
+                        files},
+                       {"At worst, each figure by itself", {at_worst(study, worst)}},
                        {"What the words mean", {result::Sentences{.all = definitions(worst)}}, files},
                        {"When it fails", plots, files},
                        {"How this is known", {base(study), result::Sentences{.all = remarks(study, worst)}}},

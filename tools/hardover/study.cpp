@@ -98,6 +98,8 @@ Effect effect_of(const Flown& failed, const Flown& sound, Effect effect, const S
     }
   }
   effect.apogee_m = failed.apogee_m;
+  effect.apogee_east_m = -failed.apogee_at_m.y;
+  effect.apogee_north_m = failed.apogee_at_m.x;
   effect.away_m = std::hypot(failed.apogee_at_m.x - sound.apogee_at_m.x, failed.apogee_at_m.y - sound.apogee_at_m.y);
   if (study.options.coupler_m) {
     effect.moment_n_m = effect.side_force_n * std::max(0.0, *study.options.coupler_m - study.position_m);
@@ -176,6 +178,8 @@ Study fly(sim::Scenario scenario, const Options& options,
       .first_s = sound.clear_s,
       .last_s = sound.apogee_s,
       .sound_apogee_m = sound.apogee_m,
+      .sound_apogee_east_m = -sound.apogee_at_m.y,
+      .sound_apogee_north_m = sound.apogee_at_m.x,
       .sound_angle_of_attack_rad = {},
       .sound_roll_rate_rad_s = 0.0,
       .beyond_model = flight::how_far_beyond(fly::fly_without_rows(scenario, [](const auto&, const auto&) {}).extremes),

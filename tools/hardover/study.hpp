@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/flight_plan.hpp"
+#include "page/chart.hpp"
 #include "result/document.hpp"
 #include "runs/folder.hpp"
 #include "runs/row_text.hpp"
@@ -52,11 +53,13 @@ struct Effect {
   double apogee_m = 0.0;
   double away_m = 0.0;                 ///< its apogee from that of the sound rocket, over ground
   std::optional<double> moment_n_m{};  ///< at the coupler
+  double apogee_east_m = 0.0;          ///< over ground, from the foot of the guide, as the next
+  double apogee_north_m = 0.0;
 };
 inline void fields(runs::RowText& text, Effect& effect) {
   text(effect.canard, effect.stop_rad, effect.from_s, effect.side_force_n, effect.pressure_pa,
        effect.angle_of_attack_rad, effect.roll_rate_rad_s, effect.rolled_rad, effect.turned_rad, effect.apogee_m,
-       effect.away_m, effect.moment_n_m);
+       effect.away_m, effect.moment_n_m, effect.apogee_east_m, effect.apogee_north_m);
 }
 
 /// Slower, an angle in the flow says little.
@@ -75,6 +78,8 @@ struct Study {
   double first_s;                   ///< the instants: from the end of the guide ...
   double last_s;                    ///< ... to apogee
   double sound_apogee_m;
+  double sound_apogee_east_m;  ///< over ground, from the foot of the guide, as the next
+  double sound_apogee_north_m;
   std::optional<double> sound_angle_of_attack_rad;  ///< likewise
   double sound_roll_rate_rad_s;                     ///< largest, either way, from the end of the guide to apogee
   std::string beyond_model;  ///< how far the sound rocket is beyond the roll model (flight/model_end.hpp); empty: not
@@ -97,6 +102,9 @@ struct Study {
 /// As a plan has it: "share".
 [[nodiscard]] std::string_view name_of(core::CanardFaultPolicy policy);
 
+/// Where the apogees of all flights lie over ground.
+[[nodiscard]] page::Chart apogee_map(const Study& study);
+inline constexpr double map_width = 560.0;
 /// Answers nothing with yes or no: it measures.
 [[nodiscard]] result::Document answer(const Study& study);
 /// Every figure in its JSON, for the manual.

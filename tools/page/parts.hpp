@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "page/chart.hpp"
+#include "page/page.hpp"
 #include "page/svg_plot.hpp"
 
 namespace fantail::page {

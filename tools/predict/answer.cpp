@@ -96,6 +96,16 @@ std::vector<result::Block> unless_empty(const std::string& sentence) {
   return sentence.empty() ? std::vector<result::Block>{} : std::vector<result::Block>{sentence};
 }
 
+std::vector<result::Block> roll_and_pitch(const P& p) {
+  std::vector<result::Block> all = unless_empty(resonance_warning(p));
+  if (p.resonance) {
+    all.emplace_back(result::Picture{
+        resonance_chart(p),
+        "Steady roll rates of the runs (5 to 95 %), and the rates near which roll and pitch resonate."});
+  }
+  return all;
+}
+
 std::vector<result::Block> medians(const P& p) {
   std::vector<result::Block> all{result::figures("", p, median_fields)};
   if (p.worst_speed) {
@@ -164,7 +174,7 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
                          Picture{airframe_chart(p),
                                  "The airframes that were flown, and the identified ones they were drawn from."}},
                         files},
-                       {"Roll and pitch", unless_empty(resonance_warning(p))},
+                       {"Roll and pitch", roll_and_pitch(p)},
                        {"Stability over speed", stability(p, decision), files},
                        {"How this was found", {Sentences{"basis", basis(p)}}},
                        {"For programs",

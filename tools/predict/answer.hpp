@@ -22,5 +22,8 @@ namespace fantail::predict {
 [[nodiscard]] page::Chart offset_chart(const Prediction& prediction);
 /// Damping and torque of the airframes drawn, and of the tunnel's steps.
 [[nodiscard]] page::Chart airframe_chart(const Prediction& prediction);
+/// Steady roll rates over the air speed, without control and with the canards at their limit, and where roll resonance
+/// is. Only with a resonance.
+[[nodiscard]] page::Chart resonance_chart(const Prediction& prediction);
 
 }  // namespace fantail::predict

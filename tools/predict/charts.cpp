@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "campaign/analysis.hpp"
 #include "predict/answer.hpp"
 #include "text/degrees.hpp"
 
@@ -81,6 +82,39 @@ page::Chart airframe_chart(const Prediction& p) {
           .y_label = "torque beta / m",
           .width = page::half_page,
           .series = {drawn, tunnel}};
+}
+
+page::Chart resonance_chart(const Prediction& p) {
+  const RollResonance& resonance = *p.resonance;
+  const double top_m_s = p.top_speed_m_s.p95;
+  std::vector<double> free_1_m;
+  std::vector<double> driven_1_m;
+  for (const Run& run : p.runs) {
+    const double rate_1_m_rad = run.airframe.torque_m / run.airframe.damping_m2;
+    const double offset_rad = std::abs(run.airframe.offset_end_rad);
+    free_1_m.push_back(rate_1_m_rad * offset_rad);
+    driven_1_m.push_back(rate_1_m_rad * (offset_rad + p.reach.angle_rad));
+  }
+  const auto band = [&](const char* name, Role role, double low_1_m, double high_1_m) {
+    return page::Area{.name = name,
+                      .role = role,
+                      .x = {0.0, top_m_s},
+                      .low = {0.0, degrees(low_1_m * top_m_s)},
+                      .high = {0.0, degrees(high_1_m * top_m_s)}};
+  };
+  const auto middle = [&](const char* name, Role role, double rate_1_m) {
+    return page::Series{.name = name, .role = role, .x = {0.0, top_m_s}, .y = {0.0, degrees(rate_1_m * top_m_s)}};
+  };
+  const campaign::Quantiles free = campaign::quantiles(free_1_m);
+  const campaign::Quantiles driven = campaign::quantiles(driven_1_m);
+  return {.label = "Steady roll rates over the air speed, and the pitch frequency",
+          .x_label = "air speed / m/s",
+          .y_label = "roll rate, without its sign / deg/s",
+          .series = {middle("without control", Role::model, free.p50),
+                     middle("canards at their limit, with the fin offset", Role::second_model, driven.p50)},
+          .areas = {band("roll resonance", Role::limit, (1.0 - near_resonance) * resonance.least_frequency_1_m,
+                         (1.0 + near_resonance) * resonance.most_frequency_1_m),
+                    band("", Role::model, free.p5, free.p95), band("", Role::second_model, driven.p5, driven.p95)}};
 }
 
 }  // namespace fantail::predict

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "hardover/study.hpp"
+
+namespace fantail::hardover {
+
+page::Chart apogee_map(const Study& study) {
+  const auto points = [](const char* name, page::Role role) {
+    return page::Series{.name = name, .role = role, .mark = page::Mark::points};
+  };
+  const bool two_stops = study.options.failure == Failure::hard_over;
+  page::Series positive = points(two_stops ? "at the positive stop" : "pulses cut", page::Role::measured);
+  page::Series negative = points("at the negative stop", page::Role::model);
+  page::Series healthy = points("healthy rocket", page::Role::second_model);
+  page::Series guide = points("launch guide", page::Role::reference);
+  for (const Effect& effect : study.effects) {
+    page::Series& series = effect.stop_rad < 0.0 ? negative : positive;
+    series.x.push_back(effect.apogee_east_m);
+    series.y.push_back(effect.apogee_north_m);
+  }
+  healthy.x = {study.sound_apogee_east_m};
+  healthy.y = {study.sound_apogee_north_m};
+  guide.x = {0.0};
+  guide.y = {0.0};
+  // As far either way: a metre to the east is as long as one to the north.
+  std::optional<page::Range> east;
+  std::optional<page::Range> north;
+  for (const page::Series* series : {&positive, &negative, &healthy, &guide}) {
+    std::ranges::for_each(series->x, [&](double value) { page::include(east, value); });
+    std::ranges::for_each(series->y, [&](double value) { page::include(north, value); });
+  }
+  const double reach_m = 0.55 * std::max({east->high - east->low, north->high - north->low, 1.0});
+  const auto around = [reach_m](const page::Range& range) {
+    const double middle = 0.5 * (range.low + range.high);
+    return page::Range{middle - reach_m, middle + reach_m};
+  };
+  std::vector<page::Series> series{positive, negative, healthy, guide};
+  std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
+  return {.label = "Where the apogee lies over ground, seen from above",
+          .x_label = "to the east / m",
+          .y_label = "to the north / m",
+          .width = map_width,
+          .height = map_width,
+          .series = std::move(series),
+          .x_range = around(*east),
+          .y_range = around(*north)};
+}
+
+}  // namespace fantail::hardover
