@@ -68,12 +68,12 @@ TEST(NewRocket, WeighsAsMuchMoreAsItsNewMotorsPropellant) {
       fantail({"new", "mine", "--from", "tasha3_launch2", "--motor", "big.eng"}, {.working_folder = folder.path()});
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_NE(content(folder.path() / "mine/vehicle.toml").find("\nmass_kg = 4.09\n"), std::string::npos);
-  EXPECT_NE(made.out.find("with this motor's propellant in the place of its own"), std::string::npos) << made.out;
+  EXPECT_NE(made.out.find("with this motor's propellant instead of its own"), std::string::npos) << made.out;
   EXPECT_EQ(made.out.find("parts are missing"), std::string::npos) << made.out;
 }
 
 TEST(NewRocket, NeverTouchesWhatIsThere) {
-  Refusal({{"mine/notes.txt", "dear"}}, {"new", "mine", "--from", "tasha3_launch2"}, 64, {"mine is there already"});
+  Refusal({{"mine/notes.txt", "dear"}}, {"new", "mine", "--from", "tasha3_launch2"}, 64, {"mine already exists"});
   Refusal({}, {"new", "mine", "--from", "tasha3_bench"}, 78, {"has no section [shape]"});
   Refusal({}, {"new", "mine"}, 64, {"--from"});
 }

@@ -138,7 +138,7 @@ TEST(Campaign, OfWordsThatMakeNoSenseIsRefused) {
   const Refusal sobol{{}, {"campaign", "--sampling", "sobol"}, 64, {"\"sobol\"; allowed: independent", "have left"}};
   const Refusal alone{{}, {"fly", "--run", "3"}, 64, {"--campaign"}};
   const Refusal nowhere{{}, {"fly", "--campaign", "nowhere", "--run", "3"}, 66, {"nowhere"}};
-  const Refusal changed{{}, {"fly", "--campaign", ".", "--run", "3", "--seed", "3"}, 64, {"is flown as it was"}};
+  const Refusal changed{{}, {"fly", "--campaign", ".", "--run", "3", "--seed", "3"}, 64, {"repeats a run unchanged"}};
   const Refusal outside{{{"wide.toml",
                           "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[[spread]]\nfield = "
                           "\"servo.delay_s\"\nlaw = \"normal\"\nmean = 0.01\nstandard_deviation = 0.02\n"}},

@@ -23,7 +23,7 @@ TEST_P(Plan, MayFly) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string checksum =
       fmt::format("{:08x}", protocol::plan_crc(input::read_plan(input::Document::load(file()))));
-  expect_said(outcome.out, {"the firmware takes this plan, checksum " + checksum});
+  expect_said(outcome.out, {"the firmware accepts this plan, checksum " + checksum});
   const Outcome json = fantail({"plan", "check", GetParam(), "--json"});
   EXPECT_EQ(json::parse(json.out)["may_fly"], true);
   EXPECT_EQ(json::parse(json.out)["crc"], checksum);
@@ -220,7 +220,7 @@ TEST(PlanCheck, WarnsOfAPlanThatEndsControlBeforeApogee) {
   const Outcome outcome = fantail({"plan", "check", folder / "short.toml", "--scenario", "tasha3_launch2"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   expect_said(outcome.out, {"warning: run.control_time_s = 1.01 ends control 8.7",
-                            "warning: the flight of tasha3_launch2 with it: Control ended at 1.6"});
+                            "warning: a flight of tasha3_launch2 with this plan: Control ended at 1.6"});
   const json::Value said =
       json::parse(fantail({"plan", "check", folder / "short.toml", "--scenario", "tasha3_launch2", "--json"}).out);
   EXPECT_EQ(said["outcome"], "not_held");

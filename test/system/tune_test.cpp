@@ -26,10 +26,10 @@ TEST(Tune, WritesAPlanThatIsCheckedAndFliesWhereItSays) {
 
   const Outcome again = fantail(command, {.working_folder = folder.path()});
   EXPECT_EQ(again.exit_code, 64);
-  EXPECT_NE(again.err.find("is there already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("already exists"), std::string::npos) << again.err;
 
   const std::string named = "plan = \"../tasha3_launch2_tuned.toml\"";
-  EXPECT_NE(outcome.out.find("to be named in own/s.toml: " + named + "\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("name it in own/s.toml: " + named + "\n"), std::string::npos) << outcome.out;
   const std::string old = "plan = \"tasha3_launch2\"";
   ASSERT_NE(scenario.find(old), std::string::npos);
   folder.write("own/s.toml", scenario.replace(scenario.find(old), old.size(), named));

@@ -35,12 +35,12 @@ Case case_of(const openrocket::MotorPlace& place, const input::RaspMotor& motor,
     return {same.front().length_m, same.front().diameter_m};
   }
   if (motor.length_m > 0.0) {
-    assumed.push_back(fmt::format("Motor: {} is none that the design names with its length; its own file says {} mm.",
+    assumed.push_back(fmt::format("Motor: the design does not give the length of {}; its own file says {} mm.",
                                   on_one_line(motor.name), input::plain_number(1000.0 * motor.length_m)));
     return {motor.length_m, motor.diameter_m};
   }
   const auto longest = std::ranges::max_element(place.motors, {}, &openrocket::NamedMotor::length_m);
-  assumed.push_back(fmt::format("Motor: no file says how long {} is; as long as the longest of the design, {} mm.",
+  assumed.push_back(fmt::format("Motor: no file gives the length of {}; the longest of the design is taken, {} mm.",
                                 on_one_line(motor.name), input::plain_number(1000.0 * longest->length_m)));
   return {longest->length_m, longest->diameter_m};
 }
@@ -56,7 +56,7 @@ void add_motor(sim::Geometry& shape, const openrocket::MotorPlace& place, const 
   openrocket::shorten_to_rocket(part, shape.length_m);
   shape.masses.push_back(part);
   shape.propellant = part;
-  assumed.emplace_back("Propellant: as long as the motor's case.");
+  assumed.emplace_back("Propellant: taken to be as long as the motor case.");
 }
 
 /// What the design's file says of a flight with this motor, and what of it was left out.
@@ -101,7 +101,7 @@ airframe::NewRocket rocket_of_design(const openrocket::Design& design, const std
   if (design.motor) {
     add_motor(shape, *design.motor, motor, rocket.assumed);
   } else {
-    rocket.assumed.emplace_back("Motor: its place is not in the design, so nothing is said of balance and inertia.");
+    rocket.assumed.emplace_back("Motor: the design does not give its position, so balance and inertia are unknown.");
   }
   shape.design = stored(design, file, motor);
   vehicle.mass_kg = motor.curve.propellant_kg();

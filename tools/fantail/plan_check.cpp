@@ -55,7 +55,7 @@ struct Subject {
 
 Subject subject(const PlanCheck& asked) {
   if (!asked.plan && !asked.scenario) {
-    throw UsageError{"PLAN is missing, or --scenario with a plan of its own"};
+    throw UsageError{"PLAN is missing; give it, or --scenario with its own plan"};
   }
   const bool has_plan = asked.plan && !is_scenario(*asked.plan);
   if (asked.plan && asked.scenario && !has_plan) {
@@ -118,7 +118,7 @@ LoopCheck check_loop(const Subject& subject) {
   const sim::Scenario& scenario = *subject.scenario;
   const auto range = fly::speed_range_under_control(scenario);
   if (!range) {
-    return {.sentence = fmt::format("in {} control never begins, so the loop was not checked", scenario.name),
+    return {.sentence = fmt::format("in {}, control never begins, so the loop was not checked", scenario.name),
             .warns = true};
   }
   if (const std::string why = stability::why_uncontrollable(scenario);
@@ -140,8 +140,8 @@ LoopCheck check_loop(const Subject& subject) {
             where)};
   }
   if (!found.margins.least) {
-    found.sentence = fmt::format("the loop gain of {} reaches one nowhere {}: it swings nowhere, and holds little",
-                                 scenario.name, where);
+    found.sentence = fmt::format(
+        "the loop gain of {} stays below one {}: the loop cannot oscillate, and it holds little", scenario.name, where);
     found.warns = true;
     return found;
   }
@@ -150,8 +150,7 @@ LoopCheck check_loop(const Subject& subject) {
   found.sentence =
       found.warns
           ? fmt::format(
-                "with the rocket of {} the phase margin is only {} at {} m/s, less than the {} that are "
-                "comfortable; checked {}",
+                "with the rocket of {} the phase margin is only {} at {} m/s, less than the recommended {}; checked {}",
                 scenario.name, in_degrees(least.phase_margin_rad), text::fixed(least.speed_m_s, 1),
                 in_degrees(comfortable_rad), where)
           : fmt::format("with the rocket of {} the phase margin is {} or more {}, least at {} m/s", scenario.name,
@@ -187,7 +186,7 @@ FlightCheck check_flight(const sim::Scenario& scenario) {
     found.warnings.push_back(std::move(against));
   }
   if (flown.verdict.outcome != report::Outcome::held) {
-    found.warnings.push_back(fmt::format("the flight of {} with it: {}", scenario.name, found.verdict));
+    found.warnings.push_back(fmt::format("a flight of {} with this plan: {}", scenario.name, found.verdict));
   }
   return found;
 }
@@ -212,7 +211,7 @@ std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
   constexpr double g_m_s2 = 9.80665;
   const bool two = rule.accelerometers == core::AccelerometerRule::two_agree;
   add(!two, "launch_detection.accelerometers = \"one\"; two must agree there");
-  add(two && rule.single_allowed, "launch_detection.single_allowed = true; one alone is not believed there");
+  add(two && rule.single_allowed, "launch_detection.single_allowed = true; one alone does not count there");
   add(!rule.low_pass, "launch_detection.low_pass = false; 8 Hz there");
   add(rule.low_pass && rule.low_pass_hz > 8.0F,
       fmt::format("launch_detection.low_pass_hz = {}; 8 there", value(rule.low_pass_hz, 1.0, 1)));
@@ -236,7 +235,7 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightC
   }
   result::put_answer(
       all, result::Answer::yes,
-      fmt::format("Every field is known and within its range: the firmware takes this plan; {} warning{}.", warnings,
+      fmt::format("Every field is known and within its range: the firmware accepts this plan; {} warning{}.", warnings,
                   warnings == 1 ? "" : "s"),
       made_with({subject.file}));
   if (!subject.scenario) {
@@ -271,12 +270,12 @@ void check_plan(const PlanCheck& asked) {
     return;
   }
   const std::string file = text::printable(found.file);
-  show("{}: every field is known and within its range: the firmware takes this plan, checksum {:08x}\n", file,
+  show("{}: every field is known and within its range: the firmware accepts this plan, checksum {:08x}\n", file,
        protocol::plan_crc(found.plan));
   if (const std::vector<std::string> weaker = weaker_than_shipped(found.plan); !weaker.empty()) {
     show(
-        "{}: warning: launches may be imagined more easily than by the shipped plan of two accelerometers, of which "
-        "the safety case has its figures:\n",
+        "{}: warning: false launches are more likely than with the shipped plan for two accelerometers, which the "
+        "figures of the safety case are for:\n",
         file);
     for (const std::string& what : weaker) {
       show("  {}\n", what);

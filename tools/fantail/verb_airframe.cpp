@@ -35,7 +35,7 @@ void show_airframe(const AirframeOptions& options) {
   if (!vehicle.geometry) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       file +
-                          ": has no section [shape], which says what the rocket looks like (its keys: man "
+                          ": has no section [shape], which describes the rocket's shape (its keys: man "
                           "fantail.toml, or docs/your_rocket.md in the sources)"};
   }
   deliver(airframe::answer(vehicle, airframe::summarize(vehicle), made_with({file}, {}, options.changes)),
@@ -61,7 +61,7 @@ void fill(const Verb& verb) {
       .offers(changes_of_vehicle)
       .one_word_each_time();
   verb.option("--out", options->out,
-              "Folder for airframe.html and airframe.json [out/airframe/VEHICLE, with the changes' names behind it]")
+              "Folder for airframe.html and airframe.json [out/airframe/VEHICLE, with the changes in the name]")
       .offers(folders);
   verb.flag("--json", options->json, "Print airframe.json instead of the text");
   verb.examples(

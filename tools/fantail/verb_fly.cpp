@@ -125,8 +125,7 @@ Task task_of(const FlyOptions& options) {
 /// A run of a campaign: the folder of its campaign.json says all about it.
 Task campaign_task(const FlyOptions& options) {
   if (!changes_of(options.scenario).empty()) {
-    throw UsageError{
-        "a run of a campaign is flown as it was: --set, --seed and --trajectory do not go with --campaign"};
+    throw UsageError{"--campaign repeats a run unchanged and cannot be combined with --set, --seed or --trajectory"};
   }
   std::filesystem::path folder = options.campaign;
   std::error_code ignored;
@@ -136,7 +135,8 @@ Task campaign_task(const FlyOptions& options) {
   const campaign::Campaign campaign = campaign::campaign_in(folder, FANTAIL_VERSION);
   const std::string& named = options.scenario.scenario;
   if (named != FlyOptions{}.scenario.scenario && named != campaign.scenario) {
-    throw UsageError{fmt::format("SCENARIO {} does not go with --campaign, which flies {}", named, campaign.scenario)};
+    throw UsageError{
+        fmt::format("SCENARIO {} cannot be combined with --campaign, which flies {}", named, campaign.scenario)};
   }
   campaign::RepeatedRun repeated = campaign::repeat_run(campaign, *options.run);
   return {.scenario = std::move(repeated.scenario),
@@ -148,7 +148,7 @@ Task campaign_task(const FlyOptions& options) {
 
 void fly_and_report(const FlyOptions& options) {
   if (options.page.wanted() && !options.realtime) {
-    throw UsageError{"--page shows a flight while it is flown, by the clock: add --realtime"};
+    throw UsageError{"--page shows a flight while it is flown in real time: add --realtime"};
   }
   auto [scenario, changes, notes, usual_folder, made_from] = options.run ? campaign_task(options) : task_of(options);
   check_faults(options, scenario);
@@ -195,22 +195,20 @@ void fly_and_report(const FlyOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<FlyOptions>();
   add_scenario_options(verb, options->scenario);
-  verb.option(
-          "--trajectory", options->trajectory,
-          "A CSV file that RocketPy or OpenRocket has exported: the rocket goes where it says, and only the roll and "
-          "the avionics are simulated")
+  verb.option("--trajectory", options->trajectory,
+              "A CSV file exported by RocketPy or OpenRocket: the rocket follows that path, and only the roll and the "
+              "avionics are simulated")
       .offers(files)
       .value_name("FILE")
       .changes_result();
   verb.section("A flight of a campaign");
   auto campaign = verb.option("--campaign", options->campaign,
-                              "Fly a run of the campaign in this folder again, as it was: SCENARIO is that of the "
-                              "campaign")
+                              "Repeat a run of the campaign in this folder unchanged. SCENARIO is that of the campaign")
                       .offers(folders);
-  auto run = verb.option("--run", options->run, "Which run of it, as in runs.csv, from 0 on").value_name("NUMBER");
+  auto run = verb.option("--run", options->run, "Number of the run in runs.csv, counted from 0").value_name("NUMBER");
   campaign.value_name("FOLDER").needs(run);
   run.range(0.0, 1e8 - 1.0).needs(campaign);
-  verb.section("Where the avionics runs");
+  verb.section("Where the avionics run");
   add_flight_computer_options(verb, options->computer);
   verb.section("Live");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
@@ -220,12 +218,12 @@ void fill(const Verb& verb) {
   verb.option(
           "--out", options->out,
           "Folder for report.html, summary.json, flight.csv and flight.ftl, the record of the avionics. Some flights "
-          "add tunnel.csv, trajectory.csv, turning.csv or without_control.csv. [out/SCENARIO, with what --set and "
-          "--seed change: out/SCENARIO+CHANGES; for a flight of a campaign, run_NUMBER in its folder]")
+          "add tunnel.csv, trajectory.csv, turning.csv or without_control.csv. [out/SCENARIO; with --set or --seed, "
+          "out/SCENARIO+CHANGES; for a run of a campaign, run_NUMBER in its folder]")
       .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
-      "Exit code 0: flown, whether or not the roll was held. For scripts, `outcome` in summary.json says that: held, "
+      "Exit code 0: flown, whether or not the roll was held. For scripts, `outcome` in summary.json is one of held, "
       "off_command, outside_model, not_held, oscillates, cut_short, not_judged, no_control or ascent_failed.\n"
       "Examples:\n"
       "  fantail fly                                         the second launch, into out/tasha3_launch2\n"
@@ -238,11 +236,11 @@ void fill(const Verb& verb) {
       "  fantail fly my_rocket.toml --trajectory openrocket.csv\n"
       "                                                      on the path that another program has simulated\n"
       "  fantail fly --campaign out/campaign/tasha3_launch2 --run 17\n"
-      "                                                      one flight of a campaign again, with its report\n"
+      "                                                      one run of a campaign again, with its report\n"
       "  fantail fly tasha3_launch2 --on emulator            on the emulated processor of the board: the same bytes\n"
       "  fantail fly --realtime --lcm udpm://239.255.76.67:7667\n"
-      "                                                      by the clock, for fantail watch in another terminal\n"
-      "  fantail fly --realtime --page                       by the clock, on a page for browsers");
+      "                                                      in real time, for fantail watch in another terminal\n"
+      "  fantail fly --realtime --page                       in real time, on a page for browsers");
   verb.action([options] { fly_and_report(*options); });
 }
 

@@ -83,7 +83,7 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
   if (!rocket.vehicle.geometry) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       file +
-                          ": has no section [shape], which says what the rocket looks like (its keys: man "
+                          ": has no section [shape], which describes the rocket's shape (its keys: man "
                           "fantail.toml, or docs/your_rocket.md in the sources)"};
   }
   const NamedMotor motor = motor_of(options, document);
@@ -97,9 +97,8 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
       design = sim::Geometry::Design{.file = design->file, .left_out = design->left_out};
     }
     rocket.assumed.push_back(
-        fmt::format("Mass, balance and drag area: those of {}, with this motor's propellant in the place of its own; a "
-                    "motor case that "
-                    "weighs more or less is not counted.",
+        fmt::format("Mass, balance and drag area: those of {}, with this motor's propellant instead of its own. A "
+                    "different mass of the motor case is not counted.",
                     rocket.source));
   } else {
     rocket.assumed.push_back(fmt::format("Mass, motor and drag area: those of {}.", rocket.source));
@@ -114,9 +113,10 @@ airframe::NewRocket from_design(const NewOptions& options) {
     for (const auto& motor : design.motor ? design.motor->motors : std::vector<airframe::openrocket::NamedMotor>{}) {
       motors += (motors.empty() ? "" : ", ") + motor.designation;
     }
-    throw UsageError{fmt::format(
-        "a design has no thrust curve (motors named in {}: {}): give --motor FILE.eng, as thrustcurve.org has them",
-        options.from, motors.empty() ? "none" : motors)};
+    throw UsageError{
+        fmt::format("a design has no thrust curve (motors named in {}: {}): give --motor FILE.eng, for example from "
+                    "thrustcurve.org",
+                    options.from, motors.empty() ? "none" : motors)};
   }
   const NamedMotor motor =
       motor_called(*options.motor, input::find_input(input::Shipped::motor, file_part(*options.motor)));
@@ -144,7 +144,7 @@ sim::Vehicle write(const std::filesystem::path& folder, const std::vector<text::
     if (complaint.starts_with(vehicle)) {
       complaint.erase(0, std::min(complaint.find(": "), complaint.size() - 2) + 2);
     }
-    throw text::Error{error.kind(), source + ": makes no vehicle: " + complaint};
+    throw text::Error{error.kind(), source + ": cannot be made into a vehicle: " + complaint};
   }
 }
 
@@ -168,7 +168,8 @@ std::string beyond_the_model(const std::filesystem::path& scenario) {
 void make(const NewOptions& options) {
   const std::filesystem::path folder{options.name};
   if (folder.filename().empty() || std::filesystem::exists(folder)) {
-    throw UsageError{options.name + " is there already, or no name of a folder: nothing is replaced; use another name"};
+    throw UsageError{options.name +
+                     " already exists or is not a folder name, and nothing is replaced: use another name"};
   }
   const bool is_design = std::filesystem::path{options.from}.extension() == ".ork";
   airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options);
@@ -182,8 +183,8 @@ void make(const NewOptions& options) {
   }
   if (!made.geometry->canards) {
     show(
-        "It has no canards: nothing controls its roll until the vehicle has the section [canard_fins] and is made "
-        "anew.\n");
+        "It has no canards: nothing controls its roll until the vehicle has a section [canard_fins] and is made "
+        "again.\n");
   }
   show("{}", painted_decision(beyond_the_model(folder / "scenario.toml")));
   show("{}{}", files.gains, files.gains.empty() ? "" : "\n");
@@ -200,13 +201,14 @@ void make(const NewOptions& options) {
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<NewOptions>();
-  verb.option("NAME", options->name, "Name of the rocket, and of the folder that is made").required();
+  verb.option("NAME", options->name, "Name of the rocket and of its new folder").required();
   verb.option("--from", options->from,
-              "What its shape is read from: a vehicle with the section [shape], or an OpenRocket file (.ork)")
+              "Source of its shape: a vehicle with the section [shape], or an OpenRocket file (.ork)")
       .offers(shipped(input::Shipped::vehicle))
       .required()
       .value_name("NAME|FILE");
-  verb.option("--motor", options->motor, "Its motor, a RASP file [that of the vehicle]; a design needs it")
+  verb.option("--motor", options->motor,
+              "Its motor, a RASP file [that of the vehicle; required for an OpenRocket file]")
       .offers(shipped(input::Shipped::motor))
       .value_name("NAME|FILE");
   verb.examples(

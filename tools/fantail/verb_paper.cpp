@@ -85,7 +85,7 @@ void fill(const Verb& verb) {
       "  fantail paper                        every printed table, figure and number beside ours, in out/paper\n"
       "  fantail paper --out /tmp/page        the page elsewhere\n"
       "  fantail paper --json | jq .differs   how many statements came out differently\n"
-      "  fantail paper --json | jq .kinds     how many agree, by what ours was made from");
+      "  fantail paper --json | jq .kinds     how many agree, by the source of our value");
   verb.action([options] { repeat_the_paper(*options); });
 }
 

@@ -73,7 +73,7 @@ void compile(const PlanOptions& options) {
                      {"bytes", size},
                      {"schema", fmt::format("{:08x}", protocol::plan_schema_hash())},
                      {"crc", fmt::format("{:08x}", protocol::plan_crc(named.plan))}};
-    result::put_answer(json, result::Answer::none, fmt::format("{} is written: {} bytes.", file.string(), size),
+    result::put_answer(json, result::Answer::none, fmt::format("Wrote {}: {} bytes.", file.string(), size),
                        made_with({named.file}));
     fmt::print("{}\n", json.dump());
   } else {
@@ -93,11 +93,11 @@ struct Action {
 
 constexpr Action checking{
     "check",
-    "Say whether the firmware takes a plan, and where it is weaker than the shipped ones",
+    "Check whether the firmware accepts a plan, and where it is weaker than the shipped plans",
     false,
     "; left out: that of --scenario",
     check,
-    "Exit code 0: the firmware takes it, warnings or not; 78: it does not.\n"
+    "Exit code 0: the firmware accepts it, with or without warnings; 78: it does not.\n"
     "Examples:\n"
     "  fantail plan check my_plan.toml         may it fly? If not: file, line, value, allowed range\n"
     "  fantail plan check tasha3_launch1       a shipped plan\n"
@@ -117,7 +117,7 @@ constexpr Action showing{
     "  fantail plan show my_plan.toml --json             every number of a plan, for a script"};
 constexpr Action packing{
     "compile",
-    "Write the packed block a board is loaded with",
+    "Write the packed block that a board is loaded with",
     true,
     "",
     compile,
@@ -148,8 +148,8 @@ void fill(const Verb& plan) {
   auto options = std::make_shared<PlanOptions>();
   add(plan, checking, options)
       .option("--scenario", options->scenario,
-              "A scenario whose rocket is to fly it: the phase margin of the loop is checked from the speed at which "
-              "control begins to top speed; below 45 degrees is a warning, an unstable loop is refused")
+              "A scenario whose rocket is to fly it. The phase margin of the loop is checked from the speed at control "
+              "start to top speed: below 45 degrees is a warning, and an unstable loop is refused")
       .offers(shipped(input::Shipped::scenario));
   add(plan, showing, options);
   add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]").offers(files);

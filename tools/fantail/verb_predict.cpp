@@ -57,7 +57,8 @@ std::optional<predict::DampingFactor> parse_damping_factor(std::string_view text
 }
 
 std::string objection_to_damping_factor(const std::string& text) {
-  return parse_damping_factor(text) ? "" : '"' + text + "\" is not a range; allowed: LOW:HIGH, 0.1 to 10, as 1:1.6";
+  return parse_damping_factor(text) ? ""
+                                    : '"' + text + "\" is not a range; allowed: LOW:HIGH, 0.1 to 10, for example 1:1.6";
 }
 
 std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOptions& options) {
@@ -165,16 +166,16 @@ void predict_launch(const PredictOptions& options) {
 
 void add_thresholds(const Verb& verb, PredictOptions& options) {
   verb.option("--authority-percent", options.authority_percent,
-              "Go asks for: canards that can balance the offset in this share of the runs")
+              "Share of the runs in which the canards must balance the fin offset")
       .range(0.0, 99.9)
       .show_default()
       .changes_result();
-  verb.option("--held-percent", options.held_percent, "Go asks for: roll held in this share of the runs")
+  verb.option("--held-percent", options.held_percent, "Share of the runs that must hold their roll")
       .range(0.0, 99.9)
       .show_default()
       .changes_result();
   verb.option("--phase-margin", options.phase_margin_deg,
-              "Go asks for: this phase margin in degrees at the worst speed flown")
+              "Phase margin in degrees that 95 % of the runs must have at the worst speed flown")
       .range(0.0, 90.0)
       .value_name("DEG")
       .show_default()
@@ -190,13 +191,12 @@ void fill(const Verb& verb) {
       .offers(shipped(input::Shipped::tunnel_result))
       .value_name("FILE")
       .changes_result();
-  verb.flag("--other-vehicle", options->other_vehicle,
-            "Take tunnel results that say they are of another vehicle than the scenario's")
+  verb.flag("--other-vehicle", options->other_vehicle, "Accept tunnel results of another vehicle than the scenario's")
       .belongs_to_command();
   verb.option("--swirl", options->swirl_deg,
               "Swirl of the tunnel as a fin offset in degrees, to be subtracted, with the sign of fantail tunnel swirl "
               "(above zero it rolls clockwise, seen from the tail); 0: there was none [column swirl_deg of the file; "
-              "without it this is needed]")
+              "required without that column]")
       .range(-45.0, 45.0)
       .value_name("DEG")
       .changes_result();
@@ -211,33 +211,33 @@ void fill(const Verb& verb) {
       .value_name("S")
       .changes_result();
   verb.option("--servo-delay", options->servo_delay_s,
-              "Measured dead time from command to canard in seconds, lag apart [vehicle's, with the pulse frame]")
+              "Measured dead time from command to canard in seconds, without the lag [vehicle's, with the pulse frame]")
       .range(0.0, 0.05)
       .value_name("S")
       .changes_result();
   verb.section("Runs");
   verb.option("--runs", options->runs, "How many airframes to fly").range(1.0, most_runs).show_default();
   add_threads_option(verb, options->threads);
-  verb.section("What a go asks for");
+  verb.section("Requirements for a go");
   add_thresholds(verb, *options);
   verb.section("Results");
   verb.option("--run", options->run, "Fly only this row of runs.csv, counted from 0, and write its flight report")
       .range(0.0, most_runs - 1.0)
       .value_name("NUMBER");
   verb.option("--out", options->out,
-              "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO, with what was changed "
-              "in the name]")
+              "Folder for predict.html, predict.json, runs.csv, band.csv [out/predict/SCENARIO, with the changes in "
+              "the name]")
       .offers(folders);
   verb.flag("--json", options->json, "Print predict.json instead of the text");
   verb.examples(
-      "A prediction that was interrupted goes on when the same command is given again.\n"
+      "To resume an interrupted prediction, give the same command again.\n"
       "Exit code 0: go; 1: no go.\n"
       "Examples:\n"
       "  fantail predict tasha3_launch1                      the launch that failed: no go, and why\n"
       "  fantail predict tasha3_launch2 --damping-factor 1:1.6 --runs 1000\n"
-      "                                                      damping that the tunnel may have shown too low\n"
+      "                                                      damping that the tunnel may underestimate\n"
       "  fantail predict my_rocket.toml --tunnel out/tunnel/steps/steps.csv --swirl -2 --servo-lag 0.018 --json\n"
-      "                                                      your own rocket, after its tunnel run and its bench\n"
+      "                                                      your own rocket, after its tunnel and bench tests\n"
       "  fantail predict tasha3_launch2 --run 17             the run of row 17 again, with its flight report");
   verb.action([options] { predict_launch(*options); });
 }

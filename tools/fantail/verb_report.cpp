@@ -96,42 +96,42 @@ void fill(const Verb& verb) {
   verb.option("--out", options->out,
               "Folder for report.html and the data behind it [out/report/A or out/report/A_and_B]")
       .offers(folders);
-  verb.option("--from", options->from_s, "Of two flights: start on A's clock, s")
+  verb.option("--from", options->from_s, "For two flights: start on A's clock, s")
       .check(objection_to_time)
       .value_name("S")
       .needs(b);
-  verb.option("--to", options->to_s, "Of two flights: end on A's clock, s")
+  verb.option("--to", options->to_s, "For two flights: end on A's clock, s")
       .check(objection_to_time)
       .value_name("S")
       .needs(b);
-  auto align = verb.option("--align", options->align,
-                           "none: the clocks as they are. angle: the shift of up to 2 s at which the rolls agree "
-                           "best, judged by their rates")
-                   .one_of({"none", "angle"})
-                   .value_name("none|angle")
-                   .show_default()
-                   .needs(b);
-  verb.option("--shift", options->shift_s, "What B's clock shows at A's zero, s")
+  auto align =
+      verb.option("--align", options->align,
+                  "none: leave the clocks unchanged. angle: shift by up to 2 s, to where the roll rates agree best")
+          .one_of({"none", "angle"})
+          .value_name("none|angle")
+          .show_default()
+          .needs(b);
+  verb.option("--shift", options->shift_s, "Reading of B's clock at A's zero, s")
       .check(objection_to_time)
       .value_name("S")
       .excludes(align)
       .needs(b);
-  verb.flag("--remove-offset", options->remove_offset, "Roll angles count from different zeros: let both begin at A's")
+  verb.flag("--remove-offset", options->remove_offset, "Roll angles count from different zeros: start both at A's")
       .needs(b);
-  verb.flag("--json", options->json, "Print summary.json, of two flights compare.json, instead of the text");
+  verb.flag("--json", options->json, "Print summary.json (for two flights compare.json) instead of the text");
   verb.examples(
-      "Exit code 0: the page was written, whether or not the roll was held: of one flight `outcome` in summary.json "
-      "and "
-      "--json says that (held, off_command, outside_model, not_held, oscillates, cut_short, not_judged, no_control, "
+      "Exit code 0: the page was written, whether or not the roll was held. For one flight, `outcome` in summary.json "
+      "and --json is the verdict (held, off_command, outside_model, not_held, oscillates, cut_short, not_judged, "
+      "no_control, "
       "ascent_failed).\n"
       "Examples:\n"
-      "  fantail report flown.ftl                             what the board has recorded, as fly shows its flights\n"
+      "  fantail report flown.ftl                             the recording of a board, as fly shows its flights\n"
       "  fantail report flown.ftl out/tasha3_launch2 --align angle --from 0 --to 12\n"
       "                                                       flown and simulated, one over the other\n"
       "  fantail report old_logger.csv --out /tmp/page --json\n"
-      "                                                       a table from elsewhere, for a script\n"
+      "                                                       a table from another program, for a script\n"
       "\n"
-      "Figures of how far two flights are apart, with limits for a script: fantail compare.");
+      "For the differences of two flights in figures, with limits for a script: fantail compare.");
   verb.action([options] { options->b.empty() ? report_one(*options) : report_two(*options); });
 }
 

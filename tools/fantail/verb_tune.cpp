@@ -77,11 +77,11 @@ void refuse_to_replace(const std::filesystem::path& file, const TuneOptions& opt
   for (const std::filesystem::path& made_from : files_of(options.scenario)) {
     if (std::error_code not_there; std::filesystem::equivalent(file, made_from, not_there)) {
       throw text::OutputError{file.string() +
-                              ": is what these results are made from; choose another place for the plan"};
+                              ": these results are made from this file; choose another place for the plan"};
     }
   }
   if (!options.force && std::filesystem::exists(file)) {
-    throw UsageError{file.string() + " is there already, and nothing is replaced without --force; or say --plan FILE"};
+    throw UsageError{file.string() + " already exists; --force replaces it, --plan FILE names another"};
   }
 }
 
@@ -136,19 +136,19 @@ void tune_scenario(const TuneOptions& options) {
   const result::Made made = made_with(inputs, scenario.seed, changes);
   const tune::Tuning tuning = tuned(scenario, request(options), place, kept);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
-  deliver(tune::answer(tuning, plan_name, made),
-          {.folder = folder,
-           .name = "tune",
-           .inputs = inputs,
-           .json = options.json,
-           .last_line =
-               plan_name.empty() ? "  plan     none written" : "           to be named " + how_to_fly(options, file),
-           .when_written = [&] {
-             if (tuning.is_proposed()) {
-               write(file, tune::plan_text(tuning));
-             }
-             kept.remove();
-           }});
+  deliver(
+      tune::answer(tuning, plan_name, made),
+      {.folder = folder,
+       .name = "tune",
+       .inputs = inputs,
+       .json = options.json,
+       .last_line = plan_name.empty() ? "  plan     none written" : "           name it " + how_to_fly(options, file),
+       .when_written = [&] {
+         if (tuning.is_proposed()) {
+           write(file, tune::plan_text(tuning));
+         }
+         kept.remove();
+       }});
   if (!tuning.is_proposed()) {
     throw RequirementNotMet{""};
   }
@@ -158,7 +158,7 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<TuneOptions>();
   add_scenario_options(verb, options->scenario);
   verb.section("Law and aims");
-  verb.option("--rejection", options->rejection, "What the law does against a fin offset")
+  verb.option("--rejection", options->rejection, "How the law rejects a fin offset")
       .one_of({"none", "integral", "observer"})
       .show_default()
       .changes_result();
@@ -170,8 +170,8 @@ void fill(const Verb& verb) {
       .show_default()
       .changes_result();
   verb.option("--settling", options->settling_s,
-              "Seconds after a step of the reference in which the linear loop must come within a tenth of the step, "
-              "from the median speed on")
+              "Seconds after a step of the reference in which the linear loop must come within a tenth of the step, at "
+              "the median speed and above")
       .range(0.05, 10.0)
       .value_name("S")
       .show_default()
@@ -182,25 +182,24 @@ void fill(const Verb& verb) {
       .show_default()
       .changes_result();
   verb.section("Flights");
-  verb.option("--flights", options->flights, "How many rockets of the spread to fly, each by both plans")
+  verb.option("--flights", options->flights, "How many rockets of the spread to fly, each with both plans")
       .range(1.0, 10000.0)
       .show_default()
       .changes_result();
   add_threads_option(verb, options->threads);
   verb.section("Results");
   verb.option("--plan", options->plan,
-              "The plan file to write [NAME_tuned.toml beside the old plan; for a shipped one in the working folder]")
+              "The plan file to write [NAME_tuned.toml beside the old plan; for a shipped plan, in the working folder]")
       .offers(files)
       .value_name("FILE");
-  verb.flag("--force", options->force, "Replace a plan file that is there");
+  verb.flag("--force", options->force, "Replace an existing plan file");
   verb.option("--out", options->out,
-              "Folder for tune.html and tune.json [out/tune/SCENARIO, with what was changed in the name]")
+              "Folder for tune.html and tune.json [out/tune/SCENARIO, with the changes in the name]")
       .offers(folders);
   verb.flag("--json", options->json, "Print tune.json instead of the text");
   verb.examples(
-      "A search that was interrupted goes on with the flights that were finished when the same command is given "
-      "again.\n"
-      "Exit code 0: a plan was written; 1: no gains were found, or the new plan loses flights, and none was.\n"
+      "To resume an interrupted search, give the same command again; it keeps the flights that were finished.\n"
+      "Exit code 0: a plan was written; 1: none was, because no gains were found or the new plan loses flights.\n"
       "Examples:\n"
       "  fantail tune tasha3_launch2                          integral action, for a phase margin of 45 degrees\n"
       "  fantail tune my_rocket/scenario.toml --rejection observer --schedule --margin 50 --spread 2\n"

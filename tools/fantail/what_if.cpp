@@ -81,7 +81,7 @@ WhatIf what_if(const flight_log::Flight& flight, const flight_log::Regeneration&
 std::string what_if_text(const WhatIf& result) {
   std::string text = fmt::format("WHAT IF, open loop: {}\n", fmt::join(result.changes, ", "));
   if (!result.first_difference_s) {
-    text += "  no roll command would have been another\n";
+    text += "  every roll command would have been the same\n";
   } else {
     text +=
         fmt::format("  ticks with another roll command or phase  {} of {}\n", result.differing, result.time_s.size());

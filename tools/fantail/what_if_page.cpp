@@ -36,7 +36,7 @@ std::vector<page::Figure> figures(const WhatIf& result) {
   return {{"First difference", first, result.first_difference_s ? "s" : "", "from " + result.clock},
           {"Largest difference", fmt::format("{:.2f}", text::degrees(result.largest_difference_rad)), "deg",
            fmt::format("at {:.3f} s", result.largest_difference_s)},
-          {"Other commands", std::to_string(result.differing), "ticks",
+          {"Different commands", std::to_string(result.differing), "ticks",
            fmt::format("of {} replayed", result.time_s.size())},
           {"Saturated, flown", share(result.flown_saturated), "%", "of the time under control"},
           {"Saturated, what if", share(result.what_if_saturated), "%", "of the time under control"}};
@@ -65,11 +65,12 @@ std::string what_if_html(const WhatIf& result) {
   page.body_html += page::section(
       "The roll that was flown",
       chart("roll angle", {curve(result, "", Role::measured, result.roll_angle_rad)}, 190.0) +
-          page::paragraph("As the changed plan's flight law would have known it from the same sensors. Every tick is "
-                          "in what_if.csv beside this page."));
+          page::paragraph(
+              "As the changed plan's flight law would have estimated it from the same sensors. Every tick is "
+              "in what_if.csv beside this page."));
   if (result.unreachable > 0) {
     page.body_html += page::paragraph(fmt::format(
-        "{} ticks are left out: a gap in the log comes before them, and no checkpoint.", result.unreachable));
+        "{} ticks are left out: they follow a gap in the log, with no checkpoint in between.", result.unreachable));
   }
   return page::html(page);
 }
