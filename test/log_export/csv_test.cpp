@@ -56,7 +56,7 @@ TEST(CsvExport, EachColumnHasItsUnitAndDescriptionBesideTheTable) {
   const json::Value columns = json::parse(columns_json("phase,roll_rate_deg_s\n"));
   EXPECT_EQ(columns[0]["unit"].text(), "-");
   EXPECT_EQ(columns[1]["unit"].text(), "deg/s");
-  EXPECT_EQ(columns[1]["description"].text(), "roll rate, bias taken off");
+  EXPECT_EQ(columns[1]["description"].text(), "roll rate, bias subtracted");
 }
 
 TEST(CsvExport, ATickThatCouldNotBeReplayedHasItsRowWithWhatTheLogHoldsAndAMark) {

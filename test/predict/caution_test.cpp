@@ -101,7 +101,7 @@ TEST(Caution, AGoWithLittleStaticMarginSaysSoInItsHeadline) {
   }
   const Decision d = decide(p, {});
   EXPECT_EQ(d.heading(), "Go with caution");
-  EXPECT_TRUE(d.text.ends_with("; but the static margin is down to 0.25 calibres, and 1 is usual.")) << d.text;
+  EXPECT_TRUE(d.text.ends_with("; but the static margin falls to 0.25 calibres, and 1 is usual.")) << d.text;
   for (predict::Run& run : p.runs) {
     run.extremes.static_margin_calibres = 1.0;
   }

@@ -148,7 +148,7 @@ TEST(Prediction, OfAnotherVehiclesStepsIsRefusedUnlessItIsMeant) {
     EXPECT_EQ(error.kind(), text::ErrorKind::bad_configuration);
     EXPECT_STREQ(error.what(),
                  "steps.csv: its rows are of the vehicle \"Dart\", and tasha3_launch2 flies \"Tasha III, launch 2\"; "
-                 "allowed: rows of that vehicle, or --other-vehicle to take these on purpose");
+                 "allowed: rows of that vehicle, or --other-vehicle to accept these");
   }
   const Prediction p = predict(scenario, other, {.runs = 1, .other_vehicle = true}, look_away);
   const auto accepted =
@@ -159,11 +159,11 @@ TEST(Prediction, OfAnotherVehiclesStepsIsRefusedUnlessItIsMeant) {
   }
 }
 
-// "Fin offset: 3 deg, which nobody has measured" is true of the scenario, and said of nothing that flies here.
+// "Fin offset: 3 deg, not measured" is true of the scenario, and said of nothing that flies here.
 TEST(Prediction, SaysThatWhatTheRowsHaveCountsMoreThanAnAssumption) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
   scenario.vehicle.assumed = {"Damping: guessed."};
-  scenario.assumed = {"Fin offset: 3 deg, which nobody has measured."};
+  scenario.assumed = {"Fin offset: 3 deg, not measured."};
   const auto notes = predict(scenario, three_rows(), {.runs = 1}, look_away).notes;
   EXPECT_NE(notes[0].find("steps.csv"), std::string::npos) << notes[0];
   EXPECT_EQ(figures(notes[0]), Numbers{"2"}) << "sentences that follow";

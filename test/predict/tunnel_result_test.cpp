@@ -75,9 +75,10 @@ TEST(TunnelResult, IsRefusedWhereNobodySaysWhatTheSwirlWas) {
       folder.write("steps.csv",
                    "step,begin_s,alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n1,0,20,"
                    "9,-5,-6\n2,5,18,8,-4,-7\n3,9,18,8,-4,-7\n");
-  test::expect_refused(text::ErrorKind::bad_configuration,
-                       {"steps.csv: nothing says", "--swirl DEG", "fantail tunnel swirl", "--swirl 0 says"},
-                       [&] { (void)read_tunnel_result(file, {}); });
+  test::expect_refused(
+      text::ErrorKind::bad_configuration,
+      {"steps.csv: the swirl of the tunnel is not given", "--swirl DEG", "fantail tunnel swirl", "--swirl 0 means"},
+      [&] { (void)read_tunnel_result(file, {}); });
   const TunnelResult none = read_tunnel_result(file, 0.0);
   EXPECT_NEAR(degrees(none.steps[1].offset_end_rad), -7.0, 1e-12);
   expect_swirl(none, "0", "--swirl");

@@ -140,10 +140,10 @@ TEST(JoltAfterApogee, NeedsAnApogee) {
 
 TEST(GainMarginText, SaysWhereLessGainIsWhatMakesTheLoopSwing) {
   EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0, .gain_margin = 3.21}), "3.2 times");
-  EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0, .gain_margin = 0.4}), "0.4 times, and swings with less");
+  EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0, .gain_margin = 0.4}), "0.4 times, and oscillates with less");
   EXPECT_EQ(gain_margin_text({.phase_margin_rad = 1.0}), "any");
   EXPECT_EQ(gain_margin_text({.phase_margin_rad = -0.2, .gain_margin = 0.7}), "0.7 times");
-  EXPECT_EQ(gain_margin_text({.phase_margin_rad = -0.2, .gain_margin = 1.5}), "1.5 times, and swings with less");
+  EXPECT_EQ(gain_margin_text({.phase_margin_rad = -0.2, .gain_margin = 1.5}), "1.5 times, and oscillates with less");
 }
 
 TEST(Html, OfALoopThatSwingsWithLessGainPageAndTerminalSaySo) {

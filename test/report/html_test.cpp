@@ -61,7 +61,7 @@ TEST(Html, SaysWhereTheLawOfThePlanComesToRestAndDrawsItsEstimate) {
   EXPECT_EQ(rejecting.find("u_d/kp"), std::string::npos);
   EXPECT_NE(rejecting.find("settles at R."), std::string::npos);
   EXPECT_NE(rejecting.find("the reference R"), std::string::npos);
-  EXPECT_NE(rejecting.find("and what the law takes it for"), std::string::npos);
+  EXPECT_NE(rejecting.find("and the law's estimate of it"), std::string::npos);
   synthetic.flight.why_uncontrollable = "all canards turn the rocket against the roll command";
   EXPECT_EQ(page_of(synthetic.flight).find("settles at R"), std::string::npos);
 }
@@ -93,7 +93,7 @@ TEST(Html, OfARollThatIsNotJudgedNoHoldErrorAndNoSettlePointIsTold) {
   synthetic.flight.airframe = flight::FlownAirframe{};  // no loop margin: its canards do not turn it
   const std::string page = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(page.find("Roll not judged"), std::string::npos);
-  for (const char* part : {"It settles at", "hold error", "to spare"}) {
+  for (const char* part : {"It settles at", "hold error", "than the fins need"}) {
     EXPECT_EQ(page.find(part), std::string::npos) << part;
   }
 }
@@ -190,7 +190,7 @@ TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
   });
   const std::string text = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(text.find("(\u22129 deg)"), std::string::npos) << text.substr(0, text.find("<dl"));
-  EXPECT_NE(text.find(" 3.0 deg too few"), std::string::npos);
+  EXPECT_NE(text.find(" 3.0 deg less than the fins need"), std::string::npos);
 }
 
 TEST(Html, APathInAPlaneIsShownWithoutDirections) {
@@ -214,9 +214,9 @@ TEST(Html, AHeldRocketIsShownAboutAllThreeAxes) {
                               {.time_s = 0.0, .true_tilt_rad = 0.0},
                               {.time_s = 1.0, .true_tilt_rad = text::radians(30.0), .tilt_rad = text::radians(29.5)}};
   const std::string page = without_scripts(page_of(synthetic.flight));
-  for (const char* shown : {"Roll rate, about the long axis", "Pitch rate, about y", "Yaw rate, about z",
-                            "Tilt of the long axis from the vertical", "From control start on", "up to 30.0 deg",
-                            "by more than 0.50 deg"}) {
+  for (const char* shown :
+       {"Roll rate, about the long axis", "Pitch rate, about y", "Yaw rate, about z",
+        "Tilt of the long axis from the vertical", "From control start on", "up to 30.0 deg", "by at most 0.50 deg"}) {
     EXPECT_NE(page.find(shown), std::string::npos) << shown;
   }
 }

@@ -87,7 +87,7 @@ sim::Scenario with_reversed(std::initializer_list<std::size_t> in_plan,
 // s^2 + (a - kd b) s - kp b has a positive root for any b kp above zero.
 TEST(CanardSense, CanardsThatTurnTheRocketAgainstTheCommandAreNamed) {
   const std::string differs = " (direction differs between plan and vehicle)";
-  const std::string rest = ", and the others outweigh that hardly or not at all";
+  const std::string rest = ", and the others hardly outweigh that, or not at all";
   EXPECT_EQ(why_uncontrollable(with_reversed({0, 1, 2, 3})),
             "all canards turn the rocket against the roll command" + differs);
   EXPECT_EQ(why_uncontrollable(with_reversed({}, {0, 1, 3})),
@@ -118,7 +118,7 @@ TEST(CanardSense, AServoThatAFaultHasTurnedIsNotBlamedOnPlanAndVehicle) {
   for (sim::Fault& fault : scenario.faults) {
     fault.how = sim::GearFault{sim::ServoFault::dead};
   }
-  EXPECT_EQ(why_uncontrollable(scenario), "the canards follow the roll command hardly or not at all");
+  EXPECT_EQ(why_uncontrollable(scenario), "the canards hardly follow the roll command, or not at all");
   scenario.faults.resize(2);
   scenario.plan.canards.each[3].direction = core::Direction::reversed;
   scenario.plan.run.canard_fault = core::CanardFaultPolicy::share;

@@ -106,7 +106,7 @@ TEST_F(Designs, WithASecondSetOfWiderFinsAreReadWithItsMass) {
       "<tipchord>0.08</tipchord><sweeplength>0.07</sweeplength><height>0.3</height></trapezoidfinset>";
   xml.insert(xml.find("<trapezoidfinset>"), wings);
   const auto [made, later] = said(xml);
-  expect_said(made, {"Not used: Fins \"Wings\": their forces; only their mass."});
+  expect_said(made, {"Not used: Fins \"Wings\": their forces; their mass is used."});
 }
 
 TEST_F(Designs, AreNotComparedWithAFlightOnAnotherMotor) {

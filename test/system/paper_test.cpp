@@ -195,7 +195,7 @@ TEST_F(Paper, ThePageIsCompleteAndLoadsNothing) {
   EXPECT_EQ(folder_->listing(), (Words{"paper", "paper/paper.html", "paper/paper.json"}));
   const std::string page = content(folder_->path() / "paper/paper.html");
   expect_said(page, {"The air of the tunnel", "Swirl", "Launch 1", "Steps in the wind tunnel", "Launch 2",
-                     "The print, held against itself", "The printed figures and tables"});
+                     "The publication, checked against itself", "The printed figures and tables"});
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("href=\"http"), std::string::npos);
   std::size_t drawn = 0;

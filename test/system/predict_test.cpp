@@ -166,7 +166,7 @@ TEST(Predict, RefusesWhatItCannotPredictFromAndWritesNothing) {
           {"disturbance_begin_deg", "alpha_m2"});
   Refusal({}, {"predict", "tunnel_steps"}, 78, {"tunnel_steps: environment.surroundings"});
   Refusal({{"steps.csv", own_steps}}, {"predict", "--tunnel", "steps.csv"}, 78,
-          {"steps.csv: nothing says which part of its disturbances is the swirl", "--swirl DEG"});
+          {"steps.csv: the swirl of the tunnel is not given", "--swirl DEG"});
 }
 
 // Two rows used to be "Go" with a remark, and another rocket's rows were taken without a word.

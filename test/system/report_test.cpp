@@ -49,7 +49,7 @@ TEST(Report, NeverReplacesOrRemovesAFlightsOwnFiles) {
   folder.write("other.ftl", made_log());
   for (const char* input : {"day/flight.ftl", "day", "other.ftl"}) {
     const Outcome outcome = run_in(folder, {"report", input, "--out", "day"}, 74);
-    expect_said(outcome.err, {"day/flight.ftl: a flight keeps its own files here"});
+    expect_said(outcome.err, {"day/flight.ftl: this folder has the files of a flight"});
     EXPECT_EQ(content(folder / "day/flight.ftl"), made_log());
     EXPECT_EQ(content(folder / "day/flight.csv"), "");
   }

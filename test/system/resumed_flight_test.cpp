@@ -117,7 +117,7 @@ TEST_F(ResumedFlight, OneWhoseProcessorStoodStillWasControlledUntilThen) {
   EXPECT_TRUE(says(of_log.out, " No tick is on record from 1.480 s to 8.981 s.")) << of_log.out;
 
   fly_with_fault(dead + "600\n");
-  EXPECT_TRUE(says(said, ended + "the processor stood still from then on.")) << said;
+  EXPECT_TRUE(says(said, ended + "the processor stopped then.")) << said;
   EXPECT_TRUE(says(said, " No tick is on record from 1.486 s on.")) << said;
 }
 

@@ -233,7 +233,7 @@ TEST(Trajectory, ColumnsThatAreNotUsedAreNamed) {
         return height_and_speed(t) + fmt::format(",4000,1013,{:.6f}", std::abs(Throw::speed_m_s(t)));
       }));
   // Pressure alone makes no density; two speeds make a third.
-  EXPECT_EQ(few.notes.at(1), "Not used of the file: \"Mass (g)\", \"Air pressure (mbar)\".");
+  EXPECT_EQ(few.notes.at(1), "Columns of the file that are not used: \"Mass (g)\", \"Air pressure (mbar)\".");
   std::string header = heights_and_speeds;
   std::string cells;
   for (int i = 1; i <= 9; ++i) {
@@ -241,7 +241,8 @@ TEST(Trajectory, ColumnsThatAreNotUsedAreNamed) {
     cells += ",1";
   }
   const Trajectory many = parse(rows(header, [&](double t) { return height_and_speed(t) + cells; }));
-  EXPECT_EQ(many.notes.at(1), R"(Not used of the file: "X1", "X2", "X3", "X4", "X5", "X6" and 3 more columns.)");
+  EXPECT_EQ(many.notes.at(1),
+            R"(Columns of the file that are not used: "X1", "X2", "X3", "X4", "X5", "X6" and 3 more columns.)");
 }
 
 TEST(Trajectory, HeightsThatDoNotFitTheSpeedsAreRemarkedOn) {

@@ -74,7 +74,7 @@ result::Answer answer_of(const Summary& summary) {
 
 constexpr const char* method =
     "Ranges are the method's error: normal force 10 %, centre of pressure 3 % of its distance from the nose, roll a "
-    "factor of two; errors of the measurements come on top. Air of small angles, well below the speed of sound.";
+    "factor of two; errors of the measurements come on top. Valid for small angles, well below the speed of sound.";
 
 }  // namespace
 
@@ -109,7 +109,7 @@ result::Document answer(const sim::Vehicle& vehicle, const Summary& summary, con
                        {"For programs", {result::table("numbers", summary.lines, line_fields)}, programs},
                        {"Normal force",
                         {result::table("parts", summary.build_up.parts, part_fields),
-                         "Of small angles, on the cross-section of the body."},
+                         "For small angles, on the cross-section of the body."},
                         files},
                        {"Remarks", {result::Sentences{"remarks", summary.remarks}}},
                        {"Assumed", {result::Sentences{"assumed", vehicle.geometry_assumed}}}},

@@ -117,7 +117,7 @@ void say_not_compared(Summary& summary, const Design& design, const std::string&
   const std::size_t colon = summary.sentence.find(": ");
   summary.sentence.insert(colon, ", not compared with its design");
   summary.sentence += fmt::format(
-      " {} stores no {}. Weigh and balance the rocket, or simulate it in OpenRocket, save, and make the vehicle anew.",
+      " {} stores no {}. Weigh and balance the rocket, or simulate it in OpenRocket, save, and make the vehicle again.",
       design.file, missing);
 }
 

@@ -116,9 +116,8 @@ std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::
 std::string why_none(const core::FlightPlan& plan) {
   using text::brief;
   return fmt::format(
-      "No gains were chosen: in a straight ascent control does not begin. That takes {} g for {} s, and {} m/s {} m "
-      "from the "
-      "foot of the guide.",
+      "No gains were chosen: in a straight ascent, control does not begin. It needs {} g for {} s, and {} m/s {} m "
+      "from the foot of the guide.",
       brief(static_cast<double>(plan.launch_detection.threshold_m_s2) / sim::gravity_m_s2, 2),
       brief(static_cast<double>(core::seconds(plan.launch_detection.hold)), 2),
       brief(static_cast<double>(plan.guide.minimum_speed_m_s), 1),

@@ -254,13 +254,13 @@ Offset fin_offset(const Geometry& shape, const model::BuildUp& b) {
   constexpr double most_deg = 45.0;  // of a scenario
   const double cant_deg = b.cant_as_canards ? text::degrees(shape.fins->cant_rad * b.cant_as_canards->value) : 0.0;
   if (cant_deg == 0.0) {
-    return {usual_deg, "Fin offset: 3 deg, which nobody has measured."};
+    return {usual_deg, "Fin offset: 3 deg, not measured."};
   }
-  const std::string computed = fmt::format("{} deg, as computed from the fins' cant", text::fixed(cant_deg, 1));
+  const std::string computed = fmt::format("{} deg, computed from the fins' cant", text::fixed(cant_deg, 1));
   return std::abs(cant_deg) <= most_deg
              ? Offset{cant_deg, fmt::format("Fin offset: {}.", computed)}
              : Offset{std::copysign(most_deg, cant_deg),
-                      fmt::format("Fin offset: the largest of a scenario; it is {}.", computed)};
+                      fmt::format("Fin offset: the largest that a scenario allows; computed: {}.", computed)};
 }
 
 }  // namespace

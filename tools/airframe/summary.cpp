@@ -94,10 +94,10 @@ void add_roll(Summary& summary, const sim::Vehicle& vehicle) {
     if (b.roll_torque_m3->low == 0.0) {
       summary.remarks.emplace_back(
           "Beta is computed without the canards' wash on the fins behind them, which takes back part of the torque, or "
-          "all of it: no formula here says how much. Measure it in a tunnel.");
+          "all of it: the amount is not computed. Measure it in a tunnel.");
     }
   } else {
-    summary.remarks.emplace_back("The file has no section [canard_fins]: nothing is said of their torque.");
+    summary.remarks.emplace_back("The file has no section [canard_fins]: their torque is not computed.");
   }
   if (b.cant_as_canards) {
     summary.lines.push_back({"canards for a degree of fin cant", "deg", b.cant_as_canards, {}, 2});
@@ -152,8 +152,8 @@ void judge(Summary& summary, const sim::Vehicle& vehicle) {
   }
   if (!least) {
     summary.sentence =
-        "Not judged: where the centre of gravity is follows from [masses] with the propellant's place, or from "
-        "[airframe].";
+        "Not judged: the centre of gravity is unknown. It follows from [masses] with the propellant's position, or "
+        "from [airframe].";
     return;
   }
   const std::string range = fmt::format("{} calibres {} ({} to {} by the method's error)", fixed(least->value, 2), when,
@@ -163,11 +163,11 @@ void judge(Summary& summary, const sim::Vehicle& vehicle) {
     summary.sentence = fmt::format("Unstable: the static margin is {}. It turns over in flight.", range);
   } else if (least->low < 0.0) {
     summary.stability = Stability::marginal;
-    summary.sentence = fmt::format(
-        "Not sure to be stable: the static margin is {}. Swing it in a tunnel, or move weight forwards.", range);
+    summary.sentence =
+        fmt::format("Perhaps unstable: the static margin is {}. Swing it in a tunnel, or move weight forwards.", range);
   } else if (least->value < least_margin_calibres) {
     summary.stability = Stability::marginal;
-    summary.sentence = fmt::format("Stable, but by less than the usual calibre: the static margin is {}.", range);
+    summary.sentence = fmt::format("Stable, but with less than the usual calibre: the static margin is {}.", range);
   } else {
     summary.stability = Stability::stable;
     summary.sentence = fmt::format("Stable: the static margin is {}.", range);
@@ -228,9 +228,8 @@ void compare(Summary& summary) {
     }
   }
   if (!outside.empty()) {
-    summary.remarks.push_back(
-        "The file is outside of what the shape gives in: " + outside +
-        ". A number that was measured counts more than one that is computed; one that was assumed does not.");
+    summary.remarks.push_back("The file is outside the ranges computed from the shape in: " + outside +
+                              ". A measured number counts more than a computed one; an assumed number does not.");
   }
 }
 

@@ -96,8 +96,8 @@ Extremes worst_of(const std::vector<Extremes>& flights) {
 
 std::string how_far_beyond(const Extremes& worst) {
   return clauses(worst, "; ", [&worst](ModelEnd end) {
-    return fmt::format("{}{}, and the simulation of roll holds {}", end == ModelEnd::stability ? "not stable, " : "",
-                       how_far(end, worst), where_it_ends(end));
+    return fmt::format("{}{}, but the simulation of roll is valid only {}",
+                       end == ModelEnd::stability ? "not stable, " : "", how_far(end, worst), where_it_ends(end));
   });
 }
 

@@ -37,8 +37,8 @@ std::string static_margins(const sim::Airframe& airframe) {
 void limit_to_path(std::vector<std::string>& sentences) {
   if (const std::size_t count = sentences.size(); count > 0) {
     sentences.insert(sentences.begin(),
-                     fmt::format("The next {} of vehicle and scenario. The path is that of the trajectory, whatever "
-                                 "they say of thrust, drag, mass, stability, wind or parachute.",
+                     fmt::format("The next {} from vehicle and scenario. The path is that of the trajectory, whatever "
+                                 "they say about thrust, drag, mass, stability, wind or parachute.",
                                  count == 1 ? "sentence is" : fmt::format("{} sentences are", count)));
   }
 }
@@ -126,7 +126,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   if (scenario.log_period_s > 0.001) {
     flight.notes.push_back(fmt::format("flight.csv has a row every {:g} s instead of every millisecond{}.",
                                        scenario.log_period_s,
-                                       flight.tunnel ? ", and the figures are made of these rows" : ""));
+                                       flight.tunnel ? ", and the figures are computed from these rows" : ""));
   }
   return flight;
 }

@@ -25,7 +25,7 @@ std::string time_text(const sim::Fault& fault, const sim::Scenario& scenario, st
 std::string reset_text(const sim::Fault& fault, const sim::Reset& reset, std::string_view zero) {
   const std::string clock_error =
       reset.clock_error_s == 0.0 ? ""
-                                 : fmt::format("; the avionics takes it for {:g} s {}", std::abs(reset.clock_error_s),
+                                 : fmt::format("; the avionics measure it {:g} s {}", std::abs(reset.clock_error_s),
                                                reset.clock_error_s > 0.0 ? "longer" : "shorter");
   return fmt::format("Fault: reset ({}) at {:g} s after {}; no tick for {:g} s, backup memory {}{}.",
                      hal::name(reset.cause), fault.from_s, zero, reset.gap_s,

@@ -93,9 +93,9 @@ std::string why_not_armed(const sim::World& world, const sim::Scenario& scenario
   // A self-test that the launch interrupts fails because the rocket does not stand still.
   if (!refusal || (left_s < self_test_s && refusal->failure == protocol::SelfTestFailure::moved)) {
     return fmt::format(
-        "its self-test takes about seven seconds, and {:g} s after it began {} (timing.arm_time_s, timing.pad_time_s)",
+        "its self-test takes about seven seconds, and {:g} s after its start {} (timing.arm_time_s, timing.pad_time_s)",
         left_s,
-        scenario.surroundings != sim::Surroundings::flight ? "came the start command" : "the motor was ignited");
+        scenario.surroundings != sim::Surroundings::flight ? "the start command came" : "the motor was ignited");
   }
   return "the avionics refused to be armed: " + (refusal->refusal != protocol::ArmRefusal::none
                                                      ? replies::sentence(refusal->refusal)
@@ -106,12 +106,12 @@ void keep_log(flight::Flight& flight, const sim::World& world, bool was_armed) {
   const std::span<const std::byte> recorded = world.recorded();
   flight.log.assign(recorded.begin(), recorded.end());
   if (flight.log.empty()) {
-    flight.notes.push_back(fmt::format("The avionics recorded nothing, so there is no flight.ftl: it was never {}.",
-                                       !was_armed      ? "armed"
-                                       : flight.tunnel ? "started"
-                                                       : "launched, as far as it could tell"));
+    flight.notes.push_back(fmt::format("The avionics recorded nothing, so there is no flight.ftl: {}.",
+                                       !was_armed      ? "they were never armed"
+                                       : flight.tunnel ? "they were never started"
+                                                       : "they detected no launch"));
   } else if (world.record_is_full()) {
-    flight.notes.emplace_back("flight.ftl ends before the run does: the flash of the avionics was full.");
+    flight.notes.emplace_back("flight.ftl ends before the run does: the flash memory of the avionics was full.");
   }
 }
 

@@ -26,7 +26,7 @@ std::optional<std::string> leaning_guide(const sim::Scenario& scenario, const fl
   }
   const GravityTurn turn = gravity_turn(scenario);
   std::string text = fmt::format(
-      "The guide leans by {:.0f} deg, and the simulated rocket keeps to its line. A real one bends over: a point mass "
+      "The guide leans by {:.0f} deg, and the simulated rocket stays on its line. A real one bends over: a point mass "
       "would reach {:.0f} m",
       degrees(scenario.guide.tilt_rad), turn.apogee_m);
   if (turn.tilt_limit_s) {
@@ -45,19 +45,19 @@ std::optional<std::string> near_sound(const sim::Scenario& scenario, double top_
   if (has_factor && top_mach < sim::highest_mach_of_prandtl_glauert) {
     return has_drag ? std::nullopt
                     : std::optional{fmt::format(
-                          "At {:.0f} m/s, Mach {:.2f}, drag is no longer constant, as the simulation takes it to be.",
+                          "At {:.0f} m/s, Mach {:.2f}, drag is no longer constant, as the simulation assumes.",
                           speed_m_s, top_mach)};
   }
   if (has_factor) {
     return fmt::format(
-        "At {:.0f} m/s, Mach {:.2f}, nothing is promised of damping, torque and normal force: their Prandtl-Glauert "
+        "At {:.0f} m/s, Mach {:.2f}, damping, torque and normal force are unreliable, because their Prandtl-Glauert "
         "factor ends at Mach {:g}{}.",
         speed_m_s, top_mach, sim::highest_mach_of_prandtl_glauert,
-        has_drag ? "" : "; nor of the drag, whose coefficient is taken to be constant");
+        has_drag ? "" : "; so is the drag, whose coefficient is assumed to be constant");
   }
   return fmt::format(
-      "At {:.0f} m/s, Mach {:.2f}, {}damping and torque are no longer constant, as the simulation takes them to be.",
-      speed_m_s, top_mach, has_drag ? "" : "drag, ");
+      "At {:.0f} m/s, Mach {:.2f}, {}damping and torque are no longer constant, as the simulation assumes.", speed_m_s,
+      top_mach, has_drag ? "" : "drag, ");
 }
 
 /// Counts in the tunnel, too, unless the air stands still.
@@ -67,10 +67,9 @@ std::optional<std::string> reversed_roll(const sim::Scenario& scenario) {
     return std::nullopt;
   }
   return fmt::format(
-      "The fins take back {:g} times the roll torque of the canards (aerodynamics.canard_wash), so {}: no gains of "
-      "this "
-      "control law hold the roll.",
-      wash, wash > 1.0 ? "canards that turn one way roll the rocket the other way" : "the canards turn nothing");
+      "The fins take back {:g} times the roll torque of the canards (aerodynamics.canard_wash), so {}. No gains of "
+      "this control law hold the roll.",
+      wash, wash > 1.0 ? "canard commands roll the rocket the opposite way" : "the canards do not roll the rocket");
 }
 
 /// The angle at which the air on a canard is as strong as its servo. The reach of the canards is not made from it: it
@@ -84,8 +83,8 @@ std::optional<std::string> weak_servo(const sim::Scenario& scenario, double larg
     return std::nullopt;
   }
   return fmt::format(
-      "At the highest dynamic pressure under control the air turns a canard {} beyond {:.1f} deg, where its moment is "
-      "all that the servo has ({:g} N m); authority and stability margins do not count that.",
+      "At the highest dynamic pressure under control the air turns a canard {} beyond {:.1f} deg, where its moment "
+      "equals the torque of the servo ({:g} N m). The authority and stability margins do not count that.",
       hinge_m3 > 0.0 ? "back" : "farther out", degrees(*torque_n_m / load_n_m_per_rad), *torque_n_m);
 }
 
@@ -98,7 +97,7 @@ std::optional<std::string> strong_motor(const sim::Scenario& scenario, double la
   }
   const bool shakes = scenario.vehicle.vibration.specific_force_m_s2 > 0.0;
   return fmt::format("{} {:.1f} g or more; the ranges of the accelerometers are {:.0f} and {:.0f} g.",
-                     shakes ? "An accelerometer feels thrust and vibration of" : "The motor pushes with",
+                     shakes ? "An accelerometer measures thrust and vibration of" : "The motor pushes with",
                      largest_m_s2 / sim::gravity_m_s2, scenario.vehicle.imu.full_scale_m_s2 / sim::gravity_m_s2,
                      scenario.vehicle.accelerometer.full_scale_m_s2 / sim::gravity_m_s2);
 }
@@ -128,10 +127,10 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
   if (const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s)) {
     const flight::PathPoint* largest = largest_angle_of_attack(flight, *point, flight.events.apogee_s);
     angle_rad = largest->angle_of_attack_rad;
-    text = fmt::format("The air meets the rocket at {:.0f} deg at the end of its guide",
-                       degrees(point->angle_of_attack_rad));
+    text =
+        fmt::format("The angle of attack is {:.0f} deg at the end of the guide", degrees(point->angle_of_attack_rad));
     if (largest != point) {
-      text += fmt::format(", and at up to {:.0f} deg later, at {:.2f} s", degrees(angle_rad), largest->time_s);
+      text += fmt::format(", and up to {:.0f} deg later, at {:.2f} s", degrees(angle_rad), largest->time_s);
     }
   } else {
     text = fmt::format(
@@ -144,9 +143,9 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
   return angle_rad <= linear_angle_rad - limit_rad
              ? text + "."
              : text + fmt::format(
-                          ": with {:.0f} deg of their own the canards leave the linear range of about {:.0f} deg, and "
-                          "their torque is less than simulated; less wind, a faster exit from the guide or a smaller "
-                          "canard limit lessens that.",
+                          ": with {:.0f} deg of their own, the canards leave the linear range of about {:.0f} deg, and "
+                          "their torque is less than simulated. Less wind, a faster exit from the guide or a smaller "
+                          "canard limit reduces that.",
                           degrees(limit_rad), degrees(linear_angle_rad));
 }
 

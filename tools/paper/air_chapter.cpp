@@ -45,7 +45,7 @@ Chapter air_chapter(const Tell& tell) {
                                            .decimals = 1,
                                            .tolerance = 0.15,
                                            .kind = Kind::read_back,
-                                           .remark = "The simulated fan was given it."}));
+                                           .remark = "It is an input of the simulated fan."}));
   chapter.claims.push_back(slip(
       "Section 4.1.1", "Unit of the turbulence of Eq 26", "%", "m/s",
       "A variance over a mean is a speed, as the notation says. In percent it would be the standard deviation over "
@@ -67,7 +67,7 @@ Chapter air_chapter(const Tell& tell) {
       line.y.push_back(flow.line->offset + flow.line->slope * means.x.back());
     }
   }
-  chapter.figures_html.push_back(half_width_figure(speed, "As figure 10; shaded: where it was found to be steady."));
+  chapter.figures_html.push_back(half_width_figure(speed, "As figure 10; shaded: the times found to be steady."));
   chapter.figures_html.push_back(half_width_figure({.label = "Fan speed against wind speed",
                                                     .x_label = "fan speed / rpm",
                                                     .y_label = "wind speed / m/s",

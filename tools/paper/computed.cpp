@@ -51,7 +51,7 @@ constexpr Computed computed_rows[] = {
            return percent(p[N::bare_fins_without_deg_s] - p[N::bare_fins_with_deg_s], p[N::bare_fins_without_deg_s]);
          },
      .tolerance = 0.5,
-     .why_otherwise = "Nothing can be reduced by more than all of it. 87.0 / 25.7 is 3.4: the rate fell to 30 %."},
+     .why_otherwise = "A reduction cannot exceed 100 %. 87.0 / 25.7 is 3.4: the rate fell to 30 %."},
     {.place = "Section 4.2",
      .what = "Hold of the launch detection: control start after lift-off, 0.63 s, less T_PD of Eq 31",
      .theirs = N::detection_hold_s,

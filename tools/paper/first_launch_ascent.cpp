@@ -53,8 +53,7 @@ std::vector<Claim> first_launch_ascent(const Run& run, const report::Figures& fi
   const std::string motor =
       "With a motor of the I150 class and the drag area that fits both launches; the motor is not named.";
   const std::string origin =
-      "The height is counted from launch detection, with the speed gained before it: of two ways to count, the one "
-      "that "
+      "The height is counted from launch detection, with the speed gained before it: the one of two ways to count that "
       "meets the printed figures.";
   const std::string place = "Section 4.2";
   const auto fitted = [&](Numbers numbers) {

@@ -70,7 +70,7 @@ identify::model::NodeTimes times_in_thrust_and_coast(double thrust_s, std::size_
 
 std::vector<Claim> first_launch_identified(const FirstLaunchIdentified& ours) {
   std::vector<Claim> claims;
-  const std::string left_out = "They measure what the model leaves out of a real flight.";
+  const std::string left_out = "They measure the effects in a real flight that the model leaves out.";
   claims.push_back(unpublished(
       "Eq 37", "Damping and torque constant, open loop", "8.5 and 10.0",
       "The flight's log is not published. Ours is not 7.5 because the times of Eq 35 are not where our offset bends.",
@@ -126,9 +126,9 @@ std::vector<Claim> first_launch_identified(const FirstLaunchIdentified& ours) {
       unpublished("Section 4.2", "Longer simulation of the closed loop than of the open", "about 50 %",
                   "It measures their program on their computer. The manual compares ours, on its page on the model."));
   add_intervals(claims, ours);
-  claims.push_back(unpublished("Section 4.2", "Wind on the ground", "1 to 2 m/s",
-                               "Neither its direction nor what it did is printed; this flight is along a straight "
-                               "line, without wind."));
+  claims.push_back(unpublished(
+      "Section 4.2", "Wind on the ground", "1 to 2 m/s",
+      "Neither its direction nor its effect is printed; this flight follows a straight line, without wind."));
   return claims;
 }
 

@@ -74,7 +74,7 @@ std::vector<page::Figure> tally_figures(const Tally& count) {
           figure("Fitted", count.of(Kind::fitted), "our inputs were chosen to meet them"),
           figure("Read back", count.of(Kind::read_back), "round trips"),
           figure("Different", count.differs, "with the reason"),
-          figure("Errors in print", count.of(Kind::error_in_print), "with what it must read"),
+          figure("Errors in print", count.of(Kind::error_in_print), "with the correct reading"),
           figure("Not reproducible", count.of(Kind::not_reproducible), "an input is not printed"),
           figure("Taken or outside", count.of(Kind::definition) + count.of(Kind::outside),
                  fmt::format("{} definitions and inputs, {} outside the model", count.of(Kind::definition),

@@ -43,7 +43,7 @@ void add_words(std::vector<Claim>& claims, const Print& print) {
 }  // namespace
 
 Chapter print_chapter(const Print& print) {
-  Chapter chapter{.title = "The print, held against itself",
+  Chapter chapter{.title = "The publication, checked against itself",
                   .introduction = "Sums, percentages and repeated numbers that need nothing but the publication."};
   for (const Computed& row : computed()) {
     chapter.claims.push_back(worked_out(row, print));

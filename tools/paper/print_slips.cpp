@@ -15,7 +15,7 @@ void add_geometry(std::vector<Claim>& slips) {
            fmt::format("{:g} or {:g} mm", section_radius_mm - (body_diameter_mm / 2.0 + canard_radial_mm),
                        section_radius_mm - canard_radial_mm),
            "The section is 600 mm wide and the body 80 mm. 200 mm if canards and fins reach 60 mm beyond the body, 240 "
-           "mm if they end 60 mm from the axis. 160 mm is 300 \u2212 (80 + 60): it takes the diameter for the radius. "
+           "mm if they end 60 mm from the axis. 160 mm is 300 \u2212 (80 + 60): it uses the diameter as the radius. "
            "Either way it stays out of the 200 mm at the wall where the air is printed to be slower."));
   slips.push_back(slip("Section 4.1.2", "Where the swirl is, from the centre of the tunnel", "100 to 300 mm",
                        "50 to 150 mm",
@@ -57,7 +57,7 @@ void add_notation(std::vector<Claim>& slips) {
       "Notation", "\u03bc|p| and \u03bc|\u03d5|, OL and CL", "mean absolute roll rate and roll angle of controllers",
       "mean absolute errors of models in roll rate and roll angle",
       "Eq 38, 39, 41, 42, 48, 49, 51 and 52 call each a mean absolute error. Both models have the same "
-      "controller: open and closed loop tell where the model takes its canard angle from."));
+      "controller: open and closed loop name the source of the model's canard angle."));
   slips.push_back(slip("Eq 22 and 23", "F on the right-hand sides", "without OL or CL", "F^OL and F^CL",
                        "Eq 13 and 14 define the two, and the left-hand sides have them. F is not in the notation."));
 }

@@ -30,7 +30,7 @@ inline constexpr std::array<PrintedFigure, 24> printed_figures{{
     {"20", "model against data, launch 1", "Launch 1, against the simulated flight"},
     {"21", "the same in detail; disturbance", "Launch 1, against the simulated flight"},
     {"22", "closed loop against data; disturbance", "Launch 1, against the simulated flight"},
-    {"23", "eight measured steps", "Steps in the wind tunnel has rows for what it shows; step 6 is drawn"},
+    {"23", "eight measured steps", "Steps in the wind tunnel has rows for its contents; step 6 is drawn"},
     {"24", "step 6 and its model", "Steps in the wind tunnel"},
     {"25", "stills of launch 2", photograph},
     {"26", "the chirp", "Launch 2, without its unpublished variations"},
@@ -39,7 +39,7 @@ inline constexpr std::array<PrintedFigure, 24> printed_figures{{
     {"29", "offset of the first window", "not drawn: its course is not printed, and ours is constant"},
     {"30", "second window and its model", "Launch 2, against the simulated flight"},
     {"31", "offset of the second window", "not drawn: its course is not printed, and ours is constant"},
-    {"Table 1", "mass, length and inertia of three vehicles", "they are what the shipped vehicles are made of"},
+    {"Table 1", "mass, length and inertia of three vehicles", "they are the figures of the shipped vehicles"},
 }};
 
 }  // namespace fantail::paper

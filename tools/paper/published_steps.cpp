@@ -14,7 +14,7 @@ std::vector<PublishedStep> published_steps() {
     const auto value = table.number(row, table.column(column));
     if (!value) {
       throw text::Error{text::ErrorKind::bad_data,
-                        file + ":" + std::to_string(table.line(row)) + ": " + std::string{column} + " is no number"};
+                        file + ":" + std::to_string(table.line(row)) + ": " + std::string{column} + " is not a number"};
     }
     return *value;
   };

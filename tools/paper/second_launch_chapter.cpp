@@ -175,7 +175,8 @@ Chapter second_launch_chapter(const Tell& tell) {
 
   add_windows(claims, open, later);
   std::ranges::move(offset_intervals(first, run), std::back_inserter(claims));
-  const std::string left_out = "They measure what the model leaves out of a real flight; ours is over that wave.";
+  const std::string left_out =
+      "They measure the effects in a real flight that the model leaves out; ours is over that wave.";
   claims.push_back(unpublished("Eq 48 and 49, figure 28", "Mean absolute errors of angle and rate, first window",
                                "0.26 deg, 4.10 deg/s", left_out,
                                errors_over_a_wave(first, run, first_window.intervals)));

@@ -60,7 +60,7 @@ Chapter steps_chapter(const Tell& tell) {
                       "Launch 2's rocket on a string at 22 m/s, eight steps of 45 degrees, gains 0.5 and 0.05 s, "
                       "five seconds of each identified with a disturbance that runs straight. The measured "
                       "steps are not published. Each is flown here with the numbers printed for it, and the "
-                      "published search finds them again, which says nothing of the measured step."};
+                      "published search finds them again, which says nothing about the measured step."};
   std::optional<ReadBack> sixth;
   std::vector<StepShape> shapes;
   for (const PublishedStep& row : published_steps()) {
@@ -78,12 +78,12 @@ Chapter steps_chapter(const Tell& tell) {
       .ours = fmt::format("mean error {:.3f} deg", text::degrees(sixth->found.simulation.mean_abs_angle_error_rad)),
       .holds = true,
       .kind = Kind::read_back,
-      .why = "Of a step that the same model made. Their 0.26 degrees need the measured one."}));
+      .why = "For a step that the same model made. Their 0.26 degrees need the measured step."}));
   add_shapes(chapter.claims, shapes, tunnel);
   chapter.claims.push_back(canard_fin_interaction(tell));
   chapter.claims.push_back(unpublished("Table 2", "Mean absolute errors of each step",
                                        "0.26 to 1.64 deg, 1.66 to 6.23 deg/s",
-                                       "They measure what the model leaves out of a real step."));
+                                       "They measure the effects in a real step that the model leaves out."));
   const auto figure = [&](const std::string& label, const std::string& unit, const std::vector<double>& flown,
                           const std::vector<double>& model, const std::string& caption) {
     chapter.figures_html.push_back(half_width_figure(

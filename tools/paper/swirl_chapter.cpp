@@ -56,7 +56,7 @@ void add_rows(std::vector<Claim>& claims, const tunnel::Swirl& swirl) {
       .ours = text::with_minus(fmt::format("from {:.1f} to {:.1f} deg/s at 22 m/s", without_deg_s, with_deg_s)),
       .holds = std::abs(with_deg_s) < 0.9 * std::abs(without_deg_s),
       .kind = Kind::read_back,
-      .why = "From the offsets of section 4.3.1, \u22126.1 and \u22124.1 degrees, which the runs were given."}));
+      .why = "From the offsets of section 4.3.1, \u22126.1 and \u22124.1 degrees, which are inputs of the runs."}));
   claims.push_back(compare(InWords{.place = "Section 4.1.2, figure 16",
                                    .what = "With straightener the offset hardly depends on the speed",
                                    .theirs = "very little difference",

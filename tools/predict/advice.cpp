@@ -51,7 +51,7 @@ std::optional<double> enough_limit_deg(const Prediction& p, double share, double
 }
 
 std::string_view compared(double value, double present) {
-  return value < present ? "smaller" : value > present ? "larger" : "as it is";
+  return value < present ? "smaller" : value > present ? "larger" : "unchanged";
 }
 
 /// As published, the loop settles at the reference plus the offset over the gain. With a schedule the gain is another
@@ -79,7 +79,7 @@ std::string kept(const core::FlightPlan& plan) {
   if (plan.gain_schedule.speeds_count > 0) {
     all += all.empty() ? "gain schedule" : " and gain schedule";
   }
-  return all.empty() ? "" : " beside its " + all;
+  return all.empty() ? "" : " with its " + all;
 }
 
 /// What the first runs of a prediction came to when they were flown again.
@@ -106,14 +106,14 @@ FlownAgain fly_first(const Prediction& p, std::size_t count, const sim::Scenario
 /// Where none of them can be judged: a reference that moves may be why.
 Trial with_a_held_reference(const Prediction& p, std::size_t count, sim::Scenario changed, const std::string& why,
                             const Look& look) {
-  const std::string none = fmt::format("Flown so, none of the first {} can be judged ({})", runs(count), why);
+  const std::string none = fmt::format("With that change, none of the first {} can be judged ({})", runs(count), why);
   if (changed.plan.reference.kind != core::ReferenceKind::hold) {
     changed.plan.reference.kind = core::ReferenceKind::hold;
     if (const std::size_t held = fly_first(p, count, changed, look).held; held > 0) {
       return {fmt::format("{}; with reference.kind=hold as well the roll is held in {} of them.", none, held)};
     }
   }
-  return {none + ": whether it helps is not known.", false};
+  return {none + ": whether it helps is unknown.", false};
 }
 
 }  // namespace
@@ -124,8 +124,7 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
   }
   const double left = left_by_fins(p);
   if (share(p.runs.size(), p.runs.size()).low < asked) {
-    return {fmt::format("{} are too few to advise a canard limit: even if it were enough in all of them, that would "
-                        "not prove {}.",
+    return {fmt::format("{} are too few to advise a canard limit: even success in all of them would not prove {}.",
                         runs(p.runs.size()), percent(asked)),
             {}};
   }
@@ -134,8 +133,8 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
   if (const auto limit_deg = enough_limit_deg(p, asked, farthest_deg)) {
     const Share found = within(p, text::radians(left * *limit_deg));
     return {
-        fmt::format("A canard limit of {} degrees would balance the offset in {} (at least {}, as far as {} can "
-                    "tell); so would straighter fins.",
+        fmt::format("A canard limit of {} degrees would balance the offset in {} (at least {}, estimated from {}). "
+                    "Straighter fins would help, too.",
                     brief(*limit_deg, 1), of_the_runs(found.value), percent_at_least(found.low), runs(p.runs.size())),
         limit_deg};
   }
@@ -147,15 +146,14 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
       ++half_degrees;
     }
     const double limit_deg = std::min(0.5 * half_degrees, farthest_deg / left);
-    return {
-        fmt::format("A canard limit of {} degrees would balance the offset in {}, but {} are too few to be sure of {}: "
-                    "take more with --runs.",
-                    brief(limit_deg, 1), of_the_runs(within(p, text::radians(left * limit_deg)).value),
-                    runs(p.runs.size()), percent(asked)),
-        limit_deg};
+    return {fmt::format("A canard limit of {} degrees would balance the offset in {}, but {} are too few to be sure of "
+                        "{}: fly more with --runs.",
+                        brief(limit_deg, 1), of_the_runs(within(p, text::radians(left * limit_deg)).value),
+                        runs(p.runs.size()), percent(asked)),
+            limit_deg};
   }
-  return {fmt::format("No canard limit would balance the offset in {} of the runs: the canards end at {} degrees ({}), "
-                      "and that is enough in {}. Straighter fins would.",
+  return {fmt::format("No canard limit would balance the offset in {} of the runs: the canards reach at most {} "
+                      "degrees ({}), which is enough in {}. Straighter fins would help.",
                       percent(asked), brief(farthest_deg, 1),
                       farthest.set_by.empty() ? "a plan has no larger limit" : farthest.set_by,
                       of_the_runs(within(p, farthest.angle_rad).value)),
@@ -181,14 +179,15 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad, stabili
             gains};
   }
   const std::string none =
-      fmt::format("No gains that a plan may have (up to {} and {} s{}) reach {}", brief(largest.proportional, 4),
+      fmt::format("No gains that a plan allows (up to {} and {} s{}) reach {}", brief(largest.proportional, 4),
                   brief(largest.derivative_s, 4), kept(p.flown.plan), aim);
   const auto lag_s = stability::longest_servo_lag_s(loops, present, sim::shortest_lag_s, demand);
-  return {lag_s ? fmt::format("{}. With the plan's gains a servo lag of {} ms or less would ({} ms was assumed).", none,
-                              brief(1e3 * *lag_s, 1), brief(1e3 * p.servo_lag_s, 1))
-                : fmt::format("{}, and with the plan's gains no servo lag does, not even one of {} ms.", none,
-                              brief(1e3 * sim::shortest_lag_s, 1)),
-          {}};
+  return {
+      lag_s ? fmt::format("{}. With the plan's gains, a servo lag of {} ms or less would reach it ({} ms was assumed).",
+                          none, brief(1e3 * *lag_s, 1), brief(1e3 * p.servo_lag_s, 1))
+            : fmt::format("{}. With the plan's gains, no servo lag down to {} ms does either.", none,
+                          brief(1e3 * sim::shortest_lag_s, 1)),
+      {}};
 }
 
 Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains, const Look& look) {
@@ -210,19 +209,19 @@ Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gai
       std::ranges::count(std::span{p.runs}.first(count), report::Outcome::held, &Run::outcome));
   const FlownAgain again = fly_first(p, count, changed, look);
   if (again.held < planned) {
-    return {
-        fmt::format("Flown so, the roll is held in only {} of the first {} ({}), as planned in {}: do not follow it.",
-                    again.held, runs(count), again.first_cause, planned),
-        false};
+    return {fmt::format("With that change, the roll is held in only {} of the first {} ({}); with the plan as it is, "
+                        "in {}. Do not follow this advice.",
+                        again.held, runs(count), again.first_cause, planned),
+            false};
   }
   if (again.not_judged == count) {
     return with_a_held_reference(p, count, std::move(changed), again.first_cause, look);
   }
   if (again.held == 0) {
-    return {fmt::format("Flown so, none of the first {} holds its roll ({}): it is not enough.", runs(count),
+    return {fmt::format("With that change, none of the first {} holds its roll ({}): it is not enough.", runs(count),
                         again.first_cause)};
   }
-  return {fmt::format("Flown so, the roll is held in {} of the first {}{}.", again.held, runs(count),
+  return {fmt::format("With that change, the roll is held in {} of the first {}{}.", again.held, runs(count),
                       again.not_judged > 0 ? fmt::format(" and not judged in {} of them", again.not_judged) : "")};
 }
 

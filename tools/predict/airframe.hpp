@@ -44,8 +44,8 @@ class AirframeSpread {
 
 // What the steps of a tunnel say of the vehicle that is to fly.
 
-/// Throws text::Error for steps of a vehicle with another name than the scenario's. A file that does not say whose they
-/// are is taken.
+/// Throws text::Error for steps of a vehicle with another name than the scenario's. A file that does not name the
+/// vehicle is accepted.
 void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel);
 
 /// Damping and torque for the reference area of the vehicle, which they scale inversely with.

@@ -62,12 +62,12 @@ std::vector<result::Block> roll(const P& p, const result::Table& band) {
   result::Picture angle = result::plot(band, "roll_angle", {.x = "time"}).wide();
   angle.chart.series.push_back(reference(p));
   angle.caption = flight::rejects_offset(p.flown.plan)
-                      ? "Roll angle of the rocket as it truly would be. This law takes its estimate of the fin offset "
-                        "off the command, so it settles at the reference where the canards reach that far."
-                      : "Roll angle of the rocket as it truly would be. A proportional-derivative loop settles at the "
+                      ? "True roll angle of the rocket. This law subtracts its estimate of the fin offset from the "
+                        "command, so it settles at the reference if the canards reach far enough."
+                      : "True roll angle of the rocket. A proportional-derivative loop settles at the "
                         "reference plus the fin offset over the gain, not at the reference.";
   result::Picture rate = result::plot(band, "roll_rate", {.x = "time"}).wide();
-  rate.caption = "How fast it turns. The band is the spread of the runs at each instant, not one run.";
+  rate.caption = "Roll rate. The band is the spread of the runs at each instant, not one run.";
   return {angle, rate};
 }
 
@@ -80,14 +80,15 @@ std::vector<result::Block> stability(const P& p, const Decision& decision) {
   result::Picture margin = result::plot(over_speed, "phase_margin", {.x = "speed"}).wide();
   const double asked_deg = degrees(decision.thresholds.phase_margin_rad);
   margin.chart.levels = {
-      {.value = asked_deg, .label = fmt::format("{} degrees asked for", brief(asked_deg, 1)), .role = Role::limit}};
+      {.value = asked_deg, .label = fmt::format("{} degrees required", brief(asked_deg, 1)), .role = Role::limit}};
   margin.caption = fmt::format(
-      "How far the loop is from oscillating, from the speed at which control starts to top "
-      "speed, with a servo lag of {} ms and {} ms of dead time.",
+      "How far the loop is from oscillating, between the speed at control start and top speed, with a servo lag of {} "
+      "ms and {} ms of dead time.",
       brief(1e3 * p.servo_lag_s, 1), brief(1e3 * p.delay_s, 1));
   std::vector<result::Block> all{margin, over_speed};
   if (std::ranges::any_of(p.over_speed, may_swing_with_less)) {
-    all.emplace_back("Where the loop holds, a gain margin below 1 says with how much less gain it swings.");
+    all.emplace_back(
+        "Where the loop is stable, a gain margin below 1 is the factor on the gain, at or below which it oscillates.");
   }
   return all;
 }

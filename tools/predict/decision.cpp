@@ -39,7 +39,7 @@ std::string found_share(const Share& share) {
 bool too_few_runs(const Share& share, double threshold) { return share.value >= threshold && share.low < threshold; }
 
 std::string more_runs(const Share& share, double threshold) {
-  return fmt::format(", but {} too few to be sure of {}: take more with --runs",
+  return fmt::format(", but {} too few to be sure of {}: fly more with --runs",
                      share.of == 1 ? "1 run is" : fmt::format("{} runs are", share.of), percent(threshold));
 }
 
@@ -178,8 +178,8 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
   }
   if (!p.worst_speed) {
     const bool obeys = stability::why_uncontrollable(p.flown).empty();
-    c.found = obeys ? "the loop has no gain" : "the canards do not turn the rocket by the roll command";
-    c.clause = obeys ? "the gains are too small to hold anything" : "";
+    c.found = obeys ? "the loop has no gain" : "the canards do not turn the rocket as commanded";
+    c.clause = obeys ? "the gains are too small to control the roll" : "";
     c.judgement = Judgement::not_met;
     return c;
   }
@@ -190,12 +190,11 @@ Criterion phase_margin(const Prediction& p, double threshold_rad) {
   c.judgement = judge(found_rad >= threshold_rad);
   c.found =
       fmt::format("{} degrees at {} m/s (median {})", found, speed, fixed(degrees(worst.phase_margin_rad.p50), 0));
-  c.clause = c.judgement == Judgement::met
-                 ? fmt::format("95 % of the runs have a phase margin of {} degrees or more at every speed", found)
-                 : fmt::format(
-                       "at {} m/s 5 % of the runs have a phase margin of {} degrees or less, where {} is asked "
-                       "for",
-                       speed, found, brief(degrees(threshold_rad), 1));
+  c.clause =
+      c.judgement == Judgement::met
+          ? fmt::format("95 % of the runs have a phase margin of {} degrees or more at every speed", found)
+          : fmt::format("at {} m/s, 5 % of the runs have a phase margin of {} degrees or less, where {} is required",
+                        speed, found, brief(degrees(threshold_rad), 1));
   return c;
 }
 

@@ -43,8 +43,8 @@ struct Decision {
   [[nodiscard]] std::string_view heading() const { return !go ? "No go" : cautions.empty() ? "Go" : "Go with caution"; }
 };
 
-/// Go when every criterion is met: what could not be judged is no go. Shares must reach their threshold with the low
-/// end of their interval: runs that are too few to tell are no go. `look` is called after each flight that advice is
+/// Go when every criterion is met: what could not be judged is a no go. Shares must reach their threshold with the low
+/// end of their interval: too few runs to tell are a no go. `look` is called after each flight that advice is
 /// tried with, and may throw to give up.
 [[nodiscard]] Decision decide(const Prediction& prediction, const Thresholds& thresholds,
                               const Look& look = look_nowhere);

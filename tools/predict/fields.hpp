@@ -20,15 +20,16 @@ using P = Prediction;
 
 inline constexpr auto median_fields = result::fields<P>({
     {"authority_margin", "authority margin", u::deg, 1, &P::authority_margin_rad,
-     "angle that the canards reach in the sense that is needed, less the size of the fin offset"},
+     "angle that the canards reach against the fin offset, less the size of the offset"},
     {"authority", "canards can balance the offset", u::percent, 0, &P::authority,
      "share of the runs whose authority margin is above zero"},
     {"held", "roll is held", u::percent, 0, &P::held, "share of the runs that hold their roll"},
-    {"settle", "roll settles at", u::deg, 1, &P::settle_rad, "roll angle of rest at the end of control"},
+    {"settle", "roll settles at", u::deg, 1, &P::settle_rad,
+     "roll angle at which the law settles, at the end of control"},
     {"settle_reference", "its reference then", u::deg, 1, &P::settle_reference_rad,
      "commanded roll angle at the end of control"},
     {"settle_off", "off its reference", u::deg, 1, &P::settle_off_rad,
-     "distance of the angle of rest from the commanded angle"},
+     "distance of that angle from the commanded angle"},
     {"saturated", "control time with canards at their limit", u::share, 0, &P::saturated_share,
      "share of the time under control with the command at the canard limit"},
     {"spin_rate", "spin without authority, at top speed", u::deg_s, 0, &P::spin_rate_rad_s,
@@ -46,7 +47,7 @@ inline constexpr auto count_fields = result::fields<P>({
      "angle that all canards together reach against the fin offset"},
     {"rest_limit", "farthest rest from the reference", u::deg, 1,
      [](const P& p) { return Cell{p.flown.rest_limit_rad}; },
-     "a roll that rests farther from its reference is not held (verdict.rest_limit_deg)"},
+     "a roll that settles farther from its reference is not held (verdict.rest_limit_deg)"},
     {"not_judged", "not judged", u::none, 0, &P::not_judged, "runs whose roll could not be judged"},
     {"without_control", "without control", u::none, 0, &P::without_control, "runs that never came under control"},
     {"outside_model", "outside the model", u::none, 0, &P::outside_model, "runs in which the roll model does not hold"},
@@ -63,8 +64,8 @@ inline constexpr auto margin_fields = result::fields<M>({
     {"speed", "air speed", u::m_s, 0, &M::speed_m_s,
      "air speed of the row; of the worst, the speed with the least margin"},
     {"phase_margin", "phase margin", u::deg, 0, &M::phase_margin_rad, "phase margin of the roll loop"},
-    {"crossover", "crossover", u::rad_s, 1, &M::crossover_rad_s, "highest frequency that the loop can follow",
-     Worse::neither, nullptr, "none"},
+    {"crossover", "crossover", u::rad_s, 1, &M::crossover_rad_s,
+     "crossover frequency: the highest frequency that the loop can follow", Worse::neither, nullptr, "none"},
     {"gain_margin", "gain margin", u::times, 1, &M::gain_margin, "factor on the loop's gain at which it oscillates",
      Worse::neither, nullptr, "any"},
 });
@@ -120,7 +121,7 @@ using C = Criterion;
   return result::Judged{answer_of(c.judgement), std::string{label(c.judgement)}};
 }
 inline constexpr auto criterion_fields = result::fields<C>({
-    {"label", "criterion", u::none, 0, &C::label, "what go asks for"},
+    {"label", "criterion", u::none, 0, &C::label, "what a go requires"},
     {"found", "found", u::none, 0, &C::found, "what was found"},
     {"required", "asked for", u::none, 0, &C::required, "what is asked for"},
     {"judgement", "judgement", u::none, 0, judged, "met, not met, or not judged"},
@@ -129,7 +130,7 @@ inline constexpr auto filed_criterion_fields = result::fields<C>({
     {"criterion", "key", u::none, 0, &C::key, "name of the requirement"},
     {"judgement", "judgement", u::none, 0, judged, "met, not_met, or not_judged"},
     {"found", "found", u::none, 0, &C::found, "the value that was found"},
-    {"required", "asked for", u::none, 0, &C::required, "the value that go asks for"},
+    {"required", "asked for", u::none, 0, &C::required, "the value that a go requires"},
     {"sentence", "sentence", u::none, 0, &C::clause, "the same as a clause"},
 });
 

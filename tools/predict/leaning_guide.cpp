@@ -63,9 +63,8 @@ std::optional<Criterion> tilt_limit(const Prediction& p) {
               .judgement = pass.too_early() ? Judgement::not_met : Judgement::met};
   if (pass.too_early()) {
     c.clause = fmt::format(
-        "the guide leans by {} degrees: a point mass passes the plan's tilt limit of {} degrees {} s after lift-off, "
-        "and "
-        "control ends there; the simulated rocket keeps to the line of its guide and does not show it",
+        "with a guide that leans by {} degrees, a point mass passes the plan's tilt limit of {} degrees {} s after "
+        "lift-off, which ends control; the simulated rocket stays on the line of its guide and does not show this",
         brief(degrees(p.flown.guide.tilt_rad), 1), limit, fixed(*pass.at_s, 1));
   }
   return c;
@@ -78,7 +77,7 @@ std::string advice_on_tilt(const Prediction& p) {
     const double tilt_deg = 0.5 * half_degrees;
     scenario.guide.tilt_rad = text::radians(tilt_deg);
     if (!passing(scenario, end_of_control_s(p).value_or(0.0)).too_early()) {
-      return fmt::format("With a guide that leans by {} degrees a point mass would not pass the tilt limit too early.",
+      return fmt::format("With a guide that leans by {} degrees, a point mass would not pass the tilt limit too early.",
                          brief(tilt_deg, 1));
     }
   }

@@ -31,7 +31,7 @@ std::optional<Criterion> within_model(const Prediction& p) {
                    .found = which,
                    .required = flight::what_the_model_asks(flight::worst_of(all)),
                    .judgement = Judgement::not_judged,
-                   .clause = fmt::format("outside the model: {}, and the simulation of roll ends there", which)};
+                   .clause = fmt::format("outside the model: {}, where the simulation of roll is not valid", which)};
 }
 
 bool is_outside_by_wind_alone(const Prediction& p) {
@@ -50,7 +50,7 @@ std::string stability_caution(const Prediction& p) {
   }
   const std::optional<double> margin = flight::worst_of(extremes_of(p.runs)).static_margin_calibres;
   return margin && *margin < least_margin_calibres
-             ? fmt::format("the static margin is down to {} calibres, and {} is usual", text::fixed(*margin, 2),
+             ? fmt::format("the static margin falls to {} calibres, and {} is usual", text::fixed(*margin, 2),
                            text::brief(least_margin_calibres, 1))
              : "";
 }

@@ -124,12 +124,11 @@ std::vector<std::string> assumptions(const sim::Scenario& scenario, const Tunnel
   std::vector<std::string> all = scenario.vehicle.assumed;
   all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
   if (!all.empty()) {
-    all.insert(
-        all.begin(),
-        fmt::format("Damping, canard torque and fin offset are drawn from the rows of {}, whatever the next {} of "
-                    "vehicle and scenario say{} of them.",
-                    tunnel.name, all.size() == 1 ? "sentence" : fmt::format("{} sentences", all.size()),
-                    all.size() == 1 ? "s" : ""));
+    all.insert(all.begin(),
+               fmt::format("Damping, canard torque and fin offset are drawn from the rows of {}, whatever the next {} "
+                           "from vehicle and scenario say{} about them.",
+                           tunnel.name, all.size() == 1 ? "sentence" : fmt::format("{} sentences", all.size()),
+                           all.size() == 1 ? "s" : ""));
   }
   return all;
 }
@@ -165,7 +164,7 @@ std::string airframe_sentence(const sim::Scenario& scenario, std::size_t number,
       "Run {} of the prediction with seed {}: damping {} m2, torque {} m, fin offset from {} to {} deg{}.", number,
       scenario.seed, fixed(airframe.damping_m2, 3), fixed(airframe.torque_m, 3),
       fixed(text::degrees(airframe.offset_begin_rad), 2), fixed(text::degrees(airframe.offset_end_rad), 2),
-      others_follow ? ", whatever the sentences of vehicle and scenario below say of them" : "");
+      others_follow ? ", whatever the sentences of vehicle and scenario below say about them" : "");
 }
 
 /// What a run comes to is read back from its text, as is that of one that was flown before an interruption.
@@ -191,10 +190,10 @@ double usual_offset_rad(const std::vector<Run>& runs) {
 
 void require_launch(const sim::Scenario& scenario) {
   if (scenario.surroundings != sim::Surroundings::flight) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      scenario.name +
-                          ": environment.surroundings is not a flight; allowed: \"flight\", as what is "
-                          "predicted is a launch"};
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        scenario.name +
+            ": environment.surroundings is not a flight; allowed: \"flight\", because a prediction is for a launch"};
   }
 }
 

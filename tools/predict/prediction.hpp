@@ -93,7 +93,7 @@ struct Prediction {
 /// The median of the runs; its sense is that of most.
 [[nodiscard]] double usual_offset_rad(const std::vector<Run>& runs);
 
-/// Throws text::Error for a scenario that is no launch.
+/// Throws text::Error for a scenario that is not a launch.
 void require_launch(const sim::Scenario& scenario);
 
 /// One run of a prediction, with all that a flight report is made from.
@@ -106,7 +106,7 @@ struct RepeatedRun {
 [[nodiscard]] RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                                      std::size_t number);
 
-/// Flies the launch over the spread. `look` is told how many runs are done and may throw to give up. Throws
+/// Flies the launch over the spread. `look` receives the number of finished runs and may throw to give up. Throws
 /// what require_launch() throws and, unless another vehicle is allowed, what require_same_vehicle() throws.
 [[nodiscard]] Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,
                                  const std::function<void(std::size_t done)>& look);

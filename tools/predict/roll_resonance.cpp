@@ -78,12 +78,12 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
   const auto of_runs = [&r](std::size_t count) { return fmt::format("{} of {} runs", count, r.runs); };
   const campaign::Quantiles& angle = r.resonant_rad;
   return fmt::format(
-      "Roll resonance: a fin or canard angle of {} degrees ({} to {}) rolls this rocket as fast as it swings in pitch, "
-      "at any speed (frequency / speed {} to {} rad/m from lift-off to burn-out). Without control the fin offset would "
-      "keep {} near that and spin {} through it; with the canards at {} degrees in the sense of the offset {} come "
-      "near it. There what is crooked "
-      "makes the angle of attack several times larger, and the roll may lock in (Hoult and Tran, Sounding Rocket Fin "
-      "Design to Mitigate Roll Lock-In). Neither this nor the angle of attack is in the runs' roll.",
+      "Roll resonance: a fin or canard angle of {} degrees ({} to {}) makes the roll rate equal to the pitch "
+      "frequency, at any speed (frequency / speed {} to {} rad/m from lift-off to burn-out). Without control, the fin "
+      "offset would keep {} near that rate and spin {} through it. With the canards at {} degrees in the sense of the "
+      "offset, {} come near it. There, small misalignments multiply the angle of attack, and the roll may lock in "
+      "(Hoult and Tran, Sounding Rocket Fin Design to Mitigate Roll Lock-In). The simulated roll includes neither this "
+      "nor the angle of attack.",
       fixed(degrees(angle.p50), 1), fixed(degrees(angle.p5), 1), fixed(degrees(angle.p95), 1),
       fixed(r.least_frequency_1_m, 3), fixed(r.most_frequency_1_m, 3), of_runs(r.near), of_runs(r.past),
       fixed(degrees(canard_reach_rad), 1), of_runs(r.with_canards));
@@ -92,17 +92,15 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
 std::string caution(const RollResonance& r) {
   return fmt::format(
       "roll resonance, a roll rate equal to the pitch frequency, is reached in {} of {} runs without control, and in "
-      "{} "
-      "with the canards at their limit",
+      "{} with the canards at their limit",
       r.near + r.past, r.runs, r.with_canards);
 }
 
 std::string in_short(const RollResonance& r, double canard_reach_rad) {
   return fmt::format(
-      "Roll resonance, as fast a roll as the rocket swings in pitch: {} of {} runs come to it where nothing controls "
-      "the roll, {} with the canards at {} degrees in the sense of the fin offset, as a failure may leave them. "
-      "Straighter "
-      "fins and a smaller canard limit keep farther from it; fantail campaign hardover flies a canard that fails.",
+      "Roll resonance, a roll rate equal to the pitch frequency: {} of {} runs reach it without control, {} with the "
+      "canards at {} degrees in the sense of the fin offset, as after a failure. Straighter fins and a smaller canard "
+      "limit keep the roll rate farther from it. fantail campaign hardover flies a failed canard.",
       r.near + r.past, r.runs, r.with_canards, fixed(degrees(canard_reach_rad), 1));
 }
 

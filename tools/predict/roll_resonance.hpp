@@ -10,8 +10,8 @@
 #include "predict/run.hpp"
 #include "sim/scenario.hpp"
 
-// A rocket that rolls as fast as it swings in pitch is in resonance: what is crooked in it turns with the body and
-// pushes in step with the swing, the angle of attack grows several times, and the roll may lock in to the swing.
+// A rocket that rolls as fast as it swings in pitch is in resonance: its misalignments turn with the body and
+// push in step with the swing, the angle of attack grows several times, and the roll may lock in to the swing.
 //
 // Source: C. P. Hoult and H. Tran, Sounding Rocket Fin Design to Mitigate Roll Lock-In: it usually begins when the
 // natural frequency of pitch and yaw equals the roll rate.

@@ -64,8 +64,8 @@ inline void fields(runs::RowText& text, Run& run) {
 
 /// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's
 /// disturbance. The offset goes from its begin value at lift-off to its end value 1.7 s later and stays: on the first
-/// launch, the one flight where it was seen to rise, it took from detection to then. A roll that the scenario imposes
-/// is left out: nobody knows it beforehand. The wind is drawn_wind().
+/// launch, the only flight where the rise was seen, it took from detection to then. A roll that the scenario imposes
+/// is left out: it is unknown beforehand. The wind is drawn_wind().
 [[nodiscard]] flight::Flight fly_airframe(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed,
                                           fly::Log log);
 
@@ -79,7 +79,7 @@ inline void fields(runs::RowText& text, Run& run) {
 using Look = std::function<void()>;
 inline constexpr auto look_nowhere = [] {};
 
-/// Both.
+/// Flies it, and gives what the flight came to.
 [[nodiscard]] Run fly_run(const sim::Scenario& scenario, const TunnelStep& airframe, std::uint64_t seed);
 
 /// Where a roll rate ends at this speed with the canards held at their limit against the offset; empty when they can
@@ -87,8 +87,8 @@ inline constexpr auto look_nowhere = [] {};
 [[nodiscard]] std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
                                                     double speed_m_s);
 
-/// What the flights of the runs remark, each sentence once, with in how many of them. Sentences that differ in their
-/// figures only count as one; it has the figures of the first run.
+/// What the flights of the runs remark, each sentence once, with the number of runs that have it. Sentences that differ
+/// in their figures only count as one; it has the figures of the first run.
 [[nodiscard]] std::vector<std::string> notes_of(const std::vector<Run>& runs);
 
 /// The wind of one run: its speed normal about the stated one, drawn again until it is not below zero, and where it

@@ -71,9 +71,9 @@ std::string missing_spread(const Prediction& p) {
   const std::string offset = fmt::format("The fin offset is the same to 0.1 degrees in all rows of {}", p.tunnel.name);
   return alike(&TunnelStep::damping_m2) && alike(&TunnelStep::torque_m)
              ? offset +
-                   ", damping and torque to 2 %: this is one airframe measured several times, and nothing here "
-                   "shows how airframes differ."
-             : offset + ": nothing here shows how offsets differ.";
+                   ", damping and torque to 2 %: this is one airframe measured several times, so the runs do not show "
+                   "how airframes differ."
+             : offset + ": the runs do not show how offsets differ.";
 }
 
 std::string wind_sentence(const sim::Scenario& scenario) {
@@ -83,7 +83,7 @@ std::string wind_sentence(const sim::Scenario& scenario) {
   if (scenario.motion != sim::FlightMotion::six_dof || (is_known && wind.speed_m_s == 0.0)) {
     return {};
   }
-  const std::string turbulence = wind.turbulence > 0.0 ? "; each run has turbulence of its own" : "";
+  const std::string turbulence = wind.turbulence > 0.0 ? "; each run has its own turbulence" : "";
   const double from_deg = text::degrees(wind.from_rad);
   if (is_known) {
     return fmt::format(
@@ -169,18 +169,18 @@ std::vector<std::string> basis(const Prediction& p) {
   }
   all.push_back(fmt::format(
       "{} drawn from Student's t distribution with {} degrees of freedom, fitted to the {} rows of {}, with "
-      "the correlation of damping, torque and offset; each flown with sensor noise of its own.",
+      "the correlation of damping, torque and offset; each flown with its own sensor noise.",
       p.runs.size() == 1 ? "1 airframe" : fmt::format("{} airframes", p.runs.size()), p.tunnel.steps.size() - 1,
       p.tunnel.steps.size(), p.tunnel.name));
   all.push_back(
       p.tunnel.standard_errors.empty()
-          ? fmt::format("{} states no standard errors, so all scatter of its rows counts as the airframe's.",
+          ? fmt::format("{} states no standard errors, so all scatter of its rows counts as scatter of the airframes.",
                         p.tunnel.name)
-          : fmt::format("The variance of measurement, from the standard errors in {}, is taken off the spread.",
+          : fmt::format("The variance of measurement, from the standard errors in {}, is subtracted from the spread.",
                         p.tunnel.name));
   all.push_back(p.tunnel.swirl_words);
   if (p.damping.low != 1.0 || p.damping.high != 1.0) {
-    all.push_back(fmt::format("Damping times a factor between {} and {}, as --damping-factor says.",
+    all.push_back(fmt::format("Damping is multiplied by a factor between {} and {} (--damping-factor).",
                               brief(p.damping.low, 3), brief(p.damping.high, 3)));
   }
   if (const std::string sentence = wind_sentence(p.flown); !sentence.empty()) {

@@ -56,9 +56,9 @@ std::vector<double> swirl_of_rows(const flight::Table& table, const Limits& angl
   if (!table.find("swirl_deg")) {
     throw text::Error{
         text::ErrorKind::bad_configuration,
-        fmt::format("{}: nothing says which part of its disturbances is the swirl of the tunnel, which is not there in "
-                    "flight and may hide what the fins do: give it with --swirl DEG (in Python swirl_deg), as fantail "
-                    "tunnel swirl finds it, or in a column swirl_deg; --swirl 0 says that there was none",
+        fmt::format("{}: the swirl of the tunnel is not given. It is a part of the measured disturbance, is absent in "
+                    "flight and may hide the fin offset. Give it with --swirl DEG (in Python swirl_deg), as fantail "
+                    "tunnel swirl finds it, or in a column swirl_deg; --swirl 0 means that there was none",
                     table.name())};
   }
   const NumberColumn column{table, "swirl_deg", angle};
@@ -77,7 +77,7 @@ std::string describe_swirl(const std::string& file, const std::vector<double>& s
   }
   return fmt::format("Swirl subtracted: {} (column swirl_deg of {}).",
                      lowest_rad == highest_rad ? fmt::format("{} degrees", lowest)
-                                               : fmt::format("from each row its own, {} to {} degrees", lowest,
+                                               : fmt::format("a value for each row, {} to {} degrees", lowest,
                                                              brief(degrees(highest_rad), 2)),
                      file);
 }
@@ -153,7 +153,7 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
     throw text::Error{
         text::ErrorKind::bad_data,
         fmt::format("{}: has {} of the rows that a spread is made from, one for each step; allowed: {} or "
-                    "more, better eight, because fewer say next to nothing of how the next one differs",
+                    "more, better eight, because fewer show almost nothing of the scatter",
                     table.name(), table.rows(), fewest_tunnel_steps)};
   }
   TunnelResult result;

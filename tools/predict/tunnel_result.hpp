@@ -37,7 +37,7 @@ struct TunnelResult {
 /// Reads the columns alpha_m2, beta_m, disturbance_begin_deg, disturbance_end_deg, and, where they are there,
 /// swirl_deg, source, vehicle, reference_area_m2, inertia_kg_m2 and the standard errors of the four. The swirl that is
 /// taken off is `swirl_rad` when given, else what the column swirl_deg says in that row. Throws text::Error:
-/// no_such_input, bad_data; bad_configuration where nobody says what the swirl was.
+/// no_such_input, bad_data; bad_configuration where the swirl is not given.
 [[nodiscard]] TunnelResult read_tunnel_result(const std::filesystem::path& file,
                                               const std::optional<double>& swirl_rad);
 

@@ -21,31 +21,29 @@ bool same_inertia(double one, double other) {
 
 void require_same_vehicle(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   if (tunnel.vehicle && *tunnel.vehicle != scenario.vehicle.name) {
-    throw text::Error{
-        text::ErrorKind::bad_configuration,
-        fmt::format("{}: its rows are of the vehicle \"{}\", and {} flies \"{}\"; allowed: rows of that vehicle, or "
-                    "--other-vehicle to take these on purpose",
-                    tunnel.name, *tunnel.vehicle, scenario.name, scenario.vehicle.name)};
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("{}: its rows are of the vehicle \"{}\", and {} flies \"{}\"; allowed: rows of that "
+                                  "vehicle, or --other-vehicle to accept these",
+                                  tunnel.name, *tunnel.vehicle, scenario.name, scenario.vehicle.name)};
   }
 }
 
 std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   const double own_kg_m2 = scenario.vehicle.roll_plant.inertia_kg_m2;
   const std::string inertia =
-      !tunnel.inertia_kg_m2 ? "with which roll inertia they were identified they do not say"
+      !tunnel.inertia_kg_m2 ? "the roll inertia that they were identified with is not stated"
       : same_inertia(*tunnel.inertia_kg_m2, own_kg_m2)
           ? "they were identified with its roll inertia"
           : fmt::format(
-                "they were identified with a roll inertia of {:.4g} kg m2, where this vehicle has {:.4g}: damping "
-                "and torque are right only if it hung in the tunnel with the former",
+                "they were identified with a roll inertia of {:.4g} kg m2, where this vehicle has {:.4g}: damping and "
+                "torque are right only if the rocket in the tunnel had the former",
                 *tunnel.inertia_kg_m2, own_kg_m2);
   if (!tunnel.vehicle) {
-    return fmt::format("{} does not say which vehicle its rows are of; they are taken for those of {}{}.", tunnel.name,
+    return fmt::format("{} does not name the vehicle of its rows; they are used for {}{}.", tunnel.name,
                        scenario.vehicle.name, tunnel.inertia_kg_m2 ? "; " + inertia : "");
   }
   return *tunnel.vehicle == scenario.vehicle.name
-             ? fmt::format("The rows of {} say that they are of {}, as this vehicle is called; {}.", tunnel.name,
-                           *tunnel.vehicle, inertia)
+             ? fmt::format("The rows of {} name this vehicle, {}; {}.", tunnel.name, *tunnel.vehicle, inertia)
              : fmt::format("The rows of {} are of another vehicle, {}, and were accepted for {} on purpose.",
                            tunnel.name, *tunnel.vehicle, scenario.vehicle.name);
 }
@@ -63,25 +61,25 @@ std::string which_area(const sim::Scenario& scenario, const TunnelResult& tunnel
   }
   const std::vector<double>& range = scenario.vehicle.reference_area_range_m2;
   const std::string unknown = fmt::format(
-      "{} does not say which reference area its rows were identified with; it is taken for that of this "
-      "vehicle, {:.4g} m2",
+      "{} does not state the reference area that its rows were identified with; that of this vehicle is used, {:.4g} "
+      "m2",
       tunnel.name, area_m2);
-  return range.empty() ? unknown + ", as if that were exact."
-                       : fmt::format(
-                             "{}, of which 95 % lie between {:.2g} and {:.2g} m2, as the vehicle file says: "
-                             "damping and torque of each run are multiplied by a factor drawn from that.",
-                             unknown, range[0], range[1]);
+  return range.empty()
+             ? unknown + ", as if it were exact."
+             : fmt::format(
+                   "{}. By the vehicle file it lies with 95 % probability between {:.2g} and {:.2g} m2: damping and "
+                   "torque of each run are multiplied by a factor drawn from that range's distribution.",
+                   unknown, range[0], range[1]);
 }
 
 std::optional<std::string> wash_in_rows(const sim::Scenario& scenario, const TunnelResult& tunnel) {
   const double wash = scenario.vehicle.canard_air.wash;
-  return wash > 0.0
-             ? std::optional{fmt::format(
-                   "The torque of the rows of {} is taken for that of the canards alone, and the fins take {:g} "
-                   "times of it back (aerodynamics.canard_wash); where the rows were identified with the fins on, "
-                   "that is in them already, and is counted twice.",
-                   tunnel.name, wash)}
-             : std::nullopt;
+  return wash > 0.0 ? std::optional{fmt::format(
+                          "The torque in the rows of {} is used as that of the canards alone, and the fins take back "
+                          "{:g} times that torque (aerodynamics.canard_wash). If the rows were identified with the "
+                          "fins on, they include this already, and it is counted twice.",
+                          tunnel.name, wash)}
+                    : std::nullopt;
 }
 
 std::optional<AreaFactor> area_factor(const sim::Scenario& scenario, const TunnelResult& tunnel) {

@@ -66,7 +66,7 @@ std::string with_less_wind(const Prediction& p, const Look& look) {
   }
   const Tried calm = fly_again(p, 0.0, Guide::as_it_stands, look);
   return fmt::format("without wind {}{}", came_to(calm),
-                     calm.tilted == 0 ? ", but in a quarter of their wind not all" : "");
+                     calm.tilted == 0 ? ", but not all in a quarter of their wind" : "");
 }
 
 }  // namespace
@@ -88,10 +88,11 @@ std::string advice_on_wind(const Prediction& p, const Look& look) {
                          came_to(fly_again(p, 1.0, Guide::upright, look)));
   }
   const std::string text =
-      fmt::format("In {} of {} control ends at the plan's tilt limit.", tilted, runs(p.runs.size()));
-  return found.empty() ? text
-                       : text + fmt::format(" Of {}{} flown again {}.", tilted > most_tried ? "the first " : "",
-                                            std::min(tilted, most_tried), found);
+      fmt::format("In {} of {}, control ends at the plan's tilt limit.", tilted, runs(p.runs.size()));
+  return found.empty()
+             ? text
+             : text + fmt::format(" These runs, flown again ({}{}): {}.", tilted > most_tried ? "the first " : "",
+                                  std::min(tilted, most_tried), found);
 }
 
 }  // namespace fantail::predict

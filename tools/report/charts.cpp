@@ -111,7 +111,7 @@ Chart disturbance(const flight::Flight& flight, const ChartDrawer& drawer) {
     return drawer.chart("True disturbance (equivalent fin offset u_d)", "deg", page::full_page, flat_chart, {truth});
   }
   return drawer.chart(
-      "Disturbance (equivalent fin offset u_d), and what the law takes it for", "deg", page::full_page, flat_chart,
+      "Disturbance (equivalent fin offset u_d), and the law's estimate of it", "deg", page::full_page, flat_chart,
       {truth, drawer.line("estimate", Role::measured, drawer.in_control(column("offset_estimate_deg")))});
 }
 

@@ -37,7 +37,7 @@ std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange
   }
   switch (*change.reason) {
     case core::PhaseReason::armed_by_switch_and_command:
-      return flight.tunnel ? "the start command never came at rest" : "no launch was detected";
+      return flight.tunnel ? "the start command never came while the rocket was at rest" : "no launch was detected";
     case core::PhaseReason::rested: return "no launch was detected after the rocket had rested at " + when;
     case core::PhaseReason::moved_without_launch:
       // In flight that is what follows from a launch that was not detected; before it, what kept one from being.
@@ -45,9 +45,9 @@ std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange
                  ? "no launch was detected in the first " + when + " of the flight"
                  : "no launch was detected: the rocket had moved and had to rest first, from " + when + " on";
     case core::PhaseReason::launch_detected:
-      return "the run ended before the guide was clear; launch was detected at " + when;
+      return "the run ended before the rocket cleared the guide; launch was detected at " + when;
     case core::PhaseReason::guide_not_cleared_in_time:
-      return fmt::format("what looked like a launch did not clear the guide within {} s (at {})",
+      return fmt::format("launch was detected, but the rocket did not clear the guide within {} s (at {})",
                          text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
     default: return fmt::format("{} (at {})", flight::display_name(*change.reason), when);
   }
@@ -60,7 +60,7 @@ std::string why_no_control(const flight::Flight& flight) {
   const flight::PhaseChange& last = flight.phase_changes.back();
   if (was_lost(flight)) {
     return flight.outages.back().cause.empty()
-               ? fmt::format("the processor stood still from {} s on", text::fixed(flight.outages.back().from_s, 2))
+               ? fmt::format("the processor stopped at {} s", text::fixed(flight.outages.back().from_s, 2))
                : fmt::format("the processor was reset before it, and the flight was not resumed (at {})", at(last));
   }
   if (last.reason != core::PhaseReason::flew_without_launch) {
@@ -116,12 +116,12 @@ std::string early_end(const flight::Flight& flight, const Figures& f) {
     text += fmt::format(", {} s before apogee", text::fixed(*f.ended_before_apogee_s, 2));
   }
   if (was_lost(flight)) {
-    text += flight.outages.back().cause.empty() ? ": the processor stood still from then on."
+    text += flight.outages.back().cause.empty() ? ": the processor stopped then."
                                                 : ": the processor was reset, and the flight was not resumed.";
   } else if (!end.reason) {
     text += "; the log does not say why.";
   } else if (end.reason == core::PhaseReason::apogee) {
-    text += ": the avionics took it for apogee.";
+    text += ": the avionics detected apogee too early.";
   } else if (end.reason == core::PhaseReason::control_time_over) {
     text += fmt::format(": the plan's control time{} was over.", plan_time(flight));
   } else {

@@ -28,7 +28,7 @@ std::vector<Happening> in_order(const flight::Flight& flight, const BeforeBurnou
   if (b.sank_s) {
     // Along a straight line nothing else tells that this flight is none.
     const char* straight =
-        flight.path.empty() ? ". A real rocket turns over when it sinks; this one keeps to its line" : "";
+        flight.path.empty() ? ". A real rocket turns over when it sinks; the simulated one keeps to its line" : "";
     all.push_back(
         {*b.sank_s, fmt::format("sank by {} m from {} on, before burn-out{}{}.", text::fixed(b.sank_m, 1),
                                 seconds(*b.sank_s), b.rose_again ? ", and the motor lifted it again" : "", straight)});

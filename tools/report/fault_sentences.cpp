@@ -24,7 +24,7 @@ std::string unmeasured(const flight::Flight& flight) {
   }
   if (u.speed_bound_from_s) {
     text += fmt::format(
-        " From {} s on the avionics knew only lower bounds of height and speed, because every "
+        " From {} s on, the avionics had only lower bounds of height and speed, because every "
         "accelerometer was at the end of its range.",
         text::fixed(*u.speed_bound_from_s, 2));
   }
@@ -36,7 +36,7 @@ namespace {
 std::string until_when(const flight::Outage& outage) {
   return (outage.to_s ? fmt::format("to {} s", text::fixed(*outage.to_s, 3)) : "on") +
          (outage.resumed                         ? ", and then the flight was resumed"
-          : outage.to_s && !outage.cause.empty() ? ", and then the flight was not resumed: the avionics was Safe"
+          : outage.to_s && !outage.cause.empty() ? ", and then the flight was not resumed: the avionics were Safe"
                                                  : "");
 }
 

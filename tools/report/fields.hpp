@@ -29,16 +29,15 @@ inline constexpr auto figures = result::fields<F>({
     {"largest_hold_error", "largest hold error", u::deg, 1, &F::largest_hold_error_rad,
      "largest distance of the roll from where this law settles, once it has settled"},
     {"mean_hold_error", "mean hold error", u::deg, 2, &F::mean_hold_error_rad, "mean of the same"},
-    {"judged_time", "time judged", u::s, 2, &F::judged_time_s, "how long the hold error counts"},
+    {"judged_time", "time judged", u::s, 2, &F::judged_time_s, "time over which the hold error is measured"},
     {"rest_error", "rests from its command", u::deg, 1, &F::rest_error_rad, "distance from the reference at rest"},
     {"mean_reference_error", "mean distance from the command", u::deg, 1, &F::mean_reference_error_rad,
      "mean of |phi - R| over all time under control"},
     {"largest_disturbance", "largest fin offset", u::deg, 1, &F::largest_disturbance_rad,
      "true u_d of largest magnitude under control"},
-    {"authority", "canards available", u::deg, 1, &F::authority_rad,
-     "how far they deflect in the sense that the offset needs"},
+    {"authority", "canards available", u::deg, 1, &F::authority_rad, "how far they can deflect against the offset"},
     {"authority_margin", "authority margin", u::deg, 1, &F::authority_margin_rad,
-     "how much farther they could go than the offset needs, the least under control"},
+     "how much farther they can deflect than the offset needs, the least under control"},
     {"ended_before_apogee", "control ends before apogee", u::s, 3, &F::ended_before_apogee_s, "negative: after it"},
     {"roll_after_end", "turned after control", u::deg, 1, &F::roll_after_end_rad,
      "largest change of the roll angle from the end of control until apogee"},
@@ -69,13 +68,13 @@ inline constexpr auto events = result::fields<E>({
 });
 
 inline constexpr auto margins = result::fields<flight::LoopMargin>({
-    {"speed", "air speed", u::m_s, 0, &flight::LoopMargin::speed_m_s, "speed at which the loop is linear"},
+    {"speed", "air speed", u::m_s, 0, &flight::LoopMargin::speed_m_s, "air speed that the loop is linearised at"},
     {"phase_margin", "phase margin", u::deg, 0, &flight::LoopMargin::phase_margin_rad,
-     "delay that the loop bears before it swings"},
+     "phase lag that the loop can take before it oscillates"},
     {"gain_margin", "gain margin", u::times, 1, &flight::LoopMargin::gain_margin,
-     "factor on the gain with which it swings", result::Worse::neither, nullptr, "any"},
+     "factor on the gain at which it oscillates", result::Worse::neither, nullptr, "any"},
     {"crossover", "crossover", u::rad_s, 1, &flight::LoopMargin::crossover_rad_s,
-     "highest frequency that the loop can follow"},
+     "crossover frequency: the highest frequency that the loop can follow"},
 });
 
 using S = SideDeflection;
@@ -103,7 +102,7 @@ inline constexpr auto oscillation = result::fields<Oscillation>({
 inline constexpr result::Unit angle{"", "deg", text::degrees(1.0)};
 inline constexpr auto canard_reach = result::fields<flight::CanardReach>({
     {"lowest", "canards reach", angle, 1, &flight::CanardReach::lowest_rad,
-     "at the largest roll command one way, as the air sees them"},
+     "effective angle in the air at the largest roll command one way"},
     {"highest", "to", angle, 1, &flight::CanardReach::highest_rad, "the other way"},
 });
 
@@ -147,7 +146,7 @@ inline constexpr auto apogee_in_plane = result::fields<P>({
 inline constexpr auto outages = result::fields<flight::Outage>({
     {"from", "from", u::s, 3, &flight::Outage::from_s, "last tick before it"},
     {"to", "to", u::s, 3, &flight::Outage::to_s, "first tick after it; none where the record ends"},
-    {"cause", "cause", u::none, 0, &flight::Outage::cause, "of the reset; empty: it was none"},
+    {"cause", "cause", u::none, 0, &flight::Outage::cause, "of the reset; empty: there was none"},
     {"resumed", "resumed", u::none, 0, &flight::Outage::resumed, "whether the flight went on after it"},
 });
 

@@ -12,7 +12,7 @@ std::string gain_margin_text(const flight::LoopMargin& margin) {
     return "any";
   }
   const bool swings_with_less = (margin.phase_margin_rad > 0.0) == (*margin.gain_margin < 1.0);
-  return text::brief(*margin.gain_margin, 1) + " times" + (swings_with_less ? ", and swings with less" : "");
+  return text::brief(*margin.gain_margin, 1) + " times" + (swings_with_less ? ", and oscillates with less" : "");
 }
 
 std::vector<flight::LoopMargin> different_margins(const flight::Flight& flight) {

@@ -89,8 +89,8 @@ result::Section plane_section(const std::vector<PathPoint>& path) {
                      .sampled = true};
   return {"The path",
           {Picture{from_the_side(path, "distance across / m", &PathPoint::north_m),
-                   "From the side, in the one vertical plane in which the trajectory is taken to lie; where that plane "
-                   "points is not known. The two axes have different scales."},
+                   "From the side, in the single vertical plane that is assumed for the trajectory; the direction of "
+                   "that plane is unknown. The two axes have different scales."},
            Picture{tilted, "Tilt of the long axis from the vertical."}},
           result::Readers::files};
 }
@@ -131,12 +131,13 @@ result::Section path_section(const flight::Flight& flight) {
       .series = {tilt(path), series(path, "angle of attack", Role::model, &PathPoint::time_s,
                                     [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
       .sampled = true};
-  return {"The path",
-          {Picture{side, "From the side. The two axes have different scales."},
-           Picture{above, "From above; the guide stands at 0, 0. Both axes have the same scale."},
-           Picture{angles,
-                   "Tilt of the long axis from the vertical, and angle between the axis and the way through the air."}},
-          result::Readers::files};
+  return {
+      "The path",
+      {Picture{side, "From the side. The two axes have different scales."},
+       Picture{above, "From above; the guide stands at 0, 0. Both axes have the same scale."},
+       Picture{angles,
+               "Tilt of the long axis from the vertical, and angle between the axis and the motion through the air."}},
+      result::Readers::files};
 }
 
 }  // namespace fantail::report

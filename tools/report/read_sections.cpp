@@ -76,7 +76,7 @@ result::Figures shown_figures(const flight::Flight& flight, const Figures& f, bo
   if (flight.gyro_bias_rad_s) {
     all.push_back({{.label = "gyro zero", .unit = result::units::deg_s, .decimals = 2},
                    static_cast<double>(flight.gyro_bias_rad_s->x),
-                   "about the long axis; taken off"});
+                   "about the long axis; subtracted"});
   }
   return {.all = std::move(all)};
 }
@@ -171,14 +171,13 @@ std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const 
     all.push_back(fmt::format("It settles at {}.", settle_point_name(flight)));
   }
   if (f.roll_turns && f.roll_turns_without_control) {
-    all.push_back(
-        fmt::format("Under control it turned by {} turns; with its canards at trim it would have turned by {}.",
-                    fixed(*f.roll_turns, 2), fixed(*f.roll_turns_without_control, 2)));
+    all.push_back(fmt::format("Under control it made {} turns; with its canards at trim it would have made {}.",
+                              fixed(*f.roll_turns, 2), fixed(*f.roll_turns_without_control, 2)));
   }
   if (f.camera_roll && std::abs(f.camera_roll->largest_rad) >= text::radians(1.0)) {
     all.push_back(
-        fmt::format("The rocket coned: what a camera sees of its roll came up to {} deg away from the roll angle, "
-                    "which is the integral of the gyro's rate.",
+        fmt::format("The rocket coned: the roll that a camera sees differed by up to {} deg from the roll angle, which "
+                    "is the integral of the gyro's rate.",
                     fixed(std::abs(degrees(f.camera_roll->largest_rad)), 1)));
   }
   if (!flight.changes.empty()) {

@@ -69,8 +69,8 @@ void write_report(const flight::Flight& flight, const Results& results, const st
     std::error_code not_there;
     if (std::filesystem::exists(folder / name, not_there)) {
       throw text::OutputError{(folder / name).string() +
-                              ": a flight keeps its own files here, which a report does not mix with its own; choose "
-                              "another folder"};
+                              ": this folder has the files of a flight, and a report does not mix its own with them; "
+                              "choose another folder"};
     }
   }
   text::OutputFolder{folder, {input}}.write(result_files(flight, results));

@@ -81,8 +81,8 @@ std::optional<page::RollScene> roll_scene(const Flight& flight, double begin_s) 
                         .shown_s = most_telling_s(flight).value_or(rows.front().time_s),
                         .from_s = rows.front().time_s};
   scene.note = fmt::format(
-      "Seen from behind and the right; positive roll is clockwise. Only roll is drawn, no pitch or yaw, as {}.",
-      is_true ? "it truly was" : "the flight computer knew it");
+      "Seen from behind and the right; positive roll is clockwise. Only roll is drawn, without pitch and yaw, as {}.",
+      is_true ? "it truly was" : "the flight computer estimated it");
   if (!flight.without_control.empty()) {
     scene.note += " Without control: the same rocket, seed and faults, with its canards at trim.";
   }

@@ -37,11 +37,11 @@ std::string in_numbers(const flight::Flight& flight) {
   const std::string gain = text::brief(static_cast<double>(flight.plan.controller.proportional_gain), 4);
   return flight.left_by_fins != 1.0
              ? fmt::format(
-                   " Here that is {} deg from R: u_d is {} deg, kp is {}, and {} times the canards' roll is left "
-                   "in the end.",
+                   " Here that is {} deg from R: u_d is {} deg, kp is {}, and {} times the canards' roll torque "
+                   "remains.",
                    lowest, offset, gain, brief(flight.left_by_fins))
-             : fmt::format(" Here u_d is {} deg and kp is {}, so it rests {}/{} = {} deg from R.", offset, gain, offset,
-                           gain, lowest);
+             : fmt::format(" Here u_d is {} deg and kp is {}, so it settles {}/{} = {} deg from R.", offset, gain,
+                           offset, gain, lowest);
 }
 
 }  // namespace
@@ -56,13 +56,13 @@ std::string settle_point_name(const flight::Flight& flight) {
 std::string settle_point_text(const flight::Flight& flight) {
   const std::string why =
       flight::rejects_offset(flight.plan)
-          ? "This law takes its estimate of the fin offset u_d off the command, so it comes to rest at the reference "
-            "R, as far as the canards reach and as soon as the estimate is right."
+          ? "This law subtracts its estimate of the fin offset u_d from the command. So it settles at the reference R, "
+            "if the canards reach far enough, as soon as the estimate is right."
       : flight.plan.gain_schedule.speeds_count > 0
-          ? "This loop comes to rest at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
+          ? "This loop settles at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
             "reference R: an angle error has to balance the fin offset." +
                 in_numbers(flight)
-          : "A proportional-derivative loop comes to rest at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
+          : "A proportional-derivative loop settles at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
             "error has to balance the fin offset." +
                 in_numbers(flight);
   return fmt::format(

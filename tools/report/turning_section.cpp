@@ -54,8 +54,8 @@ std::string how_far_apart(const flight::Flight& flight) {
     }
   }
   return fmt::format(
-      "From {} on the rocket tilted by up to {} deg, and the tilt that the avionics estimated was never off "
-      "by more than {} deg. Points are 10 ms apart; turning.csv beside this page has them.",
+      "From {} on the rocket tilted by up to {} deg, and the avionics' estimate of the tilt was wrong by at most {} "
+      "deg. Points are 10 ms apart; turning.csv beside this page has them.",
       flight.events.control_start_s ? "control start" : "the start command", text::fixed(text::degrees(largest_rad), 1),
       text::fixed(text::degrees(error_rad), 2));
 }

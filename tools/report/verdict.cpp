@@ -30,7 +30,7 @@ std::string sentence(std::string clause) {
 
 std::string saturation(const Figures& f) {
   if (f.saturated_fraction && *f.control_time_s == 0.0) {
-    return fmt::format("at the only tick under control that is on record the canards were {}at their limit",
+    return fmt::format("at the only recorded tick under control, the canards were {}at their limit",
                        *f.saturated_fraction > 0.0 ? "" : "not ");
   }
   return f.saturated_fraction
@@ -41,8 +41,9 @@ std::string saturation(const Figures& f) {
 std::string saturation_and_margin(const Figures& f) {
   std::string text = saturation(f);
   if (f.authority_margin_rad) {
-    text += fmt::format(", {} {} against the fin offset", degrees_text(std::abs(*f.authority_margin_rad)),
-                        *f.authority_margin_rad < 0.0 ? "too few" : "to spare");
+    text +=
+        fmt::format("; the canards can give {} {} than the fins need", degrees_text(std::abs(*f.authority_margin_rad)),
+                    *f.authority_margin_rad < 0.0 ? "less" : "more");
   }
   return text;
 }
@@ -55,27 +56,27 @@ std::string at_limit(const flight::Flight& flight, const Figures& f) {
 
 std::string why_not_judged(const flight::Flight& flight, const Figures& f) {
   if (!flight.known.plan) {
-    return "the plan, and with it where roll should settle, is unknown";
+    return "the plan is unknown, and so is the angle where roll should settle";
   }
   if (f.in_still_air) {
-    return "the air stands still, so the canards cannot turn the rocket";
+    return "the air is still, so the canards cannot turn the rocket";
   }
   const core::ControllerPlan& controller = flight.plan.controller;
   if (controller.proportional_gain == 0.0F && controller.derivative_gain_s == 0.0F) {
     return "the plan's gains are zero, so nothing controls the roll";
   }
   if (controller.proportional_gain == 0.0F) {
-    return "without proportional gain nothing holds an angle";
+    return "without a proportional gain, no angle is held";
   }
   if (const std::string_view misses = what_misses_control(flight, f); !misses.empty()) {
     return std::string{misses};
   }
   const std::string lacks = f.largest_disturbance_rad ? what_hold_lacks(f.hold) : "the fin offset";
   if (!f.hold.is_ever_known && !lacks.empty()) {
-    return lacks + ", and with it where roll should settle, is unknown";
+    return lacks + " is unknown, and so is the angle where roll should settle";
   }
   if (f.judged_time_s) {
-    return fmt::format("it could be judged for only {} s of {} s under control, and {} s is the least",
+    return fmt::format("it could be judged for only {} s of {} s under control, and {} s are required",
                        text::fixed(*f.judged_time_s, 2), text::fixed(*f.control_time_s, 2),
                        text::brief(least_judged_s, 1));
   }
@@ -89,7 +90,7 @@ std::string why_nothing_settles(const flight::Flight& flight, const Figures& f) 
     return {};  // not simulated
   }
   if (flight.loop_margins.empty()) {
-    return "the canards do not turn the rocket enough for the loop to have a gain of one";
+    return "the canards turn the rocket too little for the loop gain to reach one";
   }
   double fastest_rad_s = 0.0;
   for (const flight::LoopMargin& margin : flight.loop_margins) {
@@ -151,8 +152,8 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     const std::string offset = fmt::format("the fin offset of {}", degrees_text(*f.offset_at_limit_rad));
     const std::string cause =
         off.empty() ? fmt::format("{}: {} is beyond what they can balance; roll not held", at_limit(flight, f), offset)
-                    : fmt::format("{}: {}, and {} is, with that, beyond what they can balance; roll not held",
-                                  at_limit(flight, f), off, offset);
+                    : fmt::format("{}: {}, so {} is beyond what they can balance; roll not held", at_limit(flight, f),
+                                  off, offset);
     return {Outcome::not_held, fmt::format("{} {}", sentence(cause), sentence(rest))};
   }
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(flight, f))) : "";
@@ -196,17 +197,15 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   if (f.oscillation) {
     const Oscillation& o = *f.oscillation;
     v.outcome = is_steady(v.outcome) ? Outcome::oscillates : v.outcome;
-    v.text = fmt::format(
-                 "The canards oscillate at {} Hz between {} and {} deg, seen from {} s on, with nothing that "
-                 "excites them. ",
-                 text::brief(o.frequency_hz, 2), text::fixed(text::degrees(o.lowest_rad), 1),
-                 text::fixed(text::degrees(o.highest_rad), 1), text::fixed(o.from_s, 2)) +
+    v.text = fmt::format("The canards oscillate at {} Hz between {} and {} deg, from {} s on, without any excitation. ",
+                         text::brief(o.frequency_hz, 2), text::fixed(text::degrees(o.lowest_rad), 1),
+                         text::fixed(text::degrees(o.highest_rad), 1), text::fixed(o.from_s, 2)) +
              v.text;
   }
   const auto worst = std::ranges::min_element(flight.loop_margins, {}, &flight::LoopMargin::phase_margin_rad);
   if (worst != flight.loop_margins.end() && worst->phase_margin_rad <= 0.0) {
     v.outcome = is_steady(v.outcome) ? Outcome::oscillates : v.outcome;
-    v.text = fmt::format("The loop is unstable: at {} m/s its phase margin is {}. ", text::fixed(worst->speed_m_s, 0),
+    v.text = fmt::format("The loop is unstable: at {} m/s, its phase margin is {}. ", text::fixed(worst->speed_m_s, 0),
                          degrees_text(worst->phase_margin_rad)) +
              v.text;
   }

@@ -84,10 +84,10 @@ std::string why_uncontrollable(const sim::Scenario& scenario) {
     }
   }
   if (against.empty()) {
-    return "the canards follow the roll command hardly or not at all";
+    return "the canards hardly follow the roll command, or not at all";
   }
   return named(against) + " the rocket against the roll command" +
-         (against.size() < core::canard_count ? ", and the others outweigh that hardly or not at all" : "") +
+         (against.size() < core::canard_count ? ", and the others hardly outweigh that, or not at all" : "") +
          (std::ranges::includes(with_other_directions(scenario), against) ? direction_differs : "");
 }
 

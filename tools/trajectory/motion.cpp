@@ -191,13 +191,13 @@ class Plane {
   void find_felt_force() {
     const Values* axial_m_s2 = take(Quantity::acceleration_along_the_axis);
     if (axial_m_s2 == nullptr) {
-      motion_.derived.emplace_back("what the accelerometers feel follows from the change of the speeds, less gravity");
+      motion_.derived.emplace_back("the accelerometer readings follow from the change of the speeds, less gravity");
       return;
     }
     motion_.felt_m_s2 = made(count_, [&](std::size_t i) {
       return (i <= series_.liftoff ? 0.0 : (*axial_m_s2)[i]) + sim::gravity_m_s2 * std::cos(motion_.tilt_rad[i]);
     });
-    motion_.derived.emplace_back("what the accelerometers feel is that acceleration less gravity");
+    motion_.derived.emplace_back("the accelerometer readings are that acceleration less gravity");
   }
 
   const Series& series_;

@@ -178,7 +178,7 @@ class Reader {
     fill(count(), last, last);
     if (missing > 0) {
       series_.notes.push_back(
-          fmt::format("{} of {} cells of {} hold no number; they are filled from those around them.", missing, count(),
+          fmt::format("{} of {} cells of {} are not numbers; they are filled from those around them.", missing, count(),
                       column.name));
     }
     return values;
@@ -191,7 +191,7 @@ class Reader {
     if (end - begin == count() ||
         (to > from && series_.times_s[to] - series_.times_s[from] > longest_gap_s + rounding_s)) {
       text::refuse(fmt::format(
-          "{}:{}: {} holds no number until line {}; at most {} s without are allowed from lift-off to "
+          "{}:{}: {} has no number until line {}; at most {} s without one are allowed from lift-off to "
           "apogee",
           table_.name(), series_.lines[begin], column.name, series_.lines[std::min(end, count() - 1)], longest_gap_s));
     }

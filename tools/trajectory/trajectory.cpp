@@ -131,8 +131,8 @@ std::optional<std::string> disagreement(const Series& series, const std::vector<
     return std::nullopt;
   }
   return fmt::format(
-      "Height and speed of the file do not agree: up to the highest row it rises by {:.0f} m, and its "
-      "speeds make {:.0f} m of that.",
+      "Height and speed of the file do not agree: up to the highest row it rises by {:.0f} m, but its speeds give "
+      "{:.0f} m.",
       height_m, climbed_m);
 }
 
@@ -162,7 +162,7 @@ std::optional<std::string> left_unused(const flight::Table& table, const Columns
   if (count == 0) {
     return std::nullopt;
   }
-  return fmt::format("Not used of the file: {}{}.", names,
+  return fmt::format("Columns of the file that are not used: {}{}.", names,
                      count > most_named ? fmt::format(" and {} more columns", count - most_named) : "");
 }
 

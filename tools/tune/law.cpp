@@ -98,7 +98,7 @@ core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection r
   if (const auto fault = core::validate(plan)) {
     const core::PlanField& field = core::flight_plan_fields()[fault->field];
     throw text::Error{text::ErrorKind::bad_configuration,
-                      scenario.name + ": the tuned law cannot be a plan: " + std::string{field.section} + "." +
+                      scenario.name + ": the tuned law does not fit into a plan: " + std::string{field.section} + "." +
                           std::string{field.key} + " is refused: " + std::string{core::sentence(fault->rule)}};
   }
   return plan;

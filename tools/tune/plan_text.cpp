@@ -27,10 +27,9 @@ std::string comment(std::string text) {
 }  // namespace
 
 std::string plan_text(const Tuning& t) {
-  std::string text =
-      comment(fmt::format("Made by {} (Fantail {}) for {}. Every field that is not of the law is that of "
-                          "the plan it was made from.",
-                          t.request.command, t.request.version, t.vehicle));
+  std::string text = comment(fmt::format(
+      "Made by {} (Fantail {}) for {}. All fields except those of the law are copied from the plan it was made from.",
+      t.request.command, t.request.version, t.vehicle));
   text += comment(fmt::format("Gains of {}, instead of {}.", law_words(t.after->plan), law_words(t.before.plan)));
   for (const std::string& sentence : {model_sentence(t), loop_sentence(t), flights_sentence(t)}) {
     text += sentence.empty() ? "" : comment(sentence);

@@ -30,7 +30,7 @@ std::string loop(const Judged& judged) {
 }
 
 std::string error(const Sum& sum) {
-  std::string text = fmt::format("{} degrees in the mean and {} at most", fixed(degrees(*sum.mean_rad), 2),
+  std::string text = fmt::format("{} degrees on average and {} at most", fixed(degrees(*sum.mean_rad), 2),
                                  fixed(degrees(*sum.largest_rad), 1));
   if (sum.not_judged == sum.flights) {
     return text;
@@ -47,8 +47,8 @@ std::string limit_sentence(const Tuning& t) {
     return {};
   }
   return fmt::format(
-      "The {} leaves {} degrees beside a fin offset of {} degrees: nothing turns the rocket faster than "
-      "they do, whatever the gains.",
+      "The {} leaves {} degrees beside a fin offset of {} degrees. No gains turn the rocket faster than these degrees "
+      "can.",
       t.limit, brief(degrees(left_rad), 1), brief(degrees(t.largest_offset_rad), 1));
 }
 
@@ -61,14 +61,14 @@ std::string range_sentence(const Tuning& t) {
   if (offset.rejection == core::OffsetRejection::none || value < 0.99 * most) {
     return {};
   }
-  return fmt::format("The {} of {} is the largest that a plan may have, so it is the end of the search and no optimum.",
+  return fmt::format("The {} of {} is the largest that a plan allows, so it is the end of the search, not an optimum.",
                      integral ? "integral gain" : "observer's bandwidth", brief(value, 2));
 }
 
 std::string margin_sentence(const Tuning& t) {
   constexpr double predict_asks_deg = 30.0;
   return degrees(t.after->least.phase_margin_rad) < predict_asks_deg
-             ? "That is little: a prediction asks for 30 degrees, over a spread of its own."
+             ? "That is little: a prediction requires 30 degrees, over its own spread."
              : "";
 }
 
@@ -108,11 +108,11 @@ namespace {
 std::string lost(const Sum& before, const Sum& after) {
   return after.steady < before.steady
              ? fmt::format(
-                   "Of {} flights the new plan keeps {} steady, each where its own law settles, and the old one {}: it "
-                   "is not proposed.",
+                   "In {} flights, the new plan keeps {} steady, each where its own law settles, and the old one {}. "
+                   "The new plan is not proposed.",
                    after.flights, after.steady, before.steady)
-             : fmt::format("Of {} flights the new plan holds {} and the old one {}: it is not proposed.", after.flights,
-                           after.held, before.held);
+             : fmt::format("In {} flights, the new plan holds {} and the old one {}. The new plan is not proposed.",
+                           after.flights, after.held, before.held);
 }
 
 }  // namespace
@@ -125,10 +125,10 @@ std::string flights_sentence(const Tuning& t) {
            (t.is_proposed() ? std::string{} : fmt::format(" {}", lost(before, after)));
   }
   const bool settled = before.is_settled && after.is_settled;
-  const std::string what = settled ? "outside of the first second of control and after each step"
-                                   : "over all time under control, because no stretch is a second away from a step";
+  const std::string what = settled ? "without the first second of control and after each step"
+                                   : "over all time under control, because no period is a second or more after a step";
   std::string text = fmt::format(
-      "{} of the spread flown by both plans, {}: with the new plan the roll is {} from "
+      "{} of the spread flown with both plans, {}: with the new plan the roll is {} from "
       "its reference, with the old one {}. ",
       rockets(after.flights), what, error(after), error(before));
   if (!t.is_proposed()) {
@@ -140,7 +140,7 @@ std::string flights_sentence(const Tuning& t) {
                               ratio < 0.1 ? "less than a tenth" : fmt::format("{} %", fixed(100.0 * ratio, 0)));
   }
   return text + (ratio <= 1.02 ? "In flight the new plan is neither better nor worse."
-                               : "In flight the new plan is not better; what it has is the margin.");
+                               : "In flight the new plan is not better; its advantage is the margin.");
 }
 
 std::vector<std::string> remarks(const Tuning& t) {
@@ -164,18 +164,17 @@ std::vector<std::string> basis(const Tuning& t) {
       fixed(t.speeds.range.lowest_m_s, 0), fixed(t.speeds.range.highest_m_s, 0), fixed(t.speeds.median_m_s, 0),
       brief(r.spread, 2), brief(1e3 * t.servo_lag_s, 1), brief(1e3 * t.delay_s, 1)));
   all.push_back(fmt::format(
-      "Of the laws with a phase margin of {} degrees at every speed and of two in gain, which after a step of the "
-      "reference stay within a tenth of it after {} s from the median speed on: {}{}.",
+      "Only laws with a phase margin of {} degrees and a gain margin of two at every speed count. From {} s after a "
+      "step of the reference, they stay within a tenth of it, at the median speed and above. Chosen: {}{}.",
       brief(degrees(r.phase_margin_rad), 1), brief(r.settling_s, 2), fastest,
-      r.schedule ? ", in the mean over the time under control" : ""));
+      r.schedule ? ", on average over the time under control" : ""));
   all.emplace_back(
-      "Of the best such laws for small and for large kp, that was taken which flew best with six other "
-      "rockets of the spread.");
+      "From the best such laws for small and for large kp, the one was taken that flew best with six other rockets of "
+      "the spread.");
   all.push_back(fmt::format(
-      "Flights: {}, each by both plans with the same seed, with the scenario's own fin offset and everything else that "
-      "it says. Held means: near where the law settles, which is the reference R for a law that rejects the offset, "
-      "and "
-      "R + u_d/kp for one that does not; and that at most {} degrees from R.",
+      "Flights: {}, each with both plans and the same seed, with the fin offset and everything else of the scenario. "
+      "Held means that the roll stays near the angle where the law settles, and this is at most {} degrees from the "
+      "reference R. A law that rejects the offset settles at R, another one at R + u_d/kp.",
       rockets(r.flights), brief(degrees(t.rest_limit_rad), 1)));
   return all;
 }

@@ -85,8 +85,8 @@ double largest_offset_rad(const sim::Scenario& scenario) {
 
 void say_why_beyond_limit(Tuning& t) {
   t.why_none = fmt::format(
-      "No gains can do it: the fin offset of up to {} degrees is beyond the {}, and while it is, the canards stand at "
-      "their limit whatever the law. A wider limit (--set controller.canard_limit_deg=DEG) or straighter fins could.",
+      "No gains can do it: the fin offset of up to {} degrees is beyond the {}. While it is, the canards stay at their "
+      "limit with any law. A wider limit (--set controller.canard_limit_deg=DEG) or straighter fins could.",
       brief(degrees(t.largest_offset_rad), 1), t.limit);
 }
 
@@ -104,18 +104,18 @@ void say_why_not_found(Tuning& t, const Found& found) {
                                         brief(t.request.spread, 2), brief(1e3 * t.servo_lag_s, 1));
   if (!found.phase_margin_is_there) {
     t.why_none = fmt::format(
-        "No gains were found that do it: {} no {} that was tried has {}. The most that was found, at the worst "
-        "speed of {} m/s, is {} degrees{}. Tried: {}.",
+        "No such gains were found: {}, no {} that was tried has {}. The largest margin found, at the worst speed of {} "
+        "m/s, is {} degrees{}. Tried: {}.",
         given, law, asked, fixed(found.most.speed_m_s, 0), floored(degrees(found.most.phase_margin_rad)),
         t.request.schedule ? ", without a schedule" : "", found.tried);
   } else if (!found.gain_margin_is_there) {
     t.why_none = fmt::format(
-        "No gains were found that do it: {} no {} that was tried has both {} and a gain margin of two. Tried: {}.",
-        given, law, asked, found.tried);
+        "No such gains were found: {}, no {} that was tried has both {} and a gain margin of two. Tried: {}.", given,
+        law, asked, found.tried);
   } else {
     t.why_none = fmt::format(
-        "No gains were found that do it: {} no {} that was tried and has {} settles in {} s after a step of the "
-        "reference from the median speed of {} m/s on; {}. Tried: {}.",
+        "No such gains were found: {}, no {} that was tried and has {} settles in {} s after a step of the reference "
+        "at the median speed of {} m/s and above; {}. Tried: {}.",
         given, law, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
         found.shortest_settling_s ? fmt::format("the shortest time found is {} s", fixed(*found.shortest_settling_s, 2))
                                   : fmt::format("none does in {} s", brief(3.0 * t.request.settling_s, 2)),
@@ -173,8 +173,8 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
     }
   } else if (!best) {
     t.why_none = fmt::format(
-        "No gains were found that do it: the laws that were found miss the phase margin of {} degrees between "
-        "the speeds of the search.",
+        "No such gains were found: the laws that were found miss the phase margin of {} degrees between the speeds of "
+        "the search.",
         brief(degrees(t.request.phase_margin_rad), 1));
   }
   return best ? std::optional{plans[*best]} : std::nullopt;
@@ -238,9 +238,8 @@ void try_other_kinds(Tuning& t, const sim::Scenario& scenario, const Look& look)
     if (other.is_better() && (!least_rad || *flown.mean_rad < *least_rad)) {
       least_rad = flown.mean_rad;
       t.alternative = fmt::format(
-          "Another kind of law was tried and is better than the old plan: {} gives gains of {}, and {} degrees in the "
-          "mean "
-          "instead of {}.",
+          "Another kind of law was tried and is better than the old plan: {} gives gains of {}, and {} degrees on "
+          "average instead of {}.",
           words, law_words(other.after->plan), fixed(degrees(*flown.mean_rad), 2),
           fixed(degrees(*other.flown_before().mean_rad), 2));
     }

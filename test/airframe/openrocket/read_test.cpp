@@ -210,14 +210,14 @@ TEST_F(Read, TheMotorSitsWhereItsMountHoldsIt) {
 TEST_F(Read, WhatIsNoDesignIsRefused) {
   EXPECT_EQ(refusal(path("none.ork")), "none.ork: no such file");
   EXPECT_NE(refusal(plain("hello")).find("plain.ork: is not XML: "), std::string::npos);
-  EXPECT_EQ(refusal(plain("<rocksim/>")), "plain.ork: is no design of OpenRocket: its XML has no <openrocket>");
+  EXPECT_EQ(refusal(plain("<rocksim/>")), "plain.ork: is not an OpenRocket design: its XML has no <openrocket>");
   EXPECT_EQ(refusal(plain("")).substr(0, 10), "plain.ork:");
   EXPECT_EQ(refusal(plain(design(""))), "plain.ork: its first stage has no body tube");
   EXPECT_EQ(refusal(plain(design(nose))), "plain.ork: its first stage has no body tube");
   EXPECT_EQ(refusal(plain(design(tube("")))),
             "plain.ork: bodytube \"Tube\": the first component of the stage; allowed: a nose cone");
   EXPECT_EQ(refusal(zipped("x", "readme.txt")),
-            "archive.ork: is a zip archive without a design: no entry in it ends with .ork");
+            "archive.ork: is a zip archive without a design: none of its entries ends with .ork");
   EXPECT_EQ(refusal(plain("PK\x03\x04 nothing else")),
             "plain.ork: is a zip archive that cannot be opened: it is damaged");
   EXPECT_NE(refusal(plain("<!DOCTYPE a [<!ENTITY x SYSTEM 'file:///etc/passwd'>]>" + design(nose)))

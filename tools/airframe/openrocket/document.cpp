@@ -70,7 +70,7 @@ std::string of_archive(const std::filesystem::path& file) {
     }
     return all_of(file, [&](char* buffer, std::size_t size) { return zip_fread(inside.get(), buffer, size); });
   }
-  refuse(file, "is a zip archive without a design: no entry in it ends with .ork");
+  refuse(file, "is a zip archive without a design: none of its entries ends with .ork");
 }
 
 /// zlib reads what is not packed as it is.

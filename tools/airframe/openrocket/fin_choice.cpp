@@ -29,7 +29,8 @@ void Reader::join_single_fins() {
   }
   for (const auto& [name, set] : joined) {
     if (set.count == 1) {
-      design_.not_used.push_back(fmt::format("Fin \"{}\": its force, as it is alone; only its mass.", name));
+      design_.not_used.push_back(
+          fmt::format("Fin \"{}\": its force, because it is a single fin; its mass is used.", name));
       design_.left_out.push_back({.what = fmt::format("fin \"{}\": its force", name), .is_force = true});
     }
   }
@@ -52,11 +53,11 @@ void Reader::choose_fins() {
   });
   if (canards != fins_.end()) {
     g.canards = canards->second;
-    design_.assumed.push_back(fmt::format("Fins \"{}\": taken as the canards.", canards->first));
+    design_.assumed.push_back(fmt::format("Fins \"{}\": used as the canards.", canards->first));
     fins_.erase(canards);
   }
   for (const auto& [name, set] : fins_) {
-    design_.not_used.push_back(fmt::format("Fins \"{}\": their forces; only their mass.", name));
+    design_.not_used.push_back(fmt::format("Fins \"{}\": their forces; their mass is used.", name));
     design_.left_out.push_back({.what = fmt::format("fins \"{}\": their forces", name), .is_force = true});
   }
 }

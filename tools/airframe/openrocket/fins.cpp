@@ -97,7 +97,7 @@ FoundFins read_fins(const Component& component, double body_radius_m, std::vecto
     shape = "freeform";
   }
   if (*shape != '\0') {
-    assumed.push_back(fmt::format("Fins \"{}\": {}; the trapezoid of the same area, span and middle is in their place.",
+    assumed.push_back(fmt::format("Fins \"{}\": {}; replaced by the trapezoid of the same area, span and middle.",
                                   found.name, shape));
   }
   const Planform form = planform(set);

@@ -92,9 +92,9 @@ void Reader::add_child(const Component& c, const Place& parent, Masses& into) {
     add_fins(c, parent, into);
   } else if (is_packed(kind)) {
     if (kind == "parachute" || kind == "streamer") {
-      design_.not_used.push_back(
-          fmt::format("{} \"{}\": all but its mass; when it opens and how it falls go into [recovery] of the vehicle.",
-                      kind, c.name()));
+      design_.not_used.push_back(fmt::format(
+          "{} \"{}\": everything except its mass; when it opens and how it falls go into [recovery] of the vehicle.",
+          kind, c.name()));
     }
     const double length_m = c.number_or("packedlength", 0.0, longest_m, 0.0);
     const double radius_m = c.number_or_auto("packedradius", 0.0, widest_m).value_or(parent.inner_m);
@@ -130,7 +130,7 @@ void Reader::add_child(const Component& c, const Place& parent, Masses& into) {
     note_motor(c, place);
     add_with_children(c, place, own, into);
   } else {
-    design_.not_used.push_back(fmt::format("{} \"{}\": nothing of it was read.", kind, c.name()));
+    design_.not_used.push_back(fmt::format("{} \"{}\": the whole part.", kind, c.name()));
     design_.left_out.push_back({.what = fmt::format("{} \"{}\": not read", kind, c.name()), .is_force = true});
   }
 }

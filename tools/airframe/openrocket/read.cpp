@@ -64,8 +64,9 @@ void check_version(const std::filesystem::path& file, pugi::xml_node root, Desig
   }
   if (*minor > newest_minor) {
     design.not_used.push_back(
-        fmt::format("The document version {} is newer than 1.{:.0f}: what is new in it.", version, newest_minor));
-    design.left_out.push_back({.what = fmt::format("what is new in document version {}", version), .is_force = true});
+        fmt::format("The document version {} is newer than 1.{:.0f}: its new features.", version, newest_minor));
+    design.left_out.push_back(
+        {.what = fmt::format("the new features of document version {}", version), .is_force = true});
   }
 }
 
@@ -84,7 +85,7 @@ void take_parameter(const Component& c, NoseShape& shape, std::vector<std::strin
       return;
     }
   }
-  assumed.push_back(fmt::format("Nose \"{}\": its shape parameter is {}; {} is in its place.", c.name(), parameter,
+  assumed.push_back(fmt::format("Nose \"{}\": its shape parameter is {}; {} is used instead.", c.name(), parameter,
                                 shape == NoseShape::cone ? "a cone"
                                 : is_haack               ? "von Karman's shape"
                                                          : "the full shape"));
@@ -104,7 +105,7 @@ void Reader::add_nose(const Component& c) {
   const auto* const found = std::ranges::find(nose_shapes, shape, [](const auto& one) { return one.first; });
   if (found == nose_shapes.end()) {
     design_.assumed.push_back(
-        fmt::format("Nose \"{}\": its shape is \"{}\"; an ogive is in its place.", c.name(), shape));
+        fmt::format("Nose \"{}\": its shape is \"{}\"; an ogive is used instead.", c.name(), shape));
   }
   g.nose_shape = found == nose_shapes.end() ? NoseShape::ogive : found->second;
   if (found != nose_shapes.end()) {
@@ -156,7 +157,7 @@ void Reader::add_transition(const Component& c, pugi::xml_node behind) {
   const auto aft_radius_m = c.number_or_auto("aftradius", 0.0025, widest_m);
   const double aft_m = aft_radius_m ? *aft_radius_m : radius_behind(c, behind);
   if (c.text("shape") != "conical") {
-    design_.assumed.push_back(fmt::format("Transition \"{}\": a cone in the place of its shape.", c.name()));
+    design_.assumed.push_back(fmt::format("Transition \"{}\": a cone is used instead of its shape.", c.name()));
   }
   for (const char* shoulder : {"foreshoulderlength", "aftshoulderlength"}) {
     if (c.number_or(shoulder, 0.0, longest_m, 0.0) > 0.0) {
@@ -166,7 +167,7 @@ void Reader::add_transition(const Component& c, pugi::xml_node behind) {
   }
   std::optional<Geometry::Transition>& known = design_.geometry.transition;
   if (known) {
-    design_.not_used.push_back(fmt::format("Transition \"{}\": its force, as it is the second one.", c.name()));
+    design_.not_used.push_back(fmt::format("Transition \"{}\": its force, because it is the second one.", c.name()));
     design_.left_out.push_back({.what = fmt::format("transition \"{}\": its force", c.name()), .is_force = true});
   } else if (front_m != aft_m) {
     known = {.position_m = end_m_, .length_m = length_m, .aft_diameter_m = 2.0 * aft_m};
@@ -194,7 +195,7 @@ double Reader::radius_behind(const Component& c, pugi::xml_node behind) const {
       return *radius_m;
     }
   }
-  c.refuse("its radius is \"auto\", and nothing behind it says one");
+  c.refuse("its radius is \"auto\", and no part behind it states one");
 }
 
 void Reader::read(pugi::xml_node rocket) {
@@ -213,7 +214,7 @@ void Reader::read(pugi::xml_node rocket) {
     } else if (kind == "transition") {
       add_transition(c, node.next_sibling());
     } else {
-      design_.not_used.push_back(fmt::format("{} \"{}\": nothing of it was read.", kind, c.name()));
+      design_.not_used.push_back(fmt::format("{} \"{}\": the whole part.", kind, c.name()));
       design_.left_out.push_back({.what = fmt::format("{} \"{}\": not read", kind, c.name()), .is_force = true});
     }
   }
@@ -249,11 +250,11 @@ Design read_design(const std::filesystem::path& file) {
   }
   const pugi::xml_node root = document.child("openrocket");
   if (!root) {
-    refuse(file, "is no design of OpenRocket: its XML has no <openrocket>");
+    refuse(file, "is not an OpenRocket design: its XML has no <openrocket>");
   }
   Design design;
   if (is_latin) {
-    design.assumed.emplace_back("Letters of the design: Latin-1, as they are not UTF-8.");
+    design.assumed.emplace_back("Text of the design: read as Latin-1, because it is not UTF-8.");
   }
   check_version(file, root, design);
   const pugi::xml_node rocket = root.child("rocket");

@@ -123,7 +123,7 @@ std::vector<StoredFlight> stored_flights(pugi::xml_node simulations, std::vector
     flight.name = simulation.child("name").text().as_string();
     flight.configuration = simulation.child("conditions").child("configid").text().as_string();
     if (const std::string why = impossible(flight); !why.empty()) {
-      not_used.push_back(fmt::format("Simulation \"{}\": its stored flight, as {}.", flight.name, why));
+      not_used.push_back(fmt::format("Simulation \"{}\": its stored flight, because {}.", flight.name, why));
       continue;
     }
     if (flight.mass_kg || flight.centre_of_gravity_m || flight.centre_of_pressure_m || flight.margin_calibres) {
