@@ -48,7 +48,7 @@ TEST(NodeChoice, NeedsToKnowBurnOutForThat) {
                  [&] { (void)find_nodes(log, record(), "thrust:1,coast:1"); });
   log.burnout_s.reset();
   log.specific_force_m_s2.clear();
-  expect_refused(ErrorKind::bad_data, {"when the motor burnt out"},
+  expect_refused(ErrorKind::bad_data, {"burn-out is unknown"},
                  [&] { (void)find_nodes(log, record(), "thrust:1,coast:1"); });
 }
 
@@ -109,7 +109,7 @@ TEST(Window, WhatTheLogDoesNotSayIsRefused) {
   log.reference_rad.clear();
   expect_refused(ErrorKind::bad_data, {"no column reference_deg"}, [&] { (void)find_window(log, "step:1"); });
   log.specific_force_m_s2.clear();
-  expect_refused(ErrorKind::bad_data, {"when the motor burnt out"}, [&] { (void)find_window(log, "coast"); });
+  expect_refused(ErrorKind::bad_data, {"burn-out is unknown"}, [&] { (void)find_window(log, "coast"); });
   log.burnout_s = 0.5;
   expect_refused(ErrorKind::bad_data, {"burnt out at 0.5 s, which is not inside control, 1 s to 9 s"},
                  [&] { (void)find_window(log, "thrust"); });

@@ -158,7 +158,7 @@ TEST(Mistakes, ARollThatNeverMovesIsRefused) {
   logs::RollLog log = planted_log({});
   log.roll_angle_rad.assign(log.time_s.size(), 0.0);
   log.roll_rate_rad_s.assign(log.time_s.size(), 0.0);
-  test::expect_refused(text::ErrorKind::bad_data, {"roll angle and roll rate are the same in all samples"},
+  test::expect_refused(text::ErrorKind::bad_data, {"roll angle and roll rate are constant in all samples"},
                        [&] { (void)study(log, asked()); });
 }
 

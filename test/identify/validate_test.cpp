@@ -121,7 +121,7 @@ TEST(KnownModel, IsRefusedWithTheFileTheKeyAndTheValue) {
     folder.write("identification.json", content);
     test::expect_refused(text::ErrorKind::bad_data, words, [&] { (void)read_model(file); });
   };
-  refused("{", {"identification.json", "no JSON"});
+  refused("{", {"identification.json", "not JSON"});
   refused("[1]", {"not a JSON object"});
   refused(R"({"beta_m": 9, "reference_area_m2": 5e-5})", {"alpha_m2 is missing"});
   refused(R"({"alpha_m2": -3, "beta_m": 9, "reference_area_m2": 5e-5})", {"alpha_m2 is -3", "above 0"});

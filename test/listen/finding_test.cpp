@@ -90,7 +90,7 @@ TEST(FlyLog, OfAPushThatPassesTheGatesSaysThatControlBegan) {
   EXPECT_EQ(finding(heard), Finding::imagined);
   ASSERT_TRUE(heard.early_control_s);
   EXPECT_NEAR(*heard.early_control_s, 5.2, 0.1);
-  EXPECT_NE(headline(heard).find("control"), std::string::npos) << headline(heard);
+  EXPECT_NE(headline(heard).find("Control began"), std::string::npos) << headline(heard);
   EXPECT_EQ(figures(headline(heard)), Numbers{text::fixed(*heard.early_control_s, 3)}) << headline(heard);
   EXPECT_FALSE(heard.control);
 }

@@ -88,7 +88,7 @@ TEST(ImuLog, IsRefusedByFileAndLine) {
   refused(table(""), {"0 samples"});
   refused(flight::Table::parse("t,acc,h\n0,1,2\n", "log.csv"), {"no column a ", "t, acc, h", "--columns axial="});
   refused(flight::Table::parse("t,a\n0,1\n", "log.csv"), {"no column h", "--columns height="});
-  refused(table(rows() + "90000000,1,0\n"), {"longer than 21600 s", "is the time t really in ms?"});
+  refused(table(rows() + "90000000,1,0\n"), {"longer than 21600 s", "check that the time t is in ms"});
 }
 
 // Seconds read as milliseconds: 20 s of 100 Hz are 20 ms of 100 kHz.
@@ -101,9 +101,9 @@ TEST(ImuLog, WhoseTimeIsHardlyInItsUnitIsRefused) {
     return flight::Table::parse(text, "log.csv");
   };
   const files::Sources in_ms = parse("time=t:ms,axial=a:g");
-  expect_refused(ErrorKind::bad_data, {"log.csv", "20 ms", "shorter than 1 s", "is the time t really in ms?"},
+  expect_refused(ErrorKind::bad_data, {"log.csv", "20 ms", "shorter than 1 s", "check that the time t is in ms"},
                  [&] { (void)imu_log(log(0.01, 2001), in_ms); });
-  expect_refused(ErrorKind::bad_data, {"log.csv", "100000 samples a second", "is the time t really in ms?"},
+  expect_refused(ErrorKind::bad_data, {"log.csv", "100000 samples a second", "check that the time t is in ms"},
                  [&] { (void)imu_log(log(0.01, 150'001), in_ms); });
   EXPECT_EQ(imu_log(log(0.0625, 17'000), in_ms).axial.time_s.size(), 17'000U) << "16 kHz";
 }
@@ -128,7 +128,7 @@ TEST(ImuLog, NamesTheRatesThatItLacks) {
 }
 
 TEST(ImuLog, OfNothingButForceIsNoLog) {
-  expect_refused(ErrorKind::bad_data, {"which column is the time", "time=COLUMN:UNIT"},
+  expect_refused(ErrorKind::bad_data, {"the column of the time is missing", "time=COLUMN:UNIT"},
                  [] { (void)imu_log(table(rows()), parse("axial=a:g")); });
   expect_refused(ErrorKind::bad_data, {"axial specific force"},
                  [] { (void)imu_log(table(rows()), parse("time=t:s")); });

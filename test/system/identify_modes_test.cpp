@@ -68,7 +68,7 @@ TEST_F(ModesOfTheLaw, AreKnownToTheClosedLoopFromThePlanInTheFlightLog) {
     EXPECT_NEAR(json["beta_m"].number(), published["beta_m"].number(), 0.2) << flight;
     EXPECT_NEAR(json["disturbance_deg"][0].number(), -4.9, 0.05) << flight;
     EXPECT_LT(json["mean_abs_angle_error_deg"].number(), 0.05) << flight;
-    EXPECT_NE(json["remarks"].dump().find("So the model lacks something"), std::string::npos) << json["remarks"];
+    EXPECT_NE(json["remarks"].dump().find("So the model is incomplete"), std::string::npos) << json["remarks"];
     EXPECT_NE(json["remarks"].dump().find("the plan in the flight log"), std::string::npos) << json["remarks"];
   }
 }
@@ -78,7 +78,7 @@ TEST_F(ModesOfTheLaw, ALogWithAnEstimateIsFlownWithItWhateverPlanIsGiven) {
       {"integral", "--loop", "closed", "--servo-lag", "0.026", "--kp", "0.5", "--kd", "0.05", "--limit", "9"});
   const auto by_plan = identified({"integral", "--loop", "closed", "--servo-lag", "0.026"});
   EXPECT_EQ(by_hand["alpha_m2"], by_plan["alpha_m2"]);
-  EXPECT_NE(by_hand["remarks"].dump().find("took an estimate of the offset off its command"), std::string::npos)
+  EXPECT_NE(by_hand["remarks"].dump().find("subtracted an estimate of the fin offset from its command"), std::string::npos)
       << by_hand["remarks"];
 }
 

@@ -161,8 +161,8 @@ TEST_F(IdentifiedFlight, MayBeLeftToTheController) {
   EXPECT_LT(json["servo_lag_interval_s"][0].number(), json["servo_lag_s"].number());
   EXPECT_GE(json["servo_play_deg"].number(), 0.0);
   EXPECT_LT(json["servo_play_deg"].number(), 0.3);
-  EXPECT_NE(json["remarks"].dump().find("not by the 20 ms of --servo-lag"), std::string::npos) << json["remarks"];
-  EXPECT_NE(json["remarks"].dump().find("So the model lacks something"), std::string::npos) << json["remarks"];
+  EXPECT_NE(json["remarks"].dump().find("not the 20 ms of --servo-lag"), std::string::npos) << json["remarks"];
+  EXPECT_NE(json["remarks"].dump().find("So the model is incomplete"), std::string::npos) << json["remarks"];
 }
 
 TEST(Identify, PrintsATableForPeople) {

@@ -71,8 +71,8 @@ TEST_F(Flights, AreWhatAModelIsHeldAgainst) {
 }
 
 TEST_F(Flights, ThatAreAskedForTogetherMustSayWhatTheyShare) {
-  expect_usage_error({"first", "second"}, "2 logs: name what they have in common with --shared alpha,beta");
-  expect_usage_error({"first", "--shared", "alpha,beta"}, "one window has nothing to share with");
+  expect_usage_error({"first", "second"}, "2 logs: name their common values with --shared alpha,beta");
+  expect_usage_error({"first", "--shared", "alpha,beta"}, "--shared needs two windows or more");
   expect_usage_error({"first", "second", "--shared", "alpha"}, "--shared: alpha not in {alpha,beta}");
   expect_usage_error({"first", "second", "--shared", "alpha,beta", "--method", "both"}, "--method continuous");
   expect_usage_error({"first", "second", "--shared", "alpha,beta", "--loss", "huber"}, "--loss squares");

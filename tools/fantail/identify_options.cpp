@@ -27,11 +27,11 @@ void add_reading(const Verb& verb, IdentifyOptions& o) {
   auto shared =
       verb.option(
               "--shared", o.shared,
-              "alpha,beta: one pair of them for all logs and windows, each with a disturbance and a start of its own")
+              "alpha,beta: one pair for all logs and windows; disturbance and start are fitted for each")
           .one_of({"alpha,beta"});
   verb.option("--validate", o.validate,
-              "Hold the model of an earlier identification against this log: its alpha and beta, a disturbance of this "
-              "log's own [into out/validate/DATA]")
+              "Check an earlier identification with this log: its alpha and beta are kept, the disturbance is fitted "
+              "[into out/validate/DATA]")
       .offers(files)
       .value_name("FOLDER|FILE")
       .excludes(shared);
@@ -46,8 +46,8 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
                   .value_name("S");
   auto to = verb.option("--to", o.to_s, "End of the window, in seconds").check(within(-1e6, 1e6)).value_name("S");
   verb.option("--window", o.windows,
-              "control, thrust, coast, step:N or A:B in seconds; several, each by itself [control, or all of a log "
-              "without phases]")
+              "control, thrust, coast, step:N or A:B in seconds; repeat it for several [control, or the whole log if "
+              "it has no phases]")
       .one_word_each_time()
       .offers(
           [](std::string_view /*begun*/) { return manual::Offer{.words = {"control", "thrust", "coast", "step:"}}; })
@@ -57,8 +57,8 @@ void add_windows(const Verb& verb, IdentifyOptions& o) {
                  .check(within(-1.0, 1.0))
                  .value_name("S")
                  .show_default();
-  verb.flag("--fit-lag", o.fit_lag, "Find that lag, up to 50 ms either way, with its interval").excludes(lag);
-  verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of taking them as measured");
+  verb.flag("--fit-lag", o.fit_lag, "Fit that lag, up to 50 ms either way, with its interval").excludes(lag);
+  verb.flag("--fit-initial", o.fit_initial, "Fit the first angle and rate, too, instead of using the measured ones");
 }
 
 void add_rocket(const Verb& verb, IdentifyOptions& o) {
@@ -66,10 +66,10 @@ void add_rocket(const Verb& verb, IdentifyOptions& o) {
   add_airframe_options(verb, o.airframe);
   verb.option("--density", o.density,
               "Air density: kg/m3, exponential or isa [exponential if the log climbs, else 1.2]");
-  verb.option("--elevation", o.elevation_m, "Height of the site above the sea, for the standard atmosphere")
+  verb.option("--elevation", o.elevation_m, "Height of the site above sea level, for the standard atmosphere")
       .check(within(-500, 9000))
       .value_name("M");
-  verb.option("--speed", o.speed_m_s, "In m/s, the same throughout, instead of the log's")
+  verb.option("--speed", o.speed_m_s, "Constant speed in m/s, instead of the log's")
       .check(within(0.1, 1e4))
       .value_name("M/S");
 }
@@ -84,8 +84,8 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
       .one_of({"grid", "continuous", "both"})
       .show_default();
   verb.option("--loss", o.loss,
-              "How angle errors count: squares; huber for a log with outliers, which then have little influence. huber "
-              "needs the continuous method and the open loop, and also fits the first angle and rate")
+              "Weight of angle errors: squares; huber for a log with outliers. huber needs the continuous method and "
+              "the open loop, and also fits the first angle and rate")
       .one_of({"squares", "huber"})
       .show_default();
   verb.option("--grid-alpha", o.grid_alpha,
@@ -93,13 +93,13 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
       .check(objection_to_axis);
   verb.option("--grid-beta", o.grid_beta, "FIRST:LAST:STEP in m [5:15:0.5, likewise]").check(objection_to_axis);
   verb.section("Closed loop");
-  verb.option("--loop", o.loop, "open: canards as measured; closed: as the controller commands in the model")
+  verb.option("--loop", o.loop, "open: canards as measured; closed: as commanded by the controller in the model")
       .one_of({"open", "closed"})
       .show_default();
   verb.option(
           "--plan", o.plan,
-          "Closed loop: gains, their schedule and limit of a shipped plan or a path [the plan in the flight log, if "
-          "DATA is or holds one]")
+          "Closed loop: plan with gains, schedule and limit; a shipped name or a path [the plan in the flight log, "
+          "if DATA is or contains one]")
       .offers(shipped(input::Shipped::plan));
   verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
   verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s")
@@ -107,7 +107,7 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
       .value_name("S");
   verb.option("--limit", o.limit_deg, "Closed loop: canard limit in degrees").check(within(0.01, 90)).value_name("DEG");
   verb.option("--servo-lag", o.servo_lag_s,
-              "Closed loop: expected lag of the servos in s; lag and play are fitted, from there on [0.02]")
+              "Closed loop: first guess of the servo lag in s; lag and play are fitted [0.02]")
       .check(within(0, 0.5))
       .value_name("S");
 }
@@ -122,9 +122,8 @@ core::FlightPlan plan_of(const IdentifyOptions& o, const std::string& data) {
   const std::optional<core::FlightPlan> flown = logs::flown_plan(data, reading(o.log));
   if (!flown) {
     throw UsageError{
-        "--loop closed needs the controller: --plan NAME|FILE, or --kp, --kd and --limit; or a flight log (.ftl), "
-        "which "
-        "has the plan that flew"};
+        "--loop closed needs the controller: --plan NAME|FILE; or --kp, --kd and --limit; or a flight log (.ftl), "
+        "which contains the plan that flew"};
   }
   return *flown;
 }

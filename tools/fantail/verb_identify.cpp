@@ -74,11 +74,11 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
                                changes ? " at lift-off" : "", input::about(rocket.airframe.reference_area_m2));
   if (o.windows.empty() && log.phase.empty() && !o.from_s && !o.to_s) {
     result.warnings.emplace_back(
-        "The log has no phases, so the window is the whole log, with what came before and after control.");
+        "The log has no phases, so the window is the whole log, including the time before and after control.");
   }
   if (wants_flown_plan(o)) {
     result.warnings.emplace_back(
-        "The law is that of the plan in the flight log, but for what the command line says of it.");
+        "The law is that of the plan in the flight log, except for values given on the command line.");
   }
   result.warnings.insert(result.warnings.end(), rocket.warnings.begin(), rocket.warnings.end());
   result.density = air.description;
@@ -139,10 +139,10 @@ void require_one_open_loop_fit(const IdentifyOptions& o, const std::string& opti
     throw UsageError{option + " is for the open loop only; allowed with --loop open"};
   }
   if (o.method != "continuous") {
-    throw UsageError{option + " has no use for a grid; allowed with --method continuous"};
+    throw UsageError{option + " does not use a grid; allowed with --method continuous"};
   }
   if (o.loss != "squares") {
-    throw UsageError{option + " weighs each window by its least squares; allowed with --loss squares"};
+    throw UsageError{option + " weights each window by least squares; allowed with --loss squares"};
   }
 }
 
@@ -176,7 +176,7 @@ void identify_together(const IdentifyOptions& asked) {
     give_up_if_interrupted();
   }
   if (windows < 2) {
-    throw UsageError{"--shared: one window has nothing to share with; give several logs, or several times --window"};
+    throw UsageError{"--shared needs two windows or more; give several logs, or --window several times"};
   }
   identify::result::JointFindings result = identify::fit_jointly(studies);
   result.vehicle = of_all(studies, &identify::result::Study::vehicle);
@@ -188,7 +188,7 @@ void identify_together(const IdentifyOptions& asked) {
     }
   }
   if (result.vehicle != studies.front().vehicle) {
-    result.warnings.emplace_back("The vehicles differ, and one damping and one torque is looked for all the same.");
+    result.warnings.emplace_back("The vehicles differ, but one common damping and torque is fitted.");
   }
   write(identify::result::answer(result, how), o, chapters);
 }
@@ -207,7 +207,7 @@ void validate_model(const IdentifyOptions& o) {
   result.speed = studied.speed;
   result.warnings = studied.warnings;
   if (model.reference_area_m2 != studied.airframe.reference_area_m2) {
-    result.warnings.push_back(fmt::format("The model counts with a reference area of {} m2; it was converted to {} m2.",
+    result.warnings.push_back(fmt::format("The model has a reference area of {} m2; it was converted to {} m2.",
                                           input::about(model.reference_area_m2),
                                           input::about(studied.airframe.reference_area_m2)));
   }
@@ -218,7 +218,7 @@ void validate_model(const IdentifyOptions& o) {
 void identify_data(const IdentifyOptions& o) {
   if (o.validate) {
     if (o.data.size() > 1) {
-      throw UsageError{"--validate: a model is held against one log at a time"};
+      throw UsageError{"--validate takes one log at a time"};
     }
     validate_model(o);
   } else if (!o.shared.empty()) {
@@ -227,7 +227,7 @@ void identify_data(const IdentifyOptions& o) {
     identify_one(o);
   } else {
     throw UsageError{fmt::format(
-        "{} logs: name what they have in common with --shared alpha,beta, or identify each by itself", o.data.size())};
+        "{} logs: name their common values with --shared alpha,beta, or identify each by itself", o.data.size())};
   }
 }
 
@@ -237,17 +237,17 @@ void fill(const Verb& verb) {
   verb.examples(
       "Examples:\n"
       "  fantail identify out/tasha3_launch2 --method both\n"
-      "                                          a simulated flight: the published grid beside the search without one\n"
-      "  fantail identify run7.csv --columns time=t:ms,roll_rate=p:rad/s,canard=fin:deg --save-columns --speed 22 \\\n"
+      "                                          a simulated flight, with the published grid and without\n"
+      "  fantail identify run7.csv --columns time=t:ms,roll_rate=p:rad/s,canard=fin:deg --save-columns --speed 22 "
+      "\\\n"
       "      --inertia 0.00393 --area 5.0265e-5 --elevation 1400 --window 0:5 --window 5:10\n"
-      "                                          another logger's tunnel run, two steps of it, each by itself\n"
+      "                                          another logger's tunnel run, two steps, each by itself\n"
       "  fantail identify flight1 flight2 --shared alpha,beta\n"
-      "                                          one roll model of several flights of one rocket, and whether they "
-      "agree\n"
+      "                                          one roll model for several flights of one rocket; do they agree?\n"
       "  fantail identify flight3 --validate out/identify/flight1+flight2\n"
-      "                                          does the model that was found there hold in another flight?\n"
+      "                                          does that model hold in another flight?\n"
       "  fantail identify out/tasha3_launch1 --nodes thrust:2,coast:2 --loop closed \\\n"
-      "      --plan tasha3_launch1 --json        canards as the controller commands them, for a script");
+      "      --plan tasha3_launch1 --json        canards as commanded by the controller, for a script");
   verb.action([options] { identify_data(*options); });
 }
 

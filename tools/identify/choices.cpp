@@ -82,7 +82,7 @@ Window between(const RollLog& log, SampleRange range, const std::string& text) {
 double known_burnout_s(const RollLog& log, const std::string& option, const std::string& text) {
   const auto burnout = burnout_s(log);
   if (!burnout) {
-    refuse(log, option, text, "neither a summary nor the specific force shows when the motor burnt out");
+    refuse(log, option, text, "burn-out is unknown: neither a summary nor the specific force shows it");
   }
   return *burnout;
 }

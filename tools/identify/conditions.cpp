@@ -54,8 +54,8 @@ sim::RollInertiaCourse inertia_on_clock(const logs::RollLog& log, const sim::Rol
   const auto burnout = burnout_s(log);
   if (!burnout) {
     warnings.push_back(fmt::format(
-        "The vehicle's roll inertia is {} kg m2 at lift-off and {} after burn-out, and the log shows no burn-out. That "
-        "at lift-off is used; with the other (--inertia) alpha and beta are {} times as large.",
+        "The vehicle's roll inertia is {} kg m2 at lift-off and {} after burn-out, and the log shows no burn-out. "
+        "The value at lift-off is used. With the other one (--inertia) alpha and beta are {} times as large.",
         about(full_kg_m2), about(empty_kg_m2), text::fixed(empty_kg_m2 / full_kg_m2, 3)));
     return {};
   }
@@ -74,10 +74,10 @@ std::optional<std::string> remark_on_inertia(const model::Record& record, const 
   const double last = record.roll_inertia_kg_m2.back();
   if (first != last) {
     return fmt::format(
-        "Roll inertia: {} to {} kg m2 in this window, as the propellant burns; the fit counts with that.", about(first),
+        "Roll inertia: {} to {} kg m2 in this window, as the propellant burns; the fit includes that.", about(first),
         about(last));
   }
-  return fmt::format("Roll inertia: {} kg m2 throughout this window, that {}.", about(first),
+  return fmt::format("Roll inertia: {} kg m2 throughout this window, the value {}.", about(first),
                      last == course.rbegin()->second ? "after burn-out" : "at lift-off");
 }
 
@@ -90,13 +90,13 @@ std::optional<std::string> remark_on_mach(const logs::RollLog& log, const model:
   const std::string values = range(mach.low, mach.high, 2);
   if (simulated && *simulated && growth(mach.high) - 1.0 > worth_a_word) {
     return fmt::format(
-        "The simulation lets alpha and beta grow with the Mach number, here {}: by {} % over the vehicle's. The fit "
+        "In this simulation alpha and beta grow with the Mach number (here {}), by {} % over the vehicle's. The fit "
         "gives a mean over the window.",
         values, range(100.0 * (growth(mach.low) - 1.0), 100.0 * (growth(mach.high) - 1.0), 1));
   }
   if (!simulated && mach.high > fast) {
     return fmt::format(
-        "The Mach number is {} in this window. By Prandtl and Glauert's rule alpha and beta change by {} % over it; "
+        "The Mach number is {} in this window. By the Prandtl-Glauert rule alpha and beta change by {} % over it; "
         "the fit gives a mean.",
         values, text::fixed(100.0 * (growth(mach.high) / growth(mach.low) - 1.0), 1));
   }

@@ -36,14 +36,14 @@ std::optional<std::string> wrong_unit(const DoubtCase& c) {
   const double canard_deg = text::degrees(logs::largest(c.record.canard_rad));
   if (canard_deg <= most_radians && beta_m > 10.0 * usual.last) {
     return fmt::format(
-        "beta is {} m and no canard angle exceeds {} deg: the canard column seems to be in radians. If it is, say so "
-        "(--columns rad, or the unit of that column); beta would then be about {} m.",
+        "beta is {} m and no canard angle exceeds {} deg: the canard column seems to be in radians. If it is, state "
+        "that (--columns rad, or the unit of that column); beta would then be about {} m.",
         constant_text(beta_m), text::brief(canard_deg, 2), constant_text(beta_m / degrees_per_radian));
   }
   if (canard_deg > 90.0 && beta_m > 0.0 && beta_m < 0.1 * usual.first) {
     return fmt::format(
         "beta is {} m and the canards would reach {} deg: the canard column seems to be in degrees but is read as "
-        "radians. If so, say it (--columns deg, or the unit of that column); beta would then be about {} m.",
+        "radians. If so, state that (--columns deg, or the unit of that column); beta would then be about {} m.",
         constant_text(beta_m), text::brief(canard_deg, 0), constant_text(beta_m * degrees_per_radian));
   }
   return {};
@@ -72,7 +72,7 @@ std::optional<std::string> nodes(const DoubtCase& c) {
     return {};
   }
   return fmt::format(
-      "With more nodes of the disturbance ({} instead of {}) the fit gives {}: these nodes do not suffice, or "
+      "With more nodes of the disturbance ({} instead of {}) the fit gives {}. Either there are too few nodes, or "
       "something else changes within the window. Try more nodes, as in --nodes even:{}.",
       more.size(), found.node_time_s.size(), change(found, model), more.size() - 1);
 }
@@ -88,29 +88,27 @@ std::optional<std::string> unexplained(const DoubtCase& c) {
   }
   const double share = share_left(c.record, c.found.simulation);
   const std::string reaches = fmt::format(
-      "The residual of the roll rate, {} % of the motion, is not white: its correlation reaches {} with itself "
-      "(chance: "
-      "up to {}) and {} with the canards (up to {}).",
+      "The residual of the roll rate, {} % of the motion, is not white noise. Its correlation reaches {} with itself "
+      "(chance: up to {}) and {} with the canards (up to {}).",
       text::brief(100.0 * share, 2), text::fixed(tests->own_correlation, 2), text::fixed(tests->chance, 2),
       text::fixed(tests->canard_correlation, 2), text::fixed(tests->canard_chance, 2));
   if (c.found.loop == Loop::closed) {
     return reaches + (with_canards
-                          ? " So the model lacks something, and alpha and beta may lie outside their intervals. Servos "
-                            "with a delay do that, noise that moves the canards to their limit, a wrong speed, or "
-                            "another plan. Compare with --loop open, which needs no model of the servos."
-                          : " A law that answers to noise or gusts moves the rocket like that, and the intervals count "
-                            "with it; an error of the model would do so, too. Compare with --loop open.");
+                          ? " So the model is incomplete, and alpha and beta may lie outside their intervals. "
+                            "Possible causes: a delay of the servos, noise that moves the canards to their limit, a "
+                            "wrong speed, another plan. Compare with --loop open, which needs no model of the servos."
+                          : " A law that reacts to noise or gusts causes this, and the intervals include it. An "
+                            "error of the model would cause it, too. Compare with --loop open.");
   }
   if (share < negligible || std::abs(tests->own_correlation) < worth_a_doubt) {
     return reaches + (c.start == Start::fitted
-                          ? " So small errors of the model are in it, and the intervals do not include them."
-                          : " So small errors are in it: of the measured first angle and rate, which the intervals "
-                            "include and --fit-initial fits, or of the model, which they do not include.");
+                          ? " So it contains small errors of the model, which the intervals do not include."
+                          : " So it contains small errors. Errors of the measured first angle and rate are included "
+                            "in the intervals, and --fit-initial fits them. Errors of the model are not included.");
   }
   return reaches +
-         " Neither a lag nor more nodes explain it, so the model lacks something else: a speed or density that is "
-         "wrong "
-         "in part of the window, canards that do not act in proportion to their angle.";
+         " Neither a lag nor more nodes explain it, so there is another cause. Examples: a wrong speed or density in "
+         "part of the window, or canards whose torque is not proportional to their angle.";
 }
 
 // Only where it was tried and tells both numbers better; Huber's loss knows no fitted lag.
@@ -130,8 +128,8 @@ std::string advice_on_loss(const DoubtCase& c) {
   }
   const Identification other{.model = robust.model, .uncertainty = known};
   return fmt::format(
-      " Or use {}--loss huber, on which they have little influence: it gives alpha {} m2 instead of {}, beta {} m "
-      "instead of {} (\u00b1: standard deviation).",
+      " Or use {}--loss huber, which reduces their influence: it gives alpha {} m2 instead of {}, beta {} m instead "
+      "of {} (\u00b1: standard deviation).",
       c.found.method == Method::grid ? "--method continuous " : "", with_deviation(other, 0),
       with_deviation(c.found, 0), with_deviation(other, 1), with_deviation(c.found, 1));
 }
@@ -155,9 +153,8 @@ std::optional<std::string> outliers(const DoubtCase& c) {
     return {};
   }
   return fmt::format(
-      "{} of the {} samples carry {} % of the squared angle error: they look like outliers, and the least squares "
-      "follow them. Look at the residual in the report, and take them out of the log if they are no motion of the "
-      "rocket.{}",
+      "{} of the {} samples make {} % of the squared angle error: they look like outliers, and least squares follows "
+      "them. Look at the residual in the report. Take them out of the log if they are not motion of the rocket.{}",
       few, squares.size(), text::fixed(100.0 * of_few / all, 0), advice_on_loss(c));
 }
 

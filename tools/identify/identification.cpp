@@ -34,8 +34,8 @@ void check_record(const Record& record, std::size_t nodes, Start start) {
   };
   if (still(record.roll_angle_rad) && still(record.roll_rate_rad_s)) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("window {}: roll angle and roll rate are the same in all samples, so nothing can be "
-                            "identified; even a rocket at rest shows the noise of its gyro",
+                fmt::format("window {}: roll angle and roll rate are constant in all samples, so nothing can be "
+                            "identified; even a rocket at rest shows gyro noise",
                             record.window)};
   }
   if (std::ranges::none_of(record.speed_m_s, [](double speed) { return speed > 0.0; })) {

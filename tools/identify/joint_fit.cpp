@@ -74,8 +74,8 @@ void require_one_area(const std::vector<Study>& studies) {
     if (std::abs(other_m2 - area_m2) > 1e-6 * area_m2) {
       throw text::Error{
           text::ErrorKind::bad_configuration,
-          fmt::format("--shared alpha,beta: the reference area of {} is {} m2 and that of {} {} m2, so their "
-                      "alpha and beta are no common numbers; name one vehicle for all with --vehicle",
+          fmt::format("--shared alpha,beta: the reference area of {} is {} m2 and that of {} {} m2, so they cannot "
+                      "share alpha and beta; name one vehicle for all with --vehicle",
                       studies.front().data, area_m2, study.data, other_m2)};
     }
   }

@@ -224,9 +224,9 @@ std::optional<std::string> long_lag_doubt(const DoubtCase& c) {
   const double error_rad_s = best->rate_error_rad_s;
   const RollModel& model = best->model;
   return fmt::format(
-      "The canard column seems to be about {} ms {}, more than --fit-lag looks for: moved by that, the mean error of "
-      "the "
-      "roll rate falls from {} to {} deg/s, and the fit gives {}. Check the clock of that column, or use --lag {}.",
+      "The canard column seems to be about {} ms {}, beyond the range of --fit-lag. With that shift the mean error "
+      "of the roll rate falls from {} to {} deg/s, and the fit gives {}. Check the clock of that column, or use "
+      "--lag {}.",
       text::brief(1000.0 * std::abs(lag_s), 0), lag_s > 0.0 ? "late" : "early",
       text::brief(text::degrees(before_rad_s), 2), text::brief(text::degrees(error_rad_s), 2),
       change(c.found.model, model), text::brief(lag_s, 3));

@@ -115,7 +115,7 @@ std::vector<double> speeds(const RollLog& log, const Indices& samples, const Rec
     return std::vector<double>(samples.size(), *options.speed_m_s);
   }
   if (log.speed_m_s.empty()) {
-    refuse(log, "no speed: the column speed_m_s is missing or has no numbers; if it was not measured: --speed");
+    refuse(log, "no speed: the column speed_m_s is missing or has no numbers; if it was not measured, give --speed");
   }
   std::vector<double> speed = column_at(log, log.speed_m_s, samples, "speed_m_s");
   // On board, speed is the integral of acceleration; in a tunnel there is none, and it drifts about zero.
@@ -247,7 +247,8 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   }
   const auto [samples, segment_begin] = long_segments(log, inside, longest_gap_s);
   if (samples.size() < least_samples) {
-    refuse(log, fmt::format("window {}: at least {} samples without a gap between them are needed; it has {} samples",
+    refuse(log, fmt::format("window {}: at least {} samples without a gap between them are needed; there are {} "
+                            "samples",
                             label(window), least_samples, inside.size()));
   }
 

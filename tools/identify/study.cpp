@@ -70,10 +70,10 @@ std::vector<std::string> remarks_on(const logs::RollLog& log, const Record& reco
 
 std::string remark_on_loss(const RobustFit& fit, std::size_t samples) {
   return fmt::format(
-      "Huber's loss: angle errors beyond {:.2g} deg ({} of {} samples) count in proportion to their size, "
-      "not to its square; the initial values are fitted.{}",
+      "Huber's loss: angle errors beyond {:.2g} deg ({} of {} samples) count in proportion to their size, not to its "
+      "square. The initial values are fitted.{}",
       text::degrees(fit.threshold_rad), fit.beyond, samples,
-      fit.settled ? "" : " The search was ended before it settled, so the result may be off.");
+      fit.settled ? "" : " The search stopped before it converged, so the result may be inaccurate.");
 }
 
 // The control law needs its reference; an excitation that nobody logged was most likely not there.
@@ -92,8 +92,8 @@ void prepare_closed_loop(const logs::RollLog& log, const closed_loop::Control& c
   if (control.offset_rejection == core::OffsetRejection::none &&
       !std::ranges::all_of(record.offset_estimate_rad, is_zero)) {
     found.remarks.emplace_back(
-        "The law that flew took an estimate of the offset off its command, and the one asked for does not; the closed "
-        "loop is simulated with the estimate of the log.");
+        "The law that flew subtracted an estimate of the fin offset from its command, and the chosen law does not. "
+        "The closed loop is simulated with the estimate of the log.");
   }
 }
 
@@ -104,8 +104,8 @@ std::optional<std::string> unexpected_servo(const std::optional<double>& told_s,
   }
   const double reach_s = found.uncertainty->lag_s->reach;
   return fmt::format(
-      "The servos lag by {} ms in this model (95 %: {} ms), not by the {} ms of --servo-lag. The result is that of the "
-      "fitted lag; a delay counts as lag.",
+      "The fitted lag of the servos is {} ms (95 %: {} ms), not the {} ms of --servo-lag. The result uses the fitted "
+      "lag; a delay counts as lag.",
       text::brief(1e3 * found.servo->lag_s, 1),
       interval_text({std::max(0.0, found.servo->lag_s - reach_s), found.servo->lag_s + reach_s}, 1e3),
       text::brief(1e3 * *told_s, 1));
@@ -119,16 +119,17 @@ std::optional<std::string> about_effective_samples(const Identification& found) 
     return {};
   }
   return fmt::format(
-      "The effective samples are few, {} of {}: an error that many samples share counts once, as of a residual that "
-      "changes slowly, or of a measured first angle and rate. The intervals count with that. alpha and beta are "
-      "identifiable because these errors are small beside the motion.",
+      "There are few effective samples, {} of {}. An error that many samples share counts only once. Examples are a "
+      "slowly changing residual, and errors of the measured first angle and rate. The intervals include that. alpha "
+      "and beta are identifiable because these errors are small compared with the motion.",
       worth_text(u->effective_samples), found.samples);
 }
 
 // What the angle alone says so well is not known while the rate says otherwise.
 void refute(Uncertainty& known) {
   known.verdict =
-      "alpha and beta are not known from this window: they fit the roll angle, and the roll rate contradicts them";
+      "alpha and beta cannot be determined from this window: they fit the roll angle, but the roll rate contradicts "
+      "them";
   known.alpha_identifiable = known.beta_identifiable = false;
 }
 

@@ -28,11 +28,11 @@ constexpr auto heard_fields = result::fields<H>({
     {"lift_off", "lift-off by the log's clock", u::s, 3, [](const H& h) { return value(h.known_lift_off_s()); },
      "by the log's clock; null where there is none, or where it lies in a gap"},
     {"detected_since_lift_off", "detected after lift-off", u::s, 3,
-     [](const H& h) { return value(h.since_lift_off_s(h.detected_s)); }, "from lift-off to its detection"},
+     [](const H& h) { return value(h.since_lift_off_s(h.detected_s)); }, "time from lift-off to its detection"},
     {"detected_before_lift_off", "detected before lift-off", u::none, 0,
      [](const H& h) { return Cell{std::uint64_t{h.false_detections_s.size()}}; },
-     "launches that were detected and were none"},
-    {"peak_axial", "hardest push", in_g, 2, [](const H& h) { return Cell{h.hardest.value}; },
+     "number of false launches that were detected before lift-off"},
+    {"peak_axial", "largest push", in_g, 2, [](const H& h) { return Cell{h.hardest.value}; },
      "largest axial specific force between lift-off and top speed"},
 });
 constexpr auto log_fields = result::fields<H>({
@@ -48,17 +48,17 @@ constexpr auto log_fields = result::fields<H>({
      "when control began before lift-off, or in a log without one"},
     {"disagreed_before_detection", "disagreed before detection", u::s, 3,
      [](const H& h) { return Cell{h.no_hold.in_all_s}; },
-     "for how long two accelerometers differed while the law listened"},
+     "how long two accelerometers differed while the law waited for the launch"},
     {"disagreed_before_control", "disagreed before control", u::s, 3,
      [](const H& h) { return Cell{h.no_control.in_all_s}; },
-     "for how long they differed beyond the guide, so that control did not begin"},
+     "how long they differed beyond the guide, so that control did not begin"},
     {"is_lower_bound", "lower bound", u::none, 0, &H::is_lower_bound,
      "whether the law's top speed, apogee and time of apogee are lower bounds"},
 });
 
 constexpr auto gap_fields = result::fields<Gap>({
-    {"from", "from", u::s, 3, &Gap::from_s, "last sample before it"},
-    {"to", "to", u::s, 3, &Gap::to_s, "first sample behind it"},
+    {"from", "from", u::s, 3, &Gap::from_s, "last sample before the gap"},
+    {"to", "to", u::s, 3, &Gap::to_s, "first sample after the gap"},
 });
 
 struct Entered : Event {
@@ -66,11 +66,13 @@ struct Entered : Event {
 };
 using E = Entered;
 constexpr auto phase_fields = result::fields<E>({
-    {"phase", "phase", u::none, 0, [](const E& e) { return Cell{std::string{core::name(e.to)}}; }, "what was entered"},
+    {"phase", "phase", u::none, 0, [](const E& e) { return Cell{std::string{core::name(e.to)}}; }, "phase that was "
+                                                                                                   "entered"},
     {"reason", "because", u::none, 0, [](const E& e) { return Cell{std::string{core::name(e.reason)}}; }, "why"},
     {"time", "log's clock", u::s, 3, [](const E& e) { return Cell{e.time_s}; }, "by the log's clock"},
     {"since_lift_off", "after lift-off", u::s, 3, &E::since_lift_off_s, "after lift-off, where that is known"},
-    {"height", "height", u::m, 1, [](const E& e) { return Cell{e.height_m}; }, "above the pad, as the law knew it"},
+    {"height", "height", u::m, 1, [](const E& e) { return Cell{e.height_m}; }, "above the pad, as the law estimated "
+                                                                               "it"},
     {"speed", "speed", u::m_s, 1, [](const E& e) { return Cell{e.speed_m_s}; }, "along the guide, likewise"},
     {"tilt", "tilt", u::deg, 1, [](const E& e) { return Cell{e.tilt_rad}; }, "likewise"},
 });
@@ -161,13 +163,13 @@ std::vector<result::Block> phase_blocks(const H& h) {
   const core::LaunchDetectionPlan& rule = h.flown.launch_detection;
   return {
       fmt::format(
-          "The plan detects a launch by {} g for {} s{}, with {}.",
+          "The plan detects a launch at {} g for {} s{}, with {}.",
           brief(static_cast<double>(rule.threshold_m_s2) / one_g_m_s2, 2),
           brief(static_cast<double>(core::seconds(rule.hold)), 3),
           rule.low_pass ? fmt::format(", low-passed at {} Hz", brief(static_cast<double>(rule.low_pass_hz), 1)) : "",
           rule.accelerometers == core::AccelerometerRule::two_agree ? "two accelerometers that agree"
                                                                     : "one accelerometer"),
-      read, "Height, speed and tilt are what the law knew at that moment."};
+      read, "Height, speed and tilt are the law's estimates at that moment."};
 }
 
 std::vector<result::Block> comparison(const H& h) {
@@ -179,7 +181,7 @@ std::vector<result::Block> comparison(const H& h) {
   const result::Figures log = result::figures("log_itself", log_of(h), side_fields);
   std::vector<result::Block> all{figures, result::beside({{"the law", law}, {"the log", log}})};
   if (h.is_lower_bound) {
-    all.emplace_back("What the law has of top speed, apogee and time of apogee is a lower bound.");
+    all.emplace_back("The law's top speed, apogee and time of apogee are lower bounds.");
   }
   all.emplace_back(lift_off_rule() +
                    " The log's apogee is where a running median of its height over 0.5 s is largest.");
@@ -213,10 +215,10 @@ std::string_view name_of(Finding finding) {
 
 std::string_view heading(Finding finding) {
   switch (finding) {
-    case Finding::heard: return "Heard";
-    case Finding::late: return "Late";
-    case Finding::imagined: return "Imagined";
-    case Finding::imagined_and_missed: return "Imagined, and the launch missed";
+    case Finding::heard: return "Detected in time";
+    case Finding::late: return "Detected late";
+    case Finding::imagined: return "False launch";
+    case Finding::imagined_and_missed: return "False launch, and the real one missed";
     case Finding::missed: return "Missed";
     case Finding::no_launch: break;
   }

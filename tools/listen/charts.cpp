@@ -110,7 +110,7 @@ result::Picture close_up(const Heard& heard, std::vector<page::Level> levels) {
                       .levels = std::move(levels),
                       .x_range = around_lift_off,
                       .least_left = 48.0},
-          "The same around lift-off."};
+          "Axial specific force around lift-off."};
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ namespace {
 std::string guess(double rest_g, const char* quantity) {
   constexpr double about = 0.3;
   const auto is = [&](double g) { return std::abs(rest_g - g) < about; };
-  return is(-1.0)  ? "its sign seems to be wrong (a minus before the column turns it around): "
-         : is(0.0) ? fmt::format("gravity seems not to be in it ({}_from_rest), or its unit is wrong: ", quantity)
-         : is(2.0) ? fmt::format("gravity seems to be in it twice ({0} instead of {0}_from_rest): ", quantity)
+  return is(-1.0)  ? "its sign seems to be wrong (a minus before the column reverses it): "
+         : is(0.0) ? fmt::format("it seems to lack gravity ({}_from_rest), or its unit is wrong: ", quantity)
+         : is(2.0) ? fmt::format("it seems to include gravity twice ({0} instead of {0}_from_rest): ", quantity)
                    : "";
 }
 
@@ -32,23 +32,23 @@ std::string axial_doubt(const Heard& heard, const Signal& axial, const char* wha
   }
   const double rest_g = rest->mean_m_s2 / one_g_m_s2;
   return fmt::format(
-      "{} {} reads {} g in the mean, where a rocket in its guide reads 1 g: {}is it the right axis, sign "
-      "and unit, and is gravity in it ({}) or not ({}_from_rest)?",
+      "{} {} reads {} g on average, and a rocket in its guide reads 1 g: {}check axis, sign and unit, and whether it "
+      "includes gravity ({}) or not ({}_from_rest).",
       rest->where, what, text::fixed(rest_g, 2), guess(rest_g, quantity), quantity, quantity);
 }
 
 // What the law refused because of it.
 std::string disagreement_doubt(const Heard& heard) {
   return is_refused_for_disagreement(heard)
-             ? disagreement_sentence(heard) + " Are both columns what they were said to be?"
+             ? disagreement_sentence(heard) + " Check the columns of both."
              : "";
 }
 
 std::string begin_doubt(const Heard& heard) {
   return heard.begins_at_lift_off()
              ? fmt::format(
-                   "The log begins above {} g, so its first sample counts as lift-off: nothing before it is "
-                   "known. Should it begin on the pad, the axial force is not what it was said to be.",
+                   "The log begins above {} g, so its first sample counts as lift-off: nothing before it is known. "
+                   "If the log begins on the pad, check the column of the axial force.",
                    lift_off_g)
              : "";
 }
@@ -56,8 +56,8 @@ std::string begin_doubt(const Heard& heard) {
 std::string end_doubt(const Heard& heard) {
   const auto after_s = heard.since_lift_off_s(heard.log.end_s());
   return after_s && *after_s < late_s ? fmt::format(
-                                            "The log ends {} s after lift-off: whether a flight followed is not "
-                                            "in it.",
+                                            "The log ends {} s after lift-off, so it does not show whether a flight "
+                                            "followed.",
                                             text::fixed(*after_s, 2))
                                       : "";
 }
@@ -65,15 +65,15 @@ std::string end_doubt(const Heard& heard) {
 std::string lift_off_gap_doubt(const Heard& heard) {
   if (heard.lift_off_gap) {
     return fmt::format(
-        "Lift-off lies in a gap of the log, from {:.3f} s to {:.3f} s of its clock, in which the law was given nothing "
-        "new: when it was, nobody knows.",
+        "Lift-off lies in a gap of the log, from {:.3f} s to {:.3f} s of its clock. Its time is unknown, and the law "
+        "received nothing new there.",
         heard.lift_off_gap->from_s, heard.lift_off_gap->to_s);
   }
   for (const Gap& gap : heard.gaps) {
     if (heard.lift_off_s && gap.to_s > *heard.lift_off_s && gap.from_s < *heard.lift_off_s + lift_off_window_s) {
       return fmt::format(
-          "A gap of the log begins {:.2f} s after lift-off, and the rule of lift-off takes the force to run straight "
-          "across it.",
+          "A gap of the log begins {:.2f} s after lift-off, and the rule of lift-off interpolates the force across "
+          "it.",
           gap.from_s - *heard.lift_off_s);
     }
   }
@@ -88,16 +88,15 @@ std::string silence_doubt(const Heard& heard) {
     for (const Gap& gap : heard.gaps) {
       if (is_silence && gap.from_s < event.time_s && event.time_s <= gap.to_s + 0.1) {
         return fmt::format(
-            "At {:.3f} s of the log's clock the law took its gyro for failed: the log has a gap there, from {:.3f} s "
-            "to {:.3f} s. "
-            "What it would have done without the gap, nobody knows.",
+            "At {:.3f} s of the log's clock the law judged its gyro as failed, because the log has a gap there, from "
+            "{:.3f} s to {:.3f} s. Its behaviour without the gap is unknown.",
             event.time_s, gap.from_s, gap.to_s);
       }
     }
     if (is_silence) {
       return fmt::format(
-          "At {:.3f} s of the log's clock the law took its gyro for failed: the log has no usable rate there. What it "
-          "would have done with one, nobody knows.",
+          "At {:.3f} s of the log's clock the law judged its gyro as failed, because the log has no usable rate "
+          "there. Its behaviour with one is unknown.",
           event.time_s);
     }
   }
@@ -109,8 +108,8 @@ std::string other_flight_doubt(const Heard& heard) {
   const auto did_s = heard.control ? std::optional{heard.control->time_s} : heard.detected_s;
   return !heard.further_lift_offs_s.empty() && did_s >= heard.further_lift_offs_s.front()
              ? fmt::format(
-                   "What the law heard comes after the push that begins at {} s of the log's clock: if that is another "
-                   "launch, the figures are of that one, and the first was not followed.",
+                   "The law reacted after the push that begins at {} s of the log's clock. If that is another "
+                   "launch, the figures belong to it, and the first flight was not followed.",
                    text::fixed(heard.further_lift_offs_s.front(), 2))
              : "";
 }
@@ -130,9 +129,9 @@ std::string pad_doubt(const Heard& heard) {
     from_s = off_s > 0.0 ? from_s : axial.time_s[i];
     if (off_s > longest_s) {
       return fmt::format(
-          "From {:.2f} s of the log's clock on, before lift-off, the axial force is not between {} and {} g for more "
-          "than {} s: is that a "
-          "launch that pushed too weakly for the rule of lift-off, and what follows the shock of its parachute?",
+          "From {:.2f} s of the log's clock on, before lift-off, the axial force is outside {} to {} g for more than "
+          "{} s. This may be a launch too weak for the rule of lift-off, and the later push the shock of its "
+          "parachute.",
           from_s, least_g, most_g, longest_s);
     }
   }
@@ -154,9 +153,8 @@ std::string flown_doubt(const Heard& heard) {
   }
   return rise_m < least_m ? ""
                           : fmt::format(
-                                "The log's own height rises by {} m: was that a launch that pushed too weakly for the "
-                                "rule of lift-off, or "
-                                "is the axial force not what it was said to be?",
+                                "The log's own height rises by {} m. Either a launch was too weak for the rule of "
+                                "lift-off, or the column of the axial force is wrong.",
                                 text::fixed(rise_m, 0));
 }
 
@@ -174,9 +172,8 @@ std::string height_doubt(const Heard& heard) {
   };
   if (std::ranges::none_of(height.time_s, is_early) && heard.log.end_s() >= *heard.lift_off_s + enough_s) {
     return fmt::format(
-        "The log's own height has no sample in the {} s after lift-off, and is left out: is it on the same clock, and "
-        "in the same unit of "
-        "time?",
+        "The log's own height has no sample in the {} s after lift-off and is left out: check its clock and its unit "
+        "of time.",
         after_s);
   }
   if (height.time_s.back() < *heard.lift_off_s + enough_s) {
@@ -190,8 +187,8 @@ std::string height_doubt(const Heard& heard) {
   }
   return rise_m >= least_m ? ""
                            : fmt::format(
-                                 "The log's own height rises by no more than {} m in the {} s after lift-off: was it a "
-                                 "flight, and is the height what it was said to be?",
+                                 "The log's own height rises by no more than {} m in the {} s after lift-off. Check "
+                                 "that this was a flight, and the column of the height.",
                                  text::fixed(rise_m, 1), after_s);
 }
 
@@ -208,16 +205,17 @@ std::string apogee_doubt(const Heard& heard) {
   }
   const bool like_feet = law_m > 0.0 && log_m > 2.5 * law_m && log_m < 4.0 * law_m;
   return fmt::format(
-      "Up to apogee the log's own height gains {} m, and that of the law {} m, more than {} times apart: is the height "
-      "in the unit that was stated{}, and are axial force and rates?",
+      "Up to apogee the log's own height gains {} m and the law's height {} m, a difference of more than a factor of "
+      "{}. Check the unit of the height{}, and those of axial force and rates.",
       text::fixed(log_m, 0), text::fixed(law_m, 0), most_times,
-      like_feet ? " (feet given as metres read 3.3 times too much)" : "");
+      like_feet ? " (feet given as metres read 3.3 times too high)" : "");
 }
 
 std::string interval_doubt(const Heard& heard) {
   constexpr double much_s = 0.25 * (1.0 - 1e-6);  // times of a log's clock are rounded
   return heard.log.interval_s >= much_s
-             ? "A quarter of a second and more between samples is much for a flight; is time in milliseconds?"
+             ? "Samples are a quarter of a second or more apart, which is long for a flight: the time may be in "
+               "milliseconds."
              : "";
 }
 

@@ -174,7 +174,7 @@ void find_clipped(Heard& heard) {
 Heard fly_log(ImuLog log, const Question& question, const Watch& watch) {
   if (question.plan.run.start != core::Start::launch) {
     throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("the plan {} begins on command, in the tunnel; a plan that listens for a launch is "
+                      fmt::format("the plan {} begins on command, in the tunnel; a plan that waits for a launch is "
                                   "needed (run.start = \"launch\")",
                                   question.plan_name)};
   }

@@ -12,7 +12,7 @@
 
 namespace fantail::listen {
 
-/// A phase that the law entered. Times are the log's clock; height, speed and tilt what the law knew then.
+/// A phase that the law entered. Times are the log's clock; height, speed and tilt the law's estimates then.
 struct Event {
   double time_s = 0.0;
   core::Phase to{};

@@ -36,7 +36,7 @@ constexpr std::array places{
 
 void require(const flight::Table& table, const Sources& sources, Quantity quantity, const char* what) {
   if (files::find(sources, quantity) == nullptr) {
-    text::refuse(fmt::format("{}: nobody said which column is the {}: --columns {}=COLUMN:UNIT", table.name(), what,
+    text::refuse(fmt::format("{}: the column of the {} is missing; name it with --columns {}=COLUMN:UNIT", table.name(), what,
                              files::known(quantity).name));
   }
 }
@@ -68,7 +68,7 @@ void read_signals(ImuLog& log, const flight::Table& table, const Sources& source
     }
     const files::Rows::Lost& lost = rows.lost[i + 1];
     if (lost.empty + lost.words > 0 && signal.is_there()) {
-      notes.push_back(fmt::format("{} of {} cells of {} are no numbers, the first in {}; they count as not sampled.",
+      notes.push_back(fmt::format("{} of {} cells of {} are not numbers, the first in {}; they count as not sampled.",
                                   lost.empty + lost.words, rows.read, read[i].second->column,
                                   table.place(lost.first_row)));
     }
@@ -87,7 +87,7 @@ std::string in_a_row(const std::vector<std::string>& words) {
 void note_what_is_missing(ImuLog& log) {
   const auto missing = [&](const Signal& signal) { return !signal.is_there(); };
   if (missing(log.lateral_y) || missing(log.lateral_z)) {
-    log.notes.push_back(fmt::format("Specific force along {} is not in the log; it is taken as 0.",
+    log.notes.push_back(fmt::format("Specific force along {} is not in the log; it is assumed to be 0.",
                                     !missing(log.lateral_y)   ? "z"
                                     : !missing(log.lateral_z) ? "y"
                                                               : "y and z, the sides,"));
@@ -102,9 +102,9 @@ void note_what_is_missing(ImuLog& log) {
   if (!rates.empty()) {
     const bool one = rates.size() == 1;
     log.notes.push_back(
-        fmt::format("The {} of {} {} not in the log; {} taken as 0{}.", one ? "rate" : "rates", in_a_row(rates),
+        fmt::format("The {} of {} {} not in the log; {} assumed to be 0{}.", one ? "rate" : "rates", in_a_row(rates),
                     one ? "is" : "are", one ? "it is" : "they are",
-                    knows_tilt(log) ? "" : ", so the rocket is taken to keep the direction of its guide"));
+                    knows_tilt(log) ? "" : ", so the rocket is assumed to keep the direction of its guide"));
   }
 }
 
@@ -123,9 +123,8 @@ std::string merging(const ImuLog& log) {
     motion_s = std::max(motion_s, is_motion ? longest_interval_s(log.*place.signal) : 0.0);
   }
   return fmt::format(
-      "Motion and height were logged apart and are merged, each sample at its own time. The largest gap is {:.4g} ms "
-      "in "
-      "the motion and {:.4g} ms in the height.",
+      "Motion and height were logged separately and are merged, each sample at its own time. The largest gap is "
+      "{:.4g} ms in the motion and {:.4g} ms in the height.",
       1e3 * motion_s, 1e3 * longest_interval_s(log.height));
 }
 
@@ -139,7 +138,7 @@ void refuse_few_samples(const ImuLog& log) {
 void refuse_unlikely_time(const ImuLog& log, const Sources& sources) {
   const files::Source& time = *files::find(sources, Quantity::time);
   const auto doubt_unit = [&](const std::string& what) {
-    text::refuse(fmt::format("{}: {}; is the time {} really in {}?", log.name, what, time.column,
+    text::refuse(fmt::format("{}: {}; check that the time {} is in {}", log.name, what, time.column,
                              time.unit == nullptr ? "s" : time.unit->name));
   };
   const double long_s = log.end_s() - log.begin_s();

@@ -43,7 +43,7 @@ PageFolder page_folder(const fs::path& under, const fs::path& log) {
     }
     if (place.remark.empty()) {
       place.remark = fmt::format("{} has the page of {}, which is not overwritten.", place.folder.string(),
-                                 other.empty() ? "a file that it does not name" : "another file, " + other);
+                                 other.empty() ? "an unnamed file" : "another file, " + other);
     }
     place.folder = under / fmt::format("{}_{}", name, number);
   }

@@ -24,15 +24,15 @@ std::string rate_sentence(const Heard& heard) {
   constexpr double law_tick_s = 1e-3;
   const bool is_faster = heard.log.interval_s < law_tick_s * (1.0 - 1e-6);
   return fmt::format(
-      "The log's usual interval {}is {} ms ({} samples a second). Between two samples every value runs in a straight "
-      "line, on which the law was flown 1000 times a second: {}",
+      "The log's usual interval {}is {} ms ({} samples a second). Values between two samples are interpolated "
+      "linearly, and the law ran on them 1000 times a second. {}",
       heard.lift_off_s ? "around lift-off " : "", in_ms(heard.log.interval_s),
       text::brief(1.0 / heard.log.interval_s, 1),
       is_faster
-          ? "the log is faster than that, and the law was given only what the line reads at its ticks. Nothing is "
-            "averaged, so that it may have missed what comes and goes between two of them, and took motion faster "
-            "than 500 Hz for slower motion."
-          : "faster motion than the log's is not in it.");
+          ? "The log is faster than that, and the law received only the interpolated value at each of its ticks. "
+            "Nothing is averaged: short events between two ticks may be missed, and motion faster than 500 Hz looks "
+            "slower."
+          : "Motion faster than the log's rate is not included.");
 }
 
 // What a log of minutes under a parachute lacks behind apogee is nobody's concern.
@@ -61,7 +61,7 @@ std::string gap_sentence(const Heard& heard) {
     return {};
   }
   const std::string longer =
-      fmt::format("longer than the {} ms that are bridged by a straight line", in_ms(heard.longest_bridge_s));
+      fmt::format("longer than the {} ms that are interpolated", in_ms(heard.longest_bridge_s));
   const std::string all =
       heard.gaps.size() == 1 ? "One gap of the log is" : fmt::format("{} gaps of the log are", heard.gaps.size());
   if (flown.empty()) {
@@ -69,8 +69,8 @@ std::string gap_sentence(const Heard& heard) {
   }
   const auto longest = std::ranges::max_element(flown, {}, [](const Gap& gap) { return gap.to_s - gap.from_s; });
   return fmt::format(
-      "{} {}{}. There the law was given its old samples, which are stale after {} ms. The longest of these is from "
-      "{:.3f} s to {:.3f} s of the log's clock.",
+      "{} {}{}. There the law received its old samples, which go stale after {} ms. The longest of these gaps is "
+      "from {:.3f} s to {:.3f} s of the log's clock.",
       all, longer,
       flown.size() == heard.gaps.size()
           ? ""
@@ -82,15 +82,13 @@ std::string gap_sentence(const Heard& heard) {
 std::string second_sentence(const Heard& heard) {
   const bool two = heard.flown.launch_detection.accelerometers == core::AccelerometerRule::two_agree;
   if (heard.log.second_axial.is_there()) {
-    return two ? "Two accelerometers of the log were given to the law, which asks for two that agree; what they read "
-                 "to "
-                 "the sides was taken from the first."
-               : "The plan asks for one accelerometer; the second of the log stands in where the first is at the end "
-                 "of "
-                 "its range.";
+    return two ? "The plan asks for two accelerometers that agree, and the law received both of the log's. Lateral "
+                 "readings are those of the first."
+               : "The plan asks for one accelerometer. The log's second one replaces the first where that is at the "
+                 "end of its range.";
   }
-  return two ? "The plan asks for two accelerometers that agree and the log has one: the law was given its samples as "
-               "both, so nothing is said of how two real ones agree."
+  return two ? "The plan asks for two accelerometers that agree, and the log has one. The law received its samples "
+               "as both, so this run does not show how well two real ones agree."
              : "";
 }
 
@@ -100,7 +98,7 @@ std::string why_no_rest(const Heard& heard) {
   for (const auto& [what, signal] : {std::pair{"roll", &heard.log.roll_rate}, std::pair{"pitch", &heard.log.pitch_rate},
                                      std::pair{"yaw", &heard.log.yaw_rate}}) {
     if (const auto mean = pad_mean(heard, *signal); mean && std::abs(*mean) > quiet_rad_s) {
-      return fmt::format(" On the pad the gyro says {} deg/s of {}, beyond the plan's quiet rate of {} deg/s.",
+      return fmt::format(" On the pad the gyro reads {} deg/s in {}, more than the plan's quiet rate of {} deg/s.",
                          text::brief(text::degrees(*mean), 1), what, text::brief(text::degrees(quiet_rad_s), 2));
     }
   }
@@ -111,17 +109,17 @@ std::string pad_sentence(const Heard& heard, const Question& question) {
   const bool has_mean = heard.lift_off_s && heard.log.begin_s() < *heard.lift_off_s - 0.1;
   const std::string padded =
       question.pad_s > 0.0
-          ? fmt::format("The rocket was taken to stand still for {} s before the log, at {}.",
+          ? fmt::format("The rocket was assumed to stand still for {} s before the log begins, with {}.",
                         text::brief(question.pad_s, 3),
-                        has_mean ? "the mean of what it reads up to 0.1 s before lift-off" : "what it reads first")
+                        has_mean ? "its mean readings up to 0.1 s before lift-off" : "its first readings")
           : "";
   if (heard.longest_rest_s >= law_pad_window_s) {
     return padded;
   }
   return padded + (padded.empty() ? "" : " ") +
          fmt::format(
-             "The law saw the rocket at rest for {} s at the longest before lift-off, less than the {} "
-             "s of its average on the pad: it took the guide as upright and the gyro as without offset.",
+             "Before lift-off the law found the rocket at rest for {} s at most, less than the {} s that its average "
+             "on the pad needs. It assumed an upright guide and a gyro without offset.",
              text::fixed(heard.longest_rest_s, 2), law_pad_window_s) +
          why_no_rest(heard);
 }
@@ -142,8 +140,7 @@ std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
   }
   if (clipped.what == "axial") {
     return sentence +
-           ". The rocket slowed down more than that, so that the law's speed and height are too large from "
-           "there on.";
+           ". The rocket slowed down more than that, so the law's speed and height are too large from there on.";
   }
   return sentence + (is_rate ? ": angles that follow from it are too small." : ".");
 }
@@ -154,8 +151,7 @@ std::string unbelievable_sentence(const Heard& heard) {
   });
   return beyond == 0 ? ""
                      : fmt::format(
-                           "{} samples of the axial force are beyond {} m/s2, which the law does not believe of "
-                           "any sensor.",
+                           "{} samples of the axial force are beyond {} m/s2, which the law rejects from any sensor.",
                            beyond, core::largest_specific_force_m_s2);
 }
 
@@ -179,23 +175,23 @@ std::string disagreement_sentence(const Heard& heard) {
     const auto& gap = heard.lift_off_gap;
     const bool in_time = heard.detected_s && *heard.detected_s <= listened_until_s(heard);
     refused.push_back(fmt::format(
-        "for {} ms {}{} (there first at {:.3f} s of the log's clock), and each time the law began its hold again",
+        "for {} ms {}{} (first at {:.3f} s of the log's clock), and each time the law restarted its hold time",
         in_ms(no_hold.in_all_s),
         in_time ? "between "
-        : gap   ? "up to a second behind "
+        : gap   ? "up to a second after "
                 : "in the second after ",
         std::string{gap ? "the gap of lift-off" : "lift-off"} + (in_time ? " and the detection" : ""),
         no_hold.first_s));
   }
   if (no_control.in_all_s > 0.0) {
     refused.push_back(fmt::format(
-        "less than a quarter of a second before the law took the rocket to be beyond its guide, or then, so that it "
-        "began no control for {} ms, from {:.3f} s on",
+        "within a quarter of a second before the law assumed the rocket to be beyond its guide, or at that time, so "
+        "control did not begin for {} ms, from {:.3f} s on",
         in_ms(no_control.in_all_s), no_control.first_s));
   }
   return fmt::format("The two accelerometers differed by more than the plan's {} g{}: {}.",
                      text::brief(static_cast<double>(rule.disagreement_m_s2) / one_g_m_s2, 2),
-                     rule.low_pass ? fmt::format(" behind its low-pass of {} Hz",
+                     rule.low_pass ? fmt::format(" after its low-pass of {} Hz",
                                                  text::brief(static_cast<double>(rule.low_pass_hz), 1))
                                    : "",
                      fmt::join(refused, "; "));

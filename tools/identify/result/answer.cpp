@@ -129,9 +129,9 @@ output::Section frequency(const FrequencyResponse& response) {
   if (!response.lines.empty()) {
     section.blocks.emplace_back(instrument_sentence(response));
     section.blocks.emplace_back(fmt::format(
-        "Welch's method: {} segments of {} s that overlap by half, Hann's window. Nothing is drawn where the coherence "
-        "is below {}. The model's curve is computed in the same way from the modelled roll rate, so a speed that "
-        "changes within the window acts on both alike.",
+        "Welch's method: {} segments of {} s that overlap by half, Hann's window. Nothing is drawn where the "
+        "coherence is below {}. The model's curve is computed in the same way from the modelled roll rate, so a "
+        "changing speed affects both alike.",
         response.segments, text::brief(response.segment_s, 2), text::fixed(least_coherence, 1)));
     add_frequency(section.blocks, response);
   }
@@ -160,8 +160,7 @@ void add_window(output::Document& document, const Study& study, const WindowFind
   if (main.uncertainty) {
     sections.push_back(
         {"How well each number is known",
-         {"If the model is right and the residual is typical, such a range contains the true value in 95 of "
-          "100 cases.",
+         {"If the model is right and the residual is typical, each range contains the true value in 95 of 100 cases.",
           output::Sentences{.all = precision_sentences(main)}},
          files});
   }
@@ -201,9 +200,8 @@ void add_results(output::Document& document, const Study& study) {
         model_table(found.size() == 1 ? "model" : fmt::format("model_{}", i + 1), f.window.record, f.result));
     if (!f.result.node_trials.empty()) {
       document.sections.push_back({fmt::format("How many nodes ({})", name(f.result.method)),
-                                   {"More intervals always fit better. The fewest are chosen whose error is within 10 "
-                                    "% or 0.01 deg of the least "
-                                    "error.",
+                                   {"More intervals always fit better. The smallest number is chosen whose error is "
+                                    "within 10 % or 0.01 deg of the least error.",
                                     trial_table(key_in(place, "node_curve"), f.result), node_picture(f.result)}});
     }
   }
@@ -217,7 +215,7 @@ output::Verdict verdict_of(const WindowFindings& window) {
     return {.answer = undecided, .heading = "This window does not determine both damping and torque", .sentence = said};
   }
   if (const auto doubt = misfit(window.record, result)) {
-    return {.answer = undecided, .heading = "Damping and torque, but the model does not fit well", .sentence = *doubt};
+    return {.answer = undecided, .heading = "Damping and torque are found, but the model does not fit well", .sentence = *doubt};
   }
   return {.answer = yes, .heading = "This window determines damping and torque", .sentence = said};
 }

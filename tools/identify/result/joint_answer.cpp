@@ -25,7 +25,7 @@ std::string heading_of(const J& f) {
   if (!f.determines_both()) {
     return "Together these windows do not determine both damping and torque";
   }
-  return f.are_of_one_rocket() ? "These windows have one damping and one torque in common"
+  return f.are_of_one_rocket() ? "These windows agree on one damping and one torque"
                                : "These windows disagree about damping and torque";
 }
 
@@ -49,16 +49,17 @@ constexpr auto joint_fields = output::fields<J>({
     {"alpha_beta_correlation", "their correlation", u::none, 2, [](const J& f) { return Cell{correlation(f)}; },
      "correlation of the two"},
     {"degrees_of_freedom", "degrees of freedom", u::none, 0,
-     [](const J& f) { return Cell{f.together.degrees_of_freedom}; }, "of Student's distribution behind the intervals"},
+     [](const J& f) { return Cell{f.together.degrees_of_freedom}; }, "of the Student distribution used for the "
+                                                                     "intervals"},
     {"alpha_interval", "95 % of alpha", u::m2, 4, [](const J& f) { return Cell{interval_of(f.together, 0)}; },
      "95 % interval of alpha"},
     {"beta_interval", "95 % of beta", u::m, 4, [](const J& f) { return Cell{interval_of(f.together, 1)}; },
      "95 % interval of beta"},
     {"chi_square", "chi-square", u::none, 1, [](const J& f) { return Cell{f.agreement.chi_square}; },
-     "how far the windows, each by itself, are from their common mean"},
+     "distance of the windows, each fitted alone, from their common mean"},
     {"chi_square_limit", "95 % below", u::none, 1, [](const J& f) { return Cell{f.agreement.limit}; },
      "windows of one rocket are below it in 95 of 100 cases"},
-    {"agree", "agree", u::none, 0, [](const J& f) { return Cell{f.agreement.agree()}; }, "whether they are"},
+    {"agree", "agree", u::none, 0, [](const J& f) { return Cell{f.agreement.agree()}; }, "whether they agree"},
     {"verdict", "verdict", u::none, 0, [](const J& f) { return Cell{heading_of(f)}; }, "the heading of the answer"},
     {"inertia", "roll inertia", kg_m2, 5, [](const J& f) { return Cell{f.airframe.inertia_kg_m2}; },
      "roll inertia of the first window"},
@@ -77,14 +78,14 @@ Cell own_interval(const W& w) {
 constexpr auto window_fields = output::fields<W>({
     {"data", "log", u::none, 0, &W::data, "the log"},
     {"window", "window", u::none, 0, [](const W& w) { return Cell{w.window.record.window}; },
-     "the window as it was asked for"},
+     "the window as requested"},
     {"samples", "samples", u::none, 0, [](const W& w) { return Cell{std::uint64_t{w.own.samples}}; },
      "samples in the window"},
-    {"information", "share of what is known", u::share, 0, &W::information_share,
-     "share of all that is known of alpha and beta that is from this window"},
+    {"information", "share of the information", u::share, 0, &W::information_share,
+     "share of the information on alpha and beta that this window gives"},
     {"mean_abs_angle_error", "mean angle error in common", u::deg, 3,
      [](const W& w) { return Cell{w.window.results.front().simulation.mean_abs_angle_error_rad}; },
-     "mean distance of the modelled roll angle from the measured one, with the common alpha and beta"},
+     "mean absolute difference of modelled and measured roll angle, with the common alpha and beta"},
     {"own_alpha", "alpha by itself", u::m2, 4, own<0>, "damping of the window by itself"},
     {"own_alpha_interval", "95 % of alpha", u::m2, 4, own_interval<0>, "its 95 % interval; null: an open end"},
     {"own_beta", "beta by itself", u::m, 4, own<1>, "canard torque of the window by itself"},
@@ -95,20 +96,20 @@ constexpr auto window_fields = output::fields<W>({
 });
 
 std::string difference_sentence(const J& f) {
-  const std::string figures = fmt::format("chi-square {}; of windows of one rocket 95 in 100 stay below {}",
+  const std::string figures = fmt::format("chi-square {}; 95 % of windows of one rocket stay below {}",
                                           fixed(f.agreement.chi_square, 1), fixed(f.agreement.limit, 1));
   if (f.agreement.agree()) {
-    return fmt::format("By themselves the windows differ no more than their noise explains ({}).", figures);
+    return fmt::format("Fitted separately, the windows differ no more than their noise explains ({}).", figures);
   }
   const std::string more =
-      fmt::format("By themselves the windows differ by more than their noise explains ({})", figures);
+      fmt::format("Fitted separately, the windows differ by more than their noise explains ({})", figures);
   return f.are_of_one_rocket()
              ? fmt::format(
                    "{}, but no alpha or beta by more than {} % from the common one. The common intervals do not "
                    "cover that difference.",
                    more, brief(100.0 * f.largest_difference(), 2))
              : more +
-                   ": the rocket, the air or a sensor was not the same, or the model lacks something. The common "
+                   ": the rocket, the air or a sensor was not the same, or the model is incomplete. The common "
                    "intervals do not cover that.";
 }
 
@@ -120,7 +121,7 @@ std::vector<std::string> conclusions(const J& f) {
   }
   for (const W& window : f.windows) {
     if (window.information_share >= nearly_all) {
-      all.push_back(fmt::format("{} % of what is known of alpha and beta is from {}; the others hardly count.",
+      all.push_back(fmt::format("{} % of the information on alpha and beta comes from {}; the others hardly count.",
                                 fixed(100.0 * window.information_share, 0), name(window)));
     }
   }

@@ -32,7 +32,7 @@ json::Value read(const std::filesystem::path& file) {
   try {
     return json::parse(*content);
   } catch (const json::Error& error) {
-    refuse(file, fmt::format("no JSON: {}", error.what()));
+    refuse(file, fmt::format("not JSON: {}", error.what()));
   }
 }
 
@@ -63,12 +63,12 @@ KnownModel read_model(const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::is_directory(path, ignored) ? path / "identification.json" : path;
   const json::Value model = read(file);
   if (!model.is_object()) {
-    refuse(file, "no identification: not a JSON object");
+    refuse(file, "not an identification: it is not a JSON object");
   }
   if (model.contains("results")) {
     refuse(file,
-           "several results, so that it is not known which one to take; identify one window with one method, or "
-           "windows together with --shared alpha,beta");
+           "it has several results, and one is needed; identify one window with one method, or windows together with "
+           "--shared alpha,beta");
   }
   KnownModel known{.source = path.string()};
   known.constants.value = {above_zero(file, model, "alpha_m2"), above_zero(file, model, "beta_m")};

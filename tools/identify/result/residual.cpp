@@ -215,7 +215,7 @@ std::optional<std::string> misfit(const Record& record, const Identification& re
   }
   const double strength = std::sqrt(mean_square(residual));
   return fmt::format(
-      "The model does not fit this log well: the residual of the roll rate, {} deg/s RMS, is motion and not noise. The "
+      "The model does not fit this log well. The residual of the roll rate, {} deg/s RMS, is motion, not noise. The "
       "intervals do not include this error. {}More nodes, another window or {} may help.",
       text::brief(text::degrees(strength), 2),
       is_refuted(record, result) ? "Check units and signs of the columns first. " : "",

@@ -119,13 +119,13 @@ std::string verdict(const Uncertainty& u, const RollModel& model, bool excited) 
   if (*u.interval[1].high < 0.0) {
     return fmt::format(
         "beta is negative, {} m, with a 95 % interval of {} to {} m: positive canard angles turn this rocket in the "
-        "negative direction, so the canard column most likely has the opposite sign; change its sign, and check that "
-        "of the roll rate",
+        "negative direction. The canard column most likely has the opposite sign; change it, and check that of the "
+        "roll rate",
         constant_text(model.beta_m), constant_text(*u.interval[1].low), constant_text(*u.interval[1].high));
   }
   const std::string cause =
       excited ? "too little excitation for the noise and length of this window"
-              : "no excitation, the canards did no more than the nodes of the disturbance could have done";
+              : "no excitation, the effect of the canards cannot be told apart from the disturbance";
   const std::string who = u.alpha_identifiable ? "beta is" : u.beta_identifiable ? "alpha is" : "alpha and beta are";
   return who + " not identifiable from this window: " + cause;
 }

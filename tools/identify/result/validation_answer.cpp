@@ -40,7 +40,7 @@ constexpr auto held_fields = output::fields<H>({
     {"beta", "torque constant beta", u::m, 4, [](const H& h) { return Cell{h.beta_m}; }, "canard torque"},
     {"rms_angle_error", "angle error, rms", u::deg, 3,
      [](const H& h) { return Cell{rms(h.record.roll_angle_rad, h.result.simulation.roll_angle_rad)}; },
-     "root mean square of the modelled roll angle's distance from the measured one"},
+     "root mean square difference of modelled and measured roll angle"},
     {"rms_rate_error", "rate error, rms", u::deg_s, 2,
      [](const H& h) { return Cell{rms(h.record.roll_rate_rad_s, h.result.simulation.roll_rate_rad_s)}; },
      "the same of the roll rate"},
@@ -57,17 +57,17 @@ struct Window {
 using W = Window;
 constexpr auto window_fields = output::fields<W>({
     {"window", "window", u::none, 0, [](const W& w) { return Cell{w.window.window.record.window}; },
-     "the window as it was asked for"},
+     "the window as requested"},
     {"samples", "samples", u::none, 0, [](const W& w) { return Cell{std::uint64_t{w.window.window.record.size()}}; },
      "samples in the window"},
     {"own_alpha_interval", "95 % of its own alpha", u::m2, 4,
-     [](const W& w) { return Cell{interval_of(w.window.own, 0)}; }, "95 % interval of what the window says by itself"},
+     [](const W& w) { return Cell{interval_of(w.window.own, 0)}; }, "95 % interval from a fit to this window alone"},
     {"own_beta_interval", "95 % of its own beta", u::m, 4,
      [](const W& w) { return Cell{interval_of(w.window.own, 1)}; }, "likewise"},
     {"chi_square", "chi-square", u::none, 1, [](const W& w) { return Cell{w.window.agreement.chi_square}; },
-     "how far the model is from what the window says by itself"},
+     "distance of the model from a fit to this window alone"},
     {"chi_square_limit", "95 % below", u::none, 1, [](const W& w) { return Cell{w.window.agreement.limit}; },
-     "models that are right are below it in 95 of 100 cases"},
+     "correct models are below it in 95 of 100 cases"},
     {"can_tell", "the window can tell", u::none, 0, [](const W& w) { return Cell{w.window.can_tell()}; },
      "whether the window determines alpha and beta"},
     {"holds", "the model holds", u::none, 0,
@@ -87,14 +87,14 @@ constexpr auto model_fields = output::fields<V>({
      "canard torque of the model"},
     {"model_uncertainty_known", "its uncertainty is known", u::none, 0,
      [](const V& v) { return Cell{v.model.covariance_is_known}; },
-     "whether its file says how well it is known; else it is taken for exact"},
+     "whether its file states its uncertainty; else it is assumed to be exact"},
     {"reference_area", "reference area", u::m2, 7, [](const V& v) { return Cell{v.airframe.reference_area_m2}; },
      "reference area of the log's rocket, which the model is converted to"},
     {"inertia", "roll inertia", kg_m2, 5, [](const V& v) { return Cell{v.airframe.inertia_kg_m2}; }, "roll inertia"},
 });
 
 std::string heading(const ValidatedWindow& window) {
-  return !window.can_tell() ? "This window cannot tell"
+  return !window.can_tell() ? "This window cannot decide"
          : window.holds()   ? "The model holds"
                             : "The model does not hold";
 }
@@ -107,7 +107,8 @@ output::Verdict verdict_of(const V& v) {
   output::Verdict said{.answer = good   ? yes
                                  : told ? no
                                         : undecided,
-                       .heading = good ? "The model holds in all windows" : "The model does not hold in all windows",
+                       .heading = good ? "The model holds in all windows" : "The model is not confirmed in all "
+                                                                            "windows",
                        .sentence = ""};
   if (v.windows.size() == 1) {
     said.heading = heading(v.windows.front());
@@ -136,8 +137,7 @@ void add_window(output::Document& document, const V& v, const ValidatedWindow& w
   }
   blocks.emplace_back(output::beside({{"the model", held}, {"by itself", own}}));
   blocks.emplace_back(
-      "\u00b1: standard deviation. By itself: what this window says when alpha and beta are fitted to it, "
-      "too.");
+      "\u00b1: standard deviation. By itself: alpha and beta are fitted to this window, too.");
   add_motion(blocks, found);
   add_residuals(blocks, found);
   blocks.emplace_back(output::Sentences{place + ".remarks", remarks(found, window.own)});
@@ -163,15 +163,16 @@ double explained_share(const model::Record& record, const model::Simulation& sim
 }
 
 std::string verdict(const Validation& v, const ValidatedWindow& window) {
-  const std::string difference = fmt::format("its alpha and beta are up to {} % from what this window says by itself",
+  const std::string difference = fmt::format("its alpha and beta differ by up to {} % from a fit to this window alone",
                                              brief(100.0 * window.largest_difference(), 2));
-  const std::string figures = fmt::format("chi-square {}; of models that are right 95 in 100 stay below {}",
+  const std::string figures = fmt::format("chi-square {}; 95 % of correct models stay below {}",
                                           fixed(window.agreement.chi_square, 1), fixed(window.agreement.limit, 1));
   if (!window.can_tell()) {
-    return fmt::format("This window cannot tell whether the model holds: {}.", window.own.uncertainty->verdict);
+    return fmt::format("This window cannot decide whether the model holds: {}.", window.own.uncertainty->verdict);
   }
   const std::string doubt =
-      v.model.covariance_is_known ? "" : " The file does not say how well its model is known; it was taken for exact.";
+      v.model.covariance_is_known ? "" : " The file does not state the uncertainty of its model, which was assumed "
+                                         "to be exact.";
   if (window.agreement.agree()) {
     return fmt::format("The model holds: {}, no more than noise explains ({}).{}", difference, figures, doubt);
   }
@@ -187,7 +188,7 @@ std::vector<output::Listed> listed_validation() {
 output::Document answer(const V& v, const output::Made& made) {
   output::Document document{.kind = "validation report",
                             .title = v.data,
-                            .subtitle = fmt::format("the model of {} held against it; {}", v.model.source, v.vehicle),
+                            .subtitle = fmt::format("validation of the model of {}; {}", v.model.source, v.vehicle),
                             .verdict = verdict_of(v),
                             .facts = {{"data", "", v.data},
                                       {"model", "", v.model.source},

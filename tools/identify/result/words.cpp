@@ -102,7 +102,7 @@ std::string precision_sentence(const Identification& result, std::size_t number)
   const Interval& interval = interval_of(result, number);
   std::string range = interval_text(interval, angle ? degrees(1.0) : 1.0);
   if (!interval.low || !interval.high) {
-    return fmt::format("{} is estimated at {} {}, but the data do not bound it on both sides: {}.", who,
+    return fmt::format("{} is estimated at {} {}, but the data bound it on one side at most: {}.", who,
                        angle ? text::brief(degrees(value), 2) : constant_text(value), unit, range);
   }
   const double half = 0.5 * (*interval.high - *interval.low);
@@ -137,22 +137,22 @@ std::vector<std::string> precision_sentences(const Identification& result) {
   const std::string worth = worth_text(u.effective_samples);
   if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
     all.push_back(
-        fmt::format("The residual, {} deg RMS, is hardly correlated: the {} samples tell alpha and beta as well as "
-                    "about {} independent ones.",
+        fmt::format("The residual, {} deg RMS, is hardly correlated. The {} samples determine alpha and beta as well "
+                    "as about {} independent ones.",
                     strength, result.samples, worth));
   } else if (u.effective_samples < 2.0 * static_cast<double>(u.interval.size())) {
     all.push_back(
-        fmt::format("The residual, {} deg RMS, is correlated over {} s: the {} samples average hardly anything out and "
-                    "determine alpha and beta only as well as {} independent {}. The intervals include that{}.",
+        fmt::format("The residual, {} deg RMS, is correlated over {} s. The {} samples determine alpha and beta only "
+                    "as well as {} independent {}. The intervals include that{}.",
                     strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
                     worth == "1" || u.effective_samples < 1.0 ? "sample would" : "samples would",
                     u.alpha_identifiable && u.beta_identifiable
-                        ? "; they are as narrow as they are because the residual is small beside the motion"
+                        ? "; they are narrow because the residual is small compared with the motion"
                         : ""));
   } else {
     all.push_back(fmt::format(
-        "The residual, {} deg RMS, is correlated over {} s: the {} samples determine alpha and beta as well as {} "
-        "independent samples would. Faster sampling would not help; a longer window or more canard motion would.",
+        "The residual, {} deg RMS, is correlated over {} s. The {} samples determine alpha and beta as well as {} "
+        "independent samples would. A longer window or more canard motion would help; faster sampling would not.",
         strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth));
   }
   return all;
@@ -190,8 +190,7 @@ std::string frequency_sentence(const FrequencyResponse& response) {
   const std::string needed = text::fixed(least_coherence, 1);
   if (count.told == 0) {
     return fmt::format(
-        "The coherence reaches {} at none of {} frequencies up to {} Hz, so the log does not show "
-        "one.",
+        "The coherence reaches {} at none of {} frequencies up to {} Hz, so the log shows no frequency response.",
         needed, response.lines.size(), text::brief(response.lines.back().frequency_hz, 1));
   }
   return fmt::format(
@@ -204,17 +203,17 @@ std::string frequency_sentence(const FrequencyResponse& response) {
 std::string instrument_sentence(const FrequencyResponse& response) {
   if (response.instrument != Instrument::canards) {
     return fmt::format(
-        "The log has the {} of a controller. Cross spectra are taken with it, so what noise and disturbances do to the "
-        "canards by way of the controller does not bias the estimate.",
+        "The log has the {} of a controller. Cross spectra are taken with it, so noise and disturbances that reach "
+        "the canards through the controller do not bias the estimate.",
         name(response.instrument));
   }
   if (response.loop_was_closed) {
-    return "The log has the reference of a controller, but it did not move, and there was no excitation: noise and "
-           "disturbances that came back to the canards through the controller bias this estimate. The fit over time is "
-           "not based on it.";
+    return "The log has the reference of a controller, but it did not move, and there was no excitation. Noise and "
+           "disturbances that reach the canards through the controller therefore bias this estimate. The fit over "
+           "time does not use it.";
   }
-  return "The log does not say what moved the canards. If it was a controller that measured the roll, noise and "
-         "disturbances that came back through it bias this estimate; the fit over time is not based on it.";
+  return "The log does not show why the canards moved. If a roll controller moved them, noise and disturbances that "
+         "came back through it bias this estimate. The fit over time does not use it.";
 }
 
 std::vector<std::string> remarks(const WindowFindings& window, const Identification& result) {
