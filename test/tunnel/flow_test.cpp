@@ -53,7 +53,7 @@ TEST(Flow, SpeedsOnALineGiveTheLine) {
 
 TEST(Flow, NothingSteadyOrStillAirIsRefused) {
   const TunnelLog ramp = made_tunnel_log(100.0, [](double) { return 500.0; }, [](double t) { return 0.1 * t; });
-  test::expect_refused(text::ErrorKind::bad_data, {"made.csv", "did not become steady", "500 rpm from 0 to 98 s"},
+  test::expect_refused(text::ErrorKind::bad_data, {"made.csv", "was not steady", "500 rpm from 0 to 98 s"},
                        [&] { (void)examine_flow(ramp, find_steady(ramp, {})); });
   const TunnelLog still = made_tunnel_log(100.0, [](double) { return 500.0; }, [](double) { return 0.0; });
   test::expect_refused(text::ErrorKind::bad_data, {"made.csv", "mean wind speed 0 m/s"},

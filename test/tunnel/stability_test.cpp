@@ -239,7 +239,7 @@ TEST(Stability, ASwingThatGrowsIsUnstableWhateverTheOthersSay) {
 TEST(Stability, AMarginThatMayBeEitherWayIsNotJudged) {
   const Stability s = examine_stability({swing_at(15, 0.0005, 0.3), swing_at(20, 0.0005, 0.3)}, airframe, 1.2);
   EXPECT_EQ(s.verdict, StabilityVerdict::unsure);
-  EXPECT_TRUE(says(s.sentence, "either")) << s.sentence;
+  EXPECT_TRUE(says(s.sentence, "stable or unstable")) << s.sentence;
 }
 
 }  // namespace

@@ -243,7 +243,7 @@ TEST(StepsReport, SaysTheSameToPersonScriptAndPage) {
   EXPECT_EQ(json["speed_m_s"], 22.0);
   const std::string text = result::text(found, nullptr, 80);
   EXPECT_NE(text.find("dart: inertia 0.00393 kg m2"), std::string::npos) << text;
-  for (const char* part : {"\n  deviation ", "\n  measurement ", "\n  between ", "Between the steps"}) {
+  for (const char* part : {"\n  deviation ", "\n  measurement ", "\n  between ", "From step to step"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
   EXPECT_NE(text.find("  step         alpha, m2"), std::string::npos) << "fits into the usual 80 columns\n" << text;

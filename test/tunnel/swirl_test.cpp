@@ -141,7 +141,7 @@ TEST(Swirl, WhatCannotBeComparedIsRefused) {
                        [&] { (void)examine_swirl(session, still, tasha3); });
   RollSession never = session;
   never.steady.found.clear();
-  test::expect_refused(text::ErrorKind::bad_data, {"did not become steady"},
+  test::expect_refused(text::ErrorKind::bad_data, {"was not steady"},
                        [&] { (void)examine_swirl(never, session, tasha3); });
 }
 

@@ -39,14 +39,14 @@ void add_tunnel_flow(const Verb& tunnel) {
       .offers(files)
       .required();
   add_steady_option(verb, "--steady", options->steady,
-                    "When it was steady, instead of finding out: begins in seconds, each until the fan's next set "
+                    "Steady times, instead of finding them: beginnings in seconds, each until the fan's next set "
                     "point, or begin:end");
   verb.option("--shortest", options->finding.shortest_s, "Shortest stretch that counts as steady")
       .check(within(0.0, 1e6))
       .value_name("S")
       .show_default();
   verb.option("--rpm-tolerance", options->finding.rpm_tolerance,
-              "A fan reading further off than this is a new set point")
+              "A change of the fan reading beyond this is a new set point")
       .check(within(0.0, 1e4))
       .value_name("RPM")
       .show_default();

@@ -77,7 +77,7 @@ void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& he
       throw text::Error{text::ErrorKind::no_such_input, options.logs.front() + ": no such file"};
     }
     throw UsageError{
-        "no rocket given, and no summary.json beside the log says which one it was: use --vehicle NAME|FILE"};
+        "no rocket given, and no summary.json beside the log names one: use --vehicle NAME|FILE"};
   }
   const std::string named = options.vehicle ? *options.vehicle : flown->vehicle_file;
   // A path is one from the folder of a scenario that nobody names here: in this folder it may be another rocket's.
@@ -93,7 +93,7 @@ void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& he
   const sim::Vehicle vehicle = input::read_vehicle(document);
   if (!vehicle.airframe) {
     throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("vehicle {} has no section [airframe], which says inertia and normal force", named)};
+                      fmt::format("vehicle {} has no section [airframe], which gives inertia and normal force", named)};
   }
   const sim::Airframe& a = *vehicle.airframe;
   heading.airframe_source = vehicle.name;
@@ -182,7 +182,7 @@ std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, t
     remarks.insert(remarks.end(), log.remarks.begin(), log.remarks.end());
     const auto beside = options.speeds.empty() ? tunnel::tunnel_log_beside(path) : std::nullopt;
     if (options.speeds.empty() && !beside) {
-      throw UsageError{path + ": no tunnel.csv beside it says how fast the air was: give --speeds"};
+      throw UsageError{path + ": no tunnel.csv beside it gives the wind speed: give --speeds"};
     }
     const auto wind = beside ? std::optional{tunnel::read_tunnel_log(*beside, {})} : std::nullopt;
     const tunnel::SteadySegments steady =
@@ -205,9 +205,8 @@ std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, t
         found += fmt::format(" {:.1f}:{:.1f}", swing.result.stretch.begin_s, swing.result.stretch.end_s);
       }
       throw UsageError{
-          fmt::format("--speeds has {} numbers, and {} swings were found (in seconds:{}): give one a swing, or name "
-                      "the swings with "
-                      "--swings",
+          fmt::format("--speeds has {} numbers, and {} swings were found (in seconds:{}): give one for each swing, "
+                      "or name the swings with --swings",
                       speeds.size(), swings.size(), found)};
     }
     for (std::size_t i = 0; i < swings.size(); ++i) {
@@ -219,7 +218,7 @@ std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, t
 
 void stability(const StabilityOptions& options) {
   if (options.logs.size() > 1 && !options.swings.empty()) {
-    throw UsageError{"--swings counts on the clock of one log: give the logs one at a time, or leave it out"};
+    throw UsageError{"--swings uses the clock of one log: give the logs one at a time, or leave it out"};
   }
   tunnel::StabilityHeading heading{.density_kg_m3 = options.density_kg_m3.value_or(1.2)};
   take_airframe(options, heading);
@@ -236,11 +235,11 @@ void stability(const StabilityOptions& options) {
 }  // namespace
 
 void add_tunnel_stability(const Verb& tunnel) {
-  auto verb = tunnel.verb("stability", "Is a rocket stable that swings on its pins? Its static margin");
+  auto verb = tunnel.verb("stability", "Is a rocket that swings on its pins stable? Its static margin");
   auto options = std::make_shared<StabilityOptions>();
   verb.option("LOG", options->logs,
-              "Flight logs (.ftl) or folders with one, whose gyro saw the swings; or CSV files with time_s and "
-              "pitch_rate_deg_s or pitch_deg")
+              "Flight logs (.ftl) or folders with one, with the swings in the gyro data; or CSV files with time_s "
+              "and pitch_rate_deg_s or pitch_deg")
       .offers(files)
       .required();
   verb.option("--speeds", options->speeds, "Air speed of each swing, in their order [the tunnel.csv beside the log]")
@@ -248,7 +247,7 @@ void add_tunnel_stability(const Verb& tunnel) {
         return parse_speeds(text) ? std::string{} : '"' + text + "\" is not a list of speeds in m/s, as in 15,20,30";
       })
       .value_name("M/S,...");
-  verb.option("--swings", options->swings, "When the rocket swung freely, instead of finding out: begin:end,...")
+  verb.option("--swings", options->swings, "Times of free swings, instead of finding them: begin:end,...")
       .check([](const std::string& text) {
         return tunnel::parse_stretches(text)
                    ? std::string{}

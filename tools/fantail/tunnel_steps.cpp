@@ -106,7 +106,7 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
   auto density =
       verb.option("--density", options.density_kg_m3, "Air density [1.2]").check(within(0.01, 5.0)).value_name("KG/M3");
   verb.option("--elevation", options.elevation_m,
-              "Of the tunnel above the sea: density of the standard atmosphere there")
+              "Height of the tunnel above sea level: sets the density to the standard atmosphere there")
       .check(within(-500, 9000))
       .value_name("M")
       .excludes(density);
@@ -115,7 +115,7 @@ void add_run_options(const Verb& verb, StepsVerbOptions& options) {
 }
 
 void add_method_options(const Verb& verb, StepsVerbOptions& options) {
-  verb.option("--seconds", options.steps.seconds, "Time from the start of each step that is identified")
+  verb.option("--seconds", options.steps.seconds, "Time from the start of each step that is used")
       .check(within(0.05, 600.0))
       .value_name("S")
       .show_default();
@@ -128,7 +128,7 @@ void add_method_options(const Verb& verb, StepsVerbOptions& options) {
       .value_name("continuous|grid")
       .show_default();
   verb.option("--initial", options.initial,
-              "Angle and rate at the start of each step: fitted, or taken as measured, as published")
+              "Angle and rate at the start of each step: fitted, or as measured (as published)")
       .one_of({"fitted", "measured"})
       .value_name("fitted|measured")
       .show_default();
@@ -153,7 +153,7 @@ void add_tunnel_steps(const Verb& tunnel) {
       "Examples:\n"
       "  fantail tunnel steps out/tunnel_steps                    the run of fantail fly tunnel_steps\n"
       "  fantail tunnel steps out/tunnel_steps --method grid --only up\n"
-      "                                                           by the published method, steps to the right only\n"
+      "                                                           by the published method, steps up only\n"
       "  fantail tunnel steps run.csv --speed 22 --inertia 0.00393 --area 5.0265e-5 --json\n"
       "                                                           another logger's file, for a script");
   verb.action([options] { steps(*options); });

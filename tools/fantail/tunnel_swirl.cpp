@@ -49,8 +49,8 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
   if (session.wind.fan_rpm.empty() && options.steady.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       options.roll +
-                          ": the speeds come from the log itself, which does not contain the fan speed; "
-                          "say when it was steady with --steady-without and --steady-with"};
+                          ": the speeds come from the log itself, which does not contain the fan speed; give the "
+                          "steady times with --steady-without and --steady-with"};
   }
   session.steady = steady_segments(session.wind, options.steady, all.finding);
   return session;
@@ -61,7 +61,7 @@ tunnel::RollSession read(const SessionOptions& options, const SwirlVerbOptions& 
 std::string rocket_of(const SessionOptions& options, const logs::RollLog& log, const logs::Reading& reading) {
   const auto flown = logs::flown_airframe(options.roll, reading);
   if (!flown) {
-    return log.vehicle.empty() ? "" : log.vehicle + ", of which nothing says the file";
+    return log.vehicle.empty() ? "" : log.vehicle + ", whose file is not named";
   }
   if (flown->vehicle_file != "tasha3_tunnel") {
     return fmt::format("{} (vehicle {})", flown->vehicle,
@@ -82,10 +82,10 @@ tunnel::OwnRoll roll_of(const SwirlVerbOptions& options, const tunnel::SwirlSess
     const std::string rocket = rocket_of(*typed, read->roll, reading(options.logs));
     if (rocket != "Tasha III, wind tunnel") {
       throw UsageError{fmt::format(
-          "{}: {}, and the published damping and torque constant are those of Tasha III alone: give "
-          "its own with --alpha M2 and --beta M; fantail tunnel steps finds both, as the means of its table",
+          "{}: {}, and the published damping and torque constant are those of Tasha III only. Give its own with "
+          "--alpha M2 and --beta M; fantail tunnel steps finds both, as the means of its table",
           typed->roll,
-          rocket.empty() ? "nothing says which rocket rolled here" : "the rocket that rolled here is " + rocket)};
+          rocket.empty() ? "the rocket that rolled here is unknown" : "the rocket that rolled here is " + rocket)};
     }
   }
   return tunnel::published_roll();
@@ -108,17 +108,17 @@ void swirl(const SwirlVerbOptions& options) {
 
 void add_session(const Verb& verb, const std::string& word, SessionOptions& options) {
   verb.option("--wind-" + word, options.wind,
-              "The tunnel's log of that session, instead of the tunnel.csv beside it or the log's own speeds")
+              "The tunnel's log of that session, instead of the tunnel.csv beside the roll log or its own speeds")
       .offers(files)
       .value_name("FILE");
   add_steady_option(verb, "--steady-" + word, options.steady,
-                    "When that session was steady, instead of finding out: begins in seconds, or begin:end");
+                    "Steady times of that session, instead of finding them: beginnings in seconds, or begin:end");
 }
 
 }  // namespace
 
 void add_tunnel_swirl(const Verb& tunnel) {
-  auto verb = tunnel.verb("swirl", "What the swirl adds to the fin offset, from free rolling");
+  auto verb = tunnel.verb("swirl", "Fin offset due to swirl, from free rolling");
   auto options = std::make_shared<SwirlVerbOptions>();
   verb.option("WITHOUT", options->without.roll,
               "Roll log without flow straightener: a flight folder, a flight log (.ftl), or a CSV, MAT or Parquet file")
@@ -130,12 +130,12 @@ void add_tunnel_swirl(const Verb& tunnel) {
   add_session(verb, "with", options->with);
   verb.section("Roll model");
   auto alpha = verb.option("--alpha", options->alpha_m2,
-                           "Damping of the rocket that rolled, as fantail tunnel steps finds it [of the shipped Tasha "
-                           "III, wind tunnel, the published 19.4]");
-  auto beta = verb.option("--beta", options->beta_m, "Torque constant, likewise [of that rocket the published 9.6]");
+                           "Damping of the rocket that rolled, from fantail tunnel steps [published 19.4 for the "
+                           "shipped Tasha III, wind tunnel]");
+  auto beta = verb.option("--beta", options->beta_m, "Torque constant, likewise [published 9.6 for that rocket]");
   alpha.check(within(1e-6, 1e6)).value_name("M2").needs(beta);
   beta.check(within(1e-6, 1e6)).value_name("M").needs(alpha);
-  verb.option("--from-speed", options->from_speed_m_s, "The swirl is the mean difference above this speed")
+  verb.option("--from-speed", options->from_speed_m_s, "The swirl is the mean difference from this speed on")
       .check(within(0.0, 1e4))
       .value_name("M/S")
       .show_default();

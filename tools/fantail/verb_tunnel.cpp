@@ -43,10 +43,10 @@ void fill(const Verb& verb) {
   verb.needs_verb();
   verb.examples(
       "Examples:\n"
-      "  fantail tunnel flow out/tunnel_flow                                    how even the air is\n"
-      "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with    what the swirl is worth in degrees\n"
+      "  fantail tunnel flow out/tunnel_flow                                    how steady the wind is\n"
+      "  fantail tunnel swirl out/tunnel_swirl_without out/tunnel_swirl_with    the swirl in degrees of fin offset\n"
       "  fantail tunnel steps out/tunnel_steps                                  the roll model of every step\n"
-      "  fantail tunnel stability out/tunnel_stability                          does the pinned rocket straighten?\n"
+      "  fantail tunnel stability out/tunnel_stability                          is the pinned rocket stable?\n"
       "\n"
       "The simulated tunnel makes such logs: fantail fly tunnel_flow, tunnel_swirl_without, tunnel_swirl_with,\n"
       "tunnel_steps and tunnel_stability.");

@@ -41,7 +41,7 @@ std::optional<Line> line_through(const std::vector<FlowPoint>& points) {
 Flow examine_flow(const TunnelLog& log, const SteadySegments& segments) {
   Flow flow{.rounding_m_s = rounding_of(log.wind_speed_m_s), .remarks = segments.left_out};
   if (segments.found.empty()) {
-    std::string message = log.name + ": the air did not become steady at any set point of the fan";
+    std::string message = log.name + ": the wind was not steady at any set point of the fan";
     for (const std::string& sentence : segments.left_out) {
       message += "; " + sentence;
     }
@@ -53,12 +53,12 @@ Flow examine_flow(const TunnelLog& log, const SteadySegments& segments) {
   flow.line = line_through(flow.points);
   flow.remarks.insert(flow.remarks.end(), log.remarks.begin(), log.remarks.end());
   if (flow.line && flow.points.size() == 2) {
-    flow.remarks.emplace_back("Two points always lie on a line, so R2 has no meaning here.");
+    flow.remarks.emplace_back("Two points always lie on a line, so R2 means nothing here.");
   }
   if (flow.rounding_m_s > 0.0) {
     flow.remarks.push_back(
         fmt::format("The sensor has a resolution of {:g} m/s. Rounding alone gives a standard deviation of about "
-                    "{:.3f} m/s, which every turbulence figure here includes.",
+                    "{:.3f} m/s, which is part of every turbulence figure here.",
                     flow.rounding_m_s, rounding_deviation(flow.rounding_m_s)));
   }
   return flow;

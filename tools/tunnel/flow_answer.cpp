@@ -36,20 +36,20 @@ constexpr auto flow_point_fields = result::fields<FlowPoint>({
     {"relative_deviation", "sigma/mean", u::percent, 3, &FlowPoint::relative_deviation,
      "the usual turbulence intensity"},
     {"relative_deviation_of_rounding", "of rounding", u::percent, 3, &FlowPoint::rounding_share,
-     "sigma/mean that the sensor's rounding alone makes"},
+     "sigma/mean due to the sensor's rounding alone"},
 });
 
 constexpr auto line_fields = result::fields<Line>({
-    {"slope", "slope", per_rpm, 6, &Line::slope, "of speed over fan, by least squares"},
-    {"offset", "offset", u::m_s, 3, &Line::offset, "speed of the line where the fan stands still"},
+    {"slope", "slope", per_rpm, 6, &Line::slope, "slope of wind speed over fan speed, by least squares"},
+    {"offset", "offset", u::m_s, 3, &Line::offset, "wind speed of the line at zero fan speed"},
     {"r_squared", "R2", u::none, 6, &Line::r_squared, "share of the variance that the line explains"},
 });
 
 constexpr auto rounding_fields = result::fields<Flow>({
-    {"rounding", "rounding", u::m_s, 3, &Flow::rounding_m_s, "what the sensor rounds to; 0: nothing was found"},
+    {"rounding", "rounding", u::m_s, 3, &Flow::rounding_m_s, "resolution of the sensor; 0: none was found"},
     {"rounding_deviation", "deviation of rounding", u::m_s, 3,
      [](const Flow& flow) { return Cell{rounding_deviation(flow.rounding_m_s)}; },
-     "standard deviation that rounding alone makes"},
+     "standard deviation due to rounding alone"},
 });
 
 result::Picture speed_over_time(const TunnelLog& log, const Flow& flow) {
@@ -161,7 +161,7 @@ result::Verdict verdict(const Flow& flow) {
           .sentence =
               heading + (flow.line ? fmt::format(": speed = {:.6f} m/s per rpm x fan {} {:.3f} m/s.", flow.line->slope,
                                                  flow.line->offset < 0.0 ? "-" : "+", std::abs(flow.line->offset))
-                                   : ": a line of speed over fan takes two different ones.")};
+                                   : ": a line of wind speed over fan speed needs two different ones.")};
 }
 
 }  // namespace
@@ -176,7 +176,7 @@ result::Document flow_answer(const TunnelLog& log, const Flow& flow, const resul
   const Flow sorted = by_speed(flow);
   return {.kind = "tunnel report: flow",
           .title = log.name,
-          .subtitle = "how even the air of the tunnel is",
+          .subtitle = "how steady the wind of the tunnel is",
           .verdict = verdict(flow),
           .facts = {{"log", "", log.name}},
           .sections = {{"Steady segments",

@@ -127,8 +127,8 @@ void judge(Stability& s, const PitchAirframe& airframe) {
     for (const StabilitySwing& swing : s.swings) {
       if (swing.result.is_too_large) {
         s.sentence = fmt::format(
-            "Not judged: from {} s on ({} m/s) the rocket swings as far as its tether or its wall. If nobody pushed it "
-            "that far, it is unstable.",
+            "Not judged: from {} s on ({} m/s) the rocket swings as far as its tether or the wall. If nobody pushed "
+            "it that far, it is unstable.",
             fixed(swing.result.stretch.begin_s, 1), fixed(swing.speed_m_s, 1));
         break;
       }
@@ -140,8 +140,8 @@ void judge(Stability& s, const PitchAirframe& airframe) {
   const OwnMargin own = own_margin(s, airframe);
   if (margin.value - reach_95 * margin.deviation > 0.0 && own.least_m <= 0.0) {
     s.sentence = fmt::format(
-        "Not judged: it is stable on its pins, {} in front of the centre of pressure; but what holds it without wind "
-        "may be pins in front of its centre of gravity, and then its own margin may be {} mm.",
+        "Not judged: it is stable on its pins, {} in front of the centre of pressure. The stiffness without wind may "
+        "come from pins in front of its centre of gravity, and then its own margin may be {} mm.",
         interval_mm(margin, s.taken_by_body_lift_m), fixed(1e3 * own.least_m, 0));
   } else if (margin.value - reach_95 * margin.deviation > 0.0) {
     s.verdict = StabilityVerdict::stable;
@@ -150,11 +150,11 @@ void judge(Stability& s, const PitchAirframe& airframe) {
   } else if (own.most_m < 0.0) {
     s.verdict = StabilityVerdict::unstable;
     s.sentence = fmt::format(
-        "Unstable: the centre of pressure is in front of the pins, by {}; only what holds the rocket without wind "
-        "makes it swing.",
+        "Unstable: the centre of pressure is in front of the pins by {}. The rocket swings only because strings or "
+        "pins hold it without wind.",
         interval_mm({-margin.value, margin.deviation}));
   } else {
-    s.sentence = fmt::format("Not judged: the margin is {}, which may be either way.",
+    s.sentence = fmt::format("Not judged: the margin is {}, so the rocket may be stable or unstable.",
                              interval_mm(margin, s.taken_by_body_lift_m));
   }
 }
@@ -164,7 +164,7 @@ std::string remark_on_one_speed(const StabilitySwing& swing, const PitchAirframe
   constexpr double clamp_error_m = 0.005;
   const double stiffness_n_m = airframe.transverse_inertia_kg_m2 * swing.result.swing->stiffness_per_s2.value;
   return fmt::format(
-      "One speed proves nothing: strings and clamps hold the rocket too, and pins 5 mm off the centre of gravity alone "
+      "One speed is not enough: strings and clamps hold the rocket, too. Pins 5 mm off the centre of gravity alone "
       "make {} % of the stiffness at {} m/s. Swing at three speeds or more.",
       fixed(100.0 * airframe.mass_kg * gravity_m_s2 * clamp_error_m / stiffness_n_m, 0), fixed(swing.speed_m_s, 1));
 }
@@ -173,10 +173,8 @@ void remark_on_angles(Stability& s) {
   constexpr double least_m = 0.001;
   if (s.taken_by_body_lift_m > least_m) {
     s.remarks.push_back(fmt::format(
-        "The body's own lift acts in front: at the largest of these angles, {} degrees, it takes {} mm of the margin "
-        "(as "
-        "the vehicle has it), at small ones nothing. The interval reaches so much farther up; push less to make it "
-        "narrow.",
+        "The lift of the body reduces the margin at large angles. At the largest of these, {} degrees, it takes {} "
+        "mm by the vehicle's data. The interval is extended upwards by that much; push less to make it narrow.",
         fixed(text::degrees(largest_angle_rad(s)), 1), fixed(1e3 * s.taken_by_body_lift_m, 0)));
   }
 }
@@ -186,9 +184,9 @@ constexpr double matters_little = 0.01;
 
 std::string remark_on_turbulence(const std::vector<StabilitySwing>& swings) {
   constexpr const char* simulated =
-      "In eight simulated sessions each, pushes of a degree and a margin of 120 mm, the margin was off by up to 2 mm "
-      "with "
-      "1 % of turbulence, by up to 8 mm with 2 % and 23 mm with 5 %, where most intervals missed the truth.";
+      "Eight sessions were simulated for each turbulence, with pushes of a degree and a margin of 120 mm. The margin "
+      "was off by up to 2 mm with 1 % of turbulence, 8 mm with 2 % and 23 mm with 5 %. In the last case most "
+      "intervals missed the true value.";
   std::optional<Unsteadiness> worst;
   for (const StabilitySwing& swing : swings) {
     if (!swing.result.swing) {
@@ -196,8 +194,8 @@ std::string remark_on_turbulence(const std::vector<StabilitySwing>& swings) {
     }
     if (!swing.air) {
       return fmt::format(
-          "Turbulent air pushes the rocket, too, and no interval counts it. How turbulent it was at {} m/s is not "
-          "known: that takes a tunnel.csv with five readings of moving, steady air or more. {}",
+          "Turbulence pushes the rocket, too, and no interval includes it. The turbulence at {} m/s is unknown: a "
+          "tunnel.csv with five or more readings of steady wind would show it. {}",
           fixed(swing.speed_m_s, 1), simulated);
     }
     worst = worst && largest(*worst) >= largest(*swing.air) ? worst : swing.air;
@@ -205,11 +203,11 @@ std::string remark_on_turbulence(const std::vector<StabilitySwing>& swings) {
   const double share = largest(*worst);
   return fmt::format(
       "{} {} % (standard deviation): {}. {}",
-      worst->share >= worst->rounding_share ? "The speed of the air varied by up to"
-                                            : "The speed of the air varied by less than its sensor's rounding shows,",
+      worst->share >= worst->rounding_share ? "The wind speed varied by up to"
+                                            : "The wind speed varied by less than the rounding of its sensor,",
       fixed(100.0 * share, 1),
-      share < matters_little ? "too little to matter much, though no interval counts it"
-                             : "turbulence that pushes the rocket, which no interval counts; they are too narrow",
+      share < matters_little ? "too little to matter much, but no interval includes it"
+                             : "this turbulence pushes the rocket and is not in the intervals, which are too narrow",
       simulated);
 }
 
@@ -233,19 +231,20 @@ void remark(Stability& s, const PitchAirframe& airframe) {
   }
   const Estimate& held = *s.without_wind_n_m_per_rad;
   s.remarks.push_back(
-      fmt::format("Without wind {} ± {} N m/rad (95 %) hold the rocket: strings, or pins {} mm in front of its centre "
-                  "of gravity if the "
-                  "strings have no part in it. The margin from the centre of gravity is less by as much.",
+      fmt::format("Without wind, a stiffness of {} ± {} N m/rad (95 %) holds the rocket. It comes from strings, or "
+                  "from pins {} mm in front of its centre of gravity. If only the pins cause it, the margin from the "
+                  "centre of gravity is smaller by that distance.",
                   fixed(held.value, 3), fixed(reach_95 * held.deviation, 3),
                   fixed(1e3 * held.value / (airframe.mass_kg * gravity_m_s2), 1)));
   s.remarks.emplace_back(
-      "The interval counts the errors of the swings alone: each percent of error of the inertia is one of the margin, "
-      "and of the slope of the normal force minus one.");
+      "The interval includes only the errors of the swings. Each percent that the inertia is too large adds one "
+      "percent to the margin; each percent that the normal force slope is too large takes one off.");
   s.remarks.push_back(remark_on_turbulence(s.swings));
   if (s.line->chi_square && *s.line->chi_square > 9.0 * static_cast<double>(s.swings.size() - 2)) {
     s.remarks.push_back(fmt::format(
         "The points lie farther from the line than their errors allow (chi-square {}): something changed between the "
-        "swings, or they are so large that the air is not in proportion to the angle. The interval is wider for it.",
+        "swings, or they are too large for a moment in proportion to the angle. The interval is wider for that "
+        "reason.",
         fixed(*s.line->chi_square, 1)));
   }
 }

@@ -36,43 +36,44 @@ constexpr auto swing_fields = result::fields<StabilitySwing>({
      [](const StabilitySwing& s) { return s.air ? Cell{s.air->share} : Cell{}; },
      "standard deviation of the air's speed over its mean; null: unknown"},
     {"begin", "from", u::s, 1, [](const StabilitySwing& s) { return Cell{s.result.stretch.begin_s}; },
-     "where the push ended"},
+     "end of the push"},
     {"end", "to", u::s, 1, [](const StabilitySwing& s) { return Cell{s.result.stretch.end_s}; },
-     "until when the swing was free"},
+     "end of the free swing"},
     {"grows", "grows", u::none, 0, [](const StabilitySwing& s) { return Cell{s.result.grows}; },
-     "whether it gets larger: the rocket is unstable"},
+     "whether the swing grows: the rocket is unstable"},
     {"left_out", "left out", u::none, 0,
      [](const StabilitySwing& s) { return s.result.reason.empty() ? Cell{} : Cell{s.result.reason}; },
-     "why it tells nothing; null: it does"},
+     "why the swing is not used; null: it is used"},
     {"largest", "largest", u::deg, 1,
      [](const StabilitySwing& s) { return of_swing(s, [](const Swing& of) { return Cell{of.largest_rad}; }); },
-     "the angle at the begin, as the fit has it"},
+     "fitted angle at the beginning"},
     {"frequency", "frequency", u::rad_s, 3,
      [](const StabilitySwing& s) { return of_swing(s, [](const Swing& of) { return known(of.frequency_rad_s); }); },
-     "of the damped swing"},
+     "angular frequency of the damped swing"},
     {"damping_ratio", "damping ratio", u::none, 3,
      [](const StabilitySwing& s) { return of_swing(s, [](const Swing& of) { return known(of.damping_ratio); }); },
-     "of critical damping"},
+     "share of critical damping"},
     {"logarithmic_decrement", "decrement", u::none, 3,
      [](const StabilitySwing& s) {
        return of_swing(s, [](const Swing& of) { return Cell{of.logarithmic_decrement}; });
      },
-     "logarithmic, of two maxima on the same side"},
+     "logarithmic decrement of two maxima on the same side"},
     {"stiffness_per_inertia", "stiffness/inertia", per_s2, 3,
      [](const StabilitySwing& s) { return of_swing(s, [](const Swing& of) { return known(of.stiffness_per_s2); }); },
-     "restoring moment per angle and inertia"},
+     "restoring moment over angle and inertia"},
 });
 
 constexpr auto margin_fields = result::fields<Stability>({
     {"margin", "margin", u::m, 3, [](const Stability& s) { return known(s.margin_m); },
      "from the pins back to the centre of pressure; null: there is no line"},
     {"taken_by_body_lift", "taken by body lift", u::m, 3, &Stability::taken_by_body_lift_m,
-     "of the margin, at most, at the angles of these swings"},
+     "largest part of the margin that body lift takes at the angles of these swings"},
     {"without_wind", "without wind", n_m_per_rad, 3,
-     [](const Stability& s) { return known(s.without_wind_n_m_per_rad); }, "what holds the rocket without wind"},
+     [](const Stability& s) { return known(s.without_wind_n_m_per_rad); }, "stiffness that holds the rocket without "
+                                                                           "wind"},
     {"chi_square", "chi square", u::none, 2,
      [](const Stability& s) { return s.line && s.line->chi_square ? Cell{*s.line->chi_square} : Cell{}; },
-     "of the distances from the line; null for two speeds"},
+     "chi-square of the distances from the line; null for two speeds"},
 });
 
 result::Answer answer_of(StabilityVerdict verdict) {
@@ -142,7 +143,7 @@ result::Picture line_picture(const Stability& stability) {
                             .x = {0.0, fastest},
                             .y = {at_rest, at_rest + fastest * stability.line->slope_per_m2.value}});
   }
-  return {chart, "The slope is the air's; where the line meets zero speed is what holds the rocket without wind."};
+  return {chart, "The slope is due to the air. The value at zero speed is the stiffness without wind."};
 }
 
 std::vector<result::Block> swing_pictures(const StabilityHeading& heading, const Stability& stability) {
@@ -198,7 +199,7 @@ result::Document stability_answer(const StabilityHeading& heading, const Stabili
                         {line_picture(stability),
                          result::only(swings, {"speed", "begin", "end", "grows", "largest", "frequency",
                                                "damping_ratio", "logarithmic_decrement", "stiffness_per_inertia"}),
-                         "A figure behind ± is the reach of its 95 % interval."}},
+                         "± gives the 95 % interval."}},
                        {"Swings", swing_pictures(heading, stability), files},
                        {"Remarks", {result::Sentences{"remarks", stability.remarks}}},
                        {"For programs", {result::figures("", stability, margin_fields), swings}, programs}},

@@ -145,7 +145,7 @@ SteadySegments find_steady(const TunnelLog& log, const SteadyOptions& options) {
       segments.found.push_back(segment(log, run, first));
     } else {
       segments.left_out.push_back(
-          fmt::format("{:.0f} rpm from {:g} to {:g} s: the air was not steady for {:g} s with at least {} readings "
+          fmt::format("{:.0f} rpm from {:g} to {:g} s: the wind was not steady for {:g} s with at least {} readings "
                       "before the next set point.",
                       run.fan_rpm, time_s.front(), time_s.back(), options.shortest_s, fewest_readings));
     }

@@ -84,8 +84,8 @@ std::string remark_on_speed(const StepResult& result) {
     return {};
   }
   return fmt::format(
-      "Step {}: the speed changes from {:.0f} to {:.0f} m/s, so this was no steady wind, and the density is not that "
-      "of each height. For a flight use fantail identify.",
+      "Step {}: the speed changes from {:.0f} to {:.0f} m/s, so the wind was not steady, and one density does not "
+      "fit all heights. For a flight use fantail identify.",
       result.number, speed_m_s.front(), speed_m_s.back());
 }
 
@@ -111,7 +111,7 @@ std::string place(const ReferenceStep& step, std::size_t number) {
   const std::string why =
       left_out.empty()
           ? fmt::format("none of its {} steps goes {}", steps, options.direction == Direction::up ? "up" : "down")
-          : fmt::format("none of its steps tells a roll model; left out: {}", left_out.front());
+          : fmt::format("none of its steps determines a roll model; left out: {}", left_out.front());
   throw text::Error{text::ErrorKind::bad_data, log.name + ": " + why};
 }
 

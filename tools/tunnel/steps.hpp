@@ -50,7 +50,7 @@ struct StepResult {
   identify::result::Identification identified{};
 };
 
-/// What one step tells.
+/// Results of one step.
 struct StepFigures {
   double alpha_m2 = 0.0;
   double beta_m = 0.0;
@@ -60,7 +60,7 @@ struct StepFigures {
   double mean_abs_rate_error_rad_s = 0.0;
 };
 [[nodiscard]] StepFigures figures_of(const StepResult& result);
-/// How well it tells them; of the two mean errors, which are no estimates, zero.
+/// Their standard errors; zero for the two mean errors, which are not estimates.
 [[nodiscard]] StepFigures standard_errors_of(const StepResult& result);
 
 /// What every table of steps has: steps.csv, steps.json, the terminal and the page.

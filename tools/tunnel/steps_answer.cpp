@@ -19,15 +19,16 @@ namespace u = result::units;
 constexpr int steps_decimals = 8;
 
 constexpr auto step_row_fields = result::fields<StepResult>({
-    {"step", "step", u::none, 0, &StepResult::number, "of all changes of the reference, counted from 1"},
+    {"step", "step", u::none, 0, &StepResult::number, "number of the step, counted from 1 over all changes of the "
+                                                      "reference"},
     {"begin", "at", u::s, 3, [](const StepResult& r) { return Cell{r.step.begin_s}; },
      "its first sample, by the log's clock"},
     {"from", "from", u::deg, 1, [](const StepResult& r) { return Cell{r.step.from_rad}; }, "the reference before it"},
-    {"to", "to", u::deg, 1, [](const StepResult& r) { return Cell{r.step.to_rad}; }, "the reference from there on"},
+    {"to", "to", u::deg, 1, [](const StepResult& r) { return Cell{r.step.to_rad}; }, "the reference after it"},
     {"samples", "samples", u::none, 0, [](const StepResult& r) { return Cell{std::uint64_t{r.identified.samples}}; },
-     "samples that were identified"},
+     "samples used"},
     {"seconds", "seconds", u::none, 3, [](const StepResult& r) { return Cell{r.identified.seconds}; },
-     "how long they last, in seconds"},
+     "their length in seconds"},
 });
 
 const char* name(identify::result::Method method) {
@@ -59,12 +60,12 @@ std::string sentence(const StepTable& table, const StepSpread& one) {
   const auto number = [&](double value) { return result::shown(column, value); };
   if (spread.between == 0.0) {
     return fmt::format(
-        "Between the steps {} varies by no more than measurement explains (95 %: at most {} {}): the estimates scatter "
-        "by {}, their errors of measurement by {}.",
+        "From step to step {} varies no more than measurement errors explain (95 %: at most {} {}). The estimates "
+        "scatter by {}, their measurement errors by {}.",
         column.label, number(spread.high), column.unit.symbol, number(spread.seen), number(spread.measurement));
   }
   return fmt::format(
-      "Between the steps {} varies by {} {} (95 %: {} to {}); the estimates scatter by {}, their errors of measurement "
+      "From step to step {} varies by {} {} (95 %: {} to {}). The estimates scatter by {}, their measurement errors "
       "by {}.",
       column.label, number(spread.between), column.unit.symbol, number(spread.low), number(spread.high),
       number(spread.seen), number(spread.measurement));
@@ -181,9 +182,8 @@ std::vector<result::Block> identified(const StepTable& table) {
       "mean absolute differences of measured and modelled roll."};
   if (table.standard_deviation) {
     all.emplace_back(
-        "deviation: standard deviation over the steps; measurement: what the errors of measurement make of it; "
-        "between: "
-        "what the steps differ by.");
+        "deviation: standard deviation over the steps; measurement: the part due to measurement errors; between: "
+        "true differences of the steps.");
   }
   all.emplace_back(result::Sentences{.all = spread_sentences(table)});
   for (result::Block& picture : over_steps(table)) {

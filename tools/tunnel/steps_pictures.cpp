@@ -40,7 +40,7 @@ std::string with_unit(const StepTable& table, std::size_t figure, double value) 
 }
 
 std::string sentence(const StepTable& table, const Outlier& one) {
-  return fmt::format("Step {}: {} {}, where the median of all is {}.", one.step, step_fields[one.figure].label,
+  return fmt::format("Step {}: {} {}; the median of all steps is {}.", one.step, step_fields[one.figure].label,
                      with_unit(table, one.figure, one.value),
                      result::shown(step_column(table, one.figure), one.median));
 }
@@ -117,9 +117,9 @@ std::vector<Outlier> outliers(const StepTable& table) {
 
 std::vector<result::Block> overlay(const StepTable& table) {
   const std::vector<Outlier> odd = outliers(table);
-  page::Chart chart{.label = "All steps over each other: roll angle from where it was asked for before the step",
+  page::Chart chart{.label = "All steps over each other: roll angle from the reference before the step",
                     .x_label = "time after the step / s",
-                    .y_label = "roll angle, in the sense of the step / deg",
+                    .y_label = "roll angle, in the direction of the step / deg",
                     .height = 320.0};
   std::vector<page::Series> named;
   for (const StepResult& result : table.steps) {
@@ -139,7 +139,7 @@ std::vector<result::Block> overlay(const StepTable& table) {
   std::vector<std::string> sentences;
   std::ranges::transform(odd, std::back_inserter(sentences), [&](const Outlier& one) { return sentence(table, one); });
   if (odd.empty() && table.steps.size() >= 5) {
-    sentences.emplace_back("No step lies apart from the others in any figure.");
+    sentences.emplace_back("No step is an outlier in any figure.");
   }
   const auto goes_up = [](const StepResult& result) { return result.step.to_rad > result.step.from_rad; };
   const auto up = std::ranges::count_if(table.steps, goes_up);
@@ -147,11 +147,11 @@ std::vector<result::Block> overlay(const StepTable& table) {
   const bool both = up > 0 && up < std::ssize(table.steps);
   const std::string caption =
       fmt::format("The measured roll angle of each step, from the reference before it.{}{}",
-                  both ? " Steps up and steps down are two bundles where the law settles beside its reference: each is "
-                         "drawn in its own sense, so they lie apart by twice that."
+                  both ? " Each step is drawn in its own direction. If the law settles beside its reference, steps "
+                         "up and steps down form two bundles, apart by twice that error."
                        : "",
-                  begins ? " Step 1 begins where control began, each other where the one before it ended: it may lie "
-                           "beside them."
+                  begins ? " Step 1 begins where control began, and each other step where the one before it ended, "
+                           "so step 1 may lie apart."
                          : "");
   return {result::Picture{chart, caption}, result::Sentences{.all = sentences}};
 }

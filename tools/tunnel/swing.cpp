@@ -236,12 +236,12 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
   }
   if (first_too_large && departs(log, *first_too_large, largest_rad)) {
     result.grows = true;
-    result.reason = "the rocket turns away from where it hung, ever faster; a push alone does not do that";
+    result.reason = "the rocket turns away from its rest position faster and faster, which a push alone cannot cause";
     return result;
   }
   if (first_too_large) {
     result.is_too_large = true;
-    result.reason = fmt::format("the rocket was {:.0f} degrees from where it hung; allowed: up to 20",
+    result.reason = fmt::format("the rocket was {:.0f} degrees from its rest position; allowed: up to 20",
                                 farthest_rad * 180.0 / std::numbers::pi);
     return result;
   }
@@ -268,7 +268,7 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
   } else if (samples.seconds() < period_s) {
     result.reason = fmt::format("it lasts {:.1f} s, less than one period of {:.1f} s", samples.seconds(), period_s);
   } else if (!(swing.stiffness_per_s2.deviation < 0.2 * swing.stiffness_per_s2.value)) {
-    result.reason = "it dies out, or is lost in the noise, before its frequency can be told";
+    result.reason = "it dies out, or is lost in the noise, before its frequency can be determined";
   } else {
     result.swing = std::move(swing);
   }

@@ -47,7 +47,7 @@ SwingLog of_flight_log(const std::filesystem::path& path) {
   const flight_log::Flight& flight = file.flights.front();
   SwingLog log{.name = path.string(), .is_rate = true};
   if (file.flights.size() > 1) {
-    log.remarks.push_back(fmt::format("The log holds {} records; this is the first.", file.flights.size()));
+    log.remarks.push_back(fmt::format("The log contains {} records; this is the first.", file.flights.size()));
   }
   std::optional<core::Microseconds> zero;
   for (const protocol::LogEvent& event : flight.events) {

@@ -68,7 +68,7 @@ OffsetPoint examine(const RollSession& session, const SteadySegment& segment, co
 
 std::vector<OffsetPoint> examine(const RollSession& session, const SwirlOptions& options, Swirl& swirl) {
   if (session.steady.found.empty()) {
-    text::refuse(session.wind.name + ": the air did not become steady at any set point of the fan" +
+    text::refuse(session.wind.name + ": the wind was not steady at any set point of the fan" +
                  (session.steady.left_out.empty() ? "" : "; " + session.steady.left_out.front()));
   }
   std::vector<OffsetPoint> points;
@@ -159,7 +159,7 @@ Swirl examine_swirl(const RollSession& without, const RollSession& with, const S
   swirl.swirl = mean_of(swirl.differences);
   if (!swirl.swirl) {
     swirl.remarks.push_back(
-        fmt::format("The sessions share no speed of {:g} m/s or more: the swirl is unknown.", options.from_speed_m_s));
+        fmt::format("The sessions have no common speed of {:g} m/s or more: the swirl is unknown.", options.from_speed_m_s));
   }
   return swirl;
 }

@@ -26,8 +26,8 @@ constexpr auto offset_fields = result::fields<OffsetPoint>({
     {"fan", "fan", set_point, 0,
      [](const OffsetPoint& p) { return p.segment.fan_rpm ? Cell{*p.segment.fan_rpm} : Cell{}; }, "the fan's set point"},
     {"begin", "from", u::s, 1, [](const OffsetPoint& p) { return Cell{p.segment.begin_s}; },
-     "when the air became steady"},
-    {"end", "to", u::s, 1, [](const OffsetPoint& p) { return Cell{p.segment.end_s}; }, "until when it was"},
+     "beginning of the steady time"},
+    {"end", "to", u::s, 1, [](const OffsetPoint& p) { return Cell{p.segment.end_s}; }, "end of the steady time"},
     {"speed", "speed", u::m_s, 2, [](const OffsetPoint& p) { return Cell{p.speed_m_s.mean}; }, "mean wind speed"},
     {"speed_standard_error", "its error", u::m_s, 3,
      [](const OffsetPoint& p) { return Cell{p.speed_m_s.standard_error}; }, "standard error of that mean"},
@@ -37,10 +37,10 @@ constexpr auto offset_fields = result::fields<OffsetPoint>({
      [](const OffsetPoint& p) { return Cell{p.rate_rad_s.standard_error}; }, "standard error of that mean"},
     {"independent_samples", "independent samples", u::none, 0,
      [](const OffsetPoint& p) { return Cell{p.rate_rad_s.independent_samples}; },
-     "that the samples of the rate are worth: neighbours resemble each other"},
+     "number of independent samples that the rate samples are equal to"},
     {"canard", "canards", u::deg, 3, &OffsetPoint::canard_rad,
-     "where the canards stood in the mean; 0 where the log says nothing"},
-    {"offset", "offset", u::deg, 3, &OffsetPoint::offset_rad, "equivalent fin offset, without what the canards did"},
+     "mean canard angle; 0 if the log does not have it"},
+    {"offset", "offset", u::deg, 3, &OffsetPoint::offset_rad, "equivalent fin offset, corrected for the canards"},
     {"offset_standard_error", "error", u::deg, 3, &OffsetPoint::standard_error_rad, "standard error of the offset"},
 });
 
@@ -49,7 +49,7 @@ constexpr auto difference_fields = result::fields<OffsetDifference>({
     {"without", "without", u::deg, 3, &OffsetDifference::without_rad, "offset without flow straightener"},
     {"with", "with", u::deg, 3, &OffsetDifference::with_rad, "offset with it"},
     {"difference", "difference", u::deg, 3, &OffsetDifference::difference_rad,
-     "without minus with: what the swirl adds"},
+     "without minus with: the offset due to swirl"},
     {"standard_error", "error", u::deg, 3, &OffsetDifference::standard_error_rad, "standard error of the difference"},
     {"counted", "counted", u::none, 0, &OffsetDifference::counted, "whether it is fast enough for the mean"},
 });
@@ -63,15 +63,15 @@ constexpr auto swirl_fields = result::fields<Swirl>({
      [](const Swirl& s) { return s.swirl && s.swirl->deviation_rad ? Cell{*s.swirl->deviation_rad} : Cell{}; },
      "standard deviation over the speeds; null for a single one"},
     {"from_speed", "from", u::m_s, 1, [](const Swirl& s) { return Cell{s.options.from_speed_m_s}; },
-     "speed from which on differences count"},
+     "lowest speed at which differences count"},
     {"alpha", "alpha", u::m2, 3, [](const Swirl& s) { return Cell{s.options.roll.alpha_m2}; }, "damping that was used"},
     {"beta", "beta", u::m, 3, [](const Swirl& s) { return Cell{s.options.roll.beta_m}; },
      "torque constant that was used"},
 });
 
 constexpr const char* sign_sentence =
-    "Above zero it rolls the rocket as positive canard angles do: clockwise, seen from the tail. fantail predict takes "
-    "it with this sign, as --swirl.";
+    "A positive swirl rolls the rocket as positive canard angles do: clockwise, seen from the tail. fantail predict "
+    "takes it with this sign, as --swirl.";
 constexpr const char* without_name = "without straightener";
 constexpr const char* with_name = "with straightener";
 
@@ -173,9 +173,8 @@ std::vector<result::Block> what_the_swirl_adds(const Swirl& swirl) {
   }
   all.emplace_back(fmt::format(
       "Offsets are alpha p / (beta v) with alpha {:g} m2 and beta {:g} m, minus the mean canard angle. An error of "
-      "these "
-      "two scales both curves and the difference; standard errors come from the scatter of the samples and do not "
-      "include it.",
+      "these two scales both curves and the difference. The standard errors come from the scatter of the samples and "
+      "do not include it.",
       swirl.options.roll.alpha_m2, swirl.options.roll.beta_m));
   return all;
 }
@@ -188,12 +187,12 @@ std::vector<result::Block> session(const std::string& key, const RollSession& se
 
 std::string sentence(const Swirl& swirl) {
   if (!swirl.swirl) {
-    return fmt::format("Swirl: unknown, for the sessions share no speed of {:g} m/s or more.",
+    return fmt::format("Swirl: unknown, because the sessions have no common speed of {:g} m/s or more.",
                        swirl.options.from_speed_m_s);
   }
   return fmt::format(
-      "Swirl: {:.3f} \u00b1 {:.3f} deg of canard angle (mean over {} speeds from {:g} m/s on; behind \u00b1 is its "
-      "standard error), with alpha {:g} m2 and beta {:g} m, {}.",
+      "Swirl: {:.3f} \u00b1 {:.3f} deg of canard angle (mean over {} speeds from {:g} m/s on; \u00b1 is its standard "
+      "error), with alpha {:g} m2 and beta {:g} m, {}.",
       degrees(swirl.swirl->offset_rad), degrees(swirl.swirl->standard_error_rad), swirl.swirl->speeds,
       swirl.options.from_speed_m_s, swirl.options.roll.alpha_m2, swirl.options.roll.beta_m, swirl.options.roll.source);
 }

@@ -26,7 +26,7 @@ TunnelLog read_tunnel_log(const std::filesystem::path& path, const files::Source
   if (std::filesystem::is_directory(path, ignored)) {
     file /= "tunnel.csv";
     if (!std::filesystem::exists(file, ignored)) {
-      throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no tunnel.csv"};
+      throw Error{ErrorKind::no_such_input, path.string() + ": this folder contains no tunnel.csv"};
     }
   }
   const flight::Table table = files::load(file, files::Writer::ours).table;
