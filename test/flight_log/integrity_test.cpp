@@ -28,7 +28,7 @@ TEST(Integrity, ALogThatWasCutOffIsIntactAsFarAsItGoesAndSaysSo) {
   const LogFile file = parse_log(std::span{made.bytes}.first(made.frame_ends[50] + 20), "");
   EXPECT_TRUE(intact(file));
   EXPECT_FALSE(has_end(file.flights[0]));
-  EXPECT_TRUE(says(integrity_text(file.flights[0]), "51 records, none missing; the recording breaks off"));
+  EXPECT_TRUE(says(integrity_text(file.flights[0]), "51 records, none missing; the recording ends early"));
   EXPECT_TRUE(says(foreign_bytes_text(file), "at the end of a flight, where its last record was cut off"));
 }
 
@@ -59,18 +59,18 @@ TEST(Integrity, WhyARecordingBreaksOffDependsOnWhatRecordedIt) {
   flight.has_header = true;
   flight.sensors = "ICM-42688-P, KX134-1211";
   EXPECT_TRUE(says(integrity_text(flight),
-                   "breaks off: power was lost, the processor was reset, or the log was read before it ended"));
+                   "ends early: power was lost, the processor was reset, or the log was read before it ended"));
   flight.sensors = "simulated";
   EXPECT_TRUE(
-      says(integrity_text(flight), "breaks off: the simulation ended or reset the processor, or the file was cut off"));
+      says(integrity_text(flight), "ends early: the simulation ended or reset the processor, or the file was cut off"));
   EXPECT_FALSE(says(integrity_text(flight), "power"));
   // The recorder goes on for half a minute after control, and a simulation for a second after apogee.
   flight.events.push_back(
       {.kind = protocol::LogEventKind::phase, .value = static_cast<std::uint8_t>(core::Phase::finished)});
-  EXPECT_TRUE(says(integrity_text(flight), "; the recording ends after control, as the simulation does (normal)"));
-  EXPECT_FALSE(says(integrity_text(flight), "breaks off"));
+  EXPECT_TRUE(says(integrity_text(flight), "; the recording ends after control, with the simulation (normal)"));
+  EXPECT_FALSE(says(integrity_text(flight), "ends early"));
   flight.sensors = "ICM-42688-P, KX134-1211";
-  EXPECT_TRUE(says(integrity_text(flight), "breaks off: power was lost"));
+  EXPECT_TRUE(says(integrity_text(flight), "ends early: power was lost"));
 }
 
 TEST(Integrity, ATurnedBitIsDamageAndCountedInRecordsGapsAndBytes) {
@@ -108,7 +108,7 @@ TEST(Integrity, TheReplayIsSaidInWords) {
   EXPECT_TRUE(says(replay_text(flight, regenerate(flight, *flight.plan)),
                    "differs: 1 tick of 3000; first at 6.200000 s (tick 700): command was 0.25 rad, replayed"));
   flight.checkpoints.clear();
-  EXPECT_TRUE(says(replay_text(flight, regenerate(flight, *flight.plan)), "not possible: It holds no checkpoint"));
+  EXPECT_TRUE(says(replay_text(flight, regenerate(flight, *flight.plan)), "not possible: It contains no checkpoint"));
 }
 
 using core::Microseconds;

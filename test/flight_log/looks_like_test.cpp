@@ -41,10 +41,10 @@ TEST(LooksLike, ALogCutInItsFirstRecordSaysWhatIsLeftOfIt) {
   const MadeFlight made = make_flight();
   const std::size_t whole = made.frame_ends[0];
   const auto cut = [&](std::size_t bytes) { return looks_like(std::span{made.bytes}.first(bytes)); };
-  EXPECT_EQ(cut(3), "cut off in its first record: 3 bytes, if it is a flight log at all");
+  EXPECT_EQ(cut(3), "cut off in its first record: 3 bytes, possibly not a flight log");
   EXPECT_EQ(cut(100), "a flight log that is cut off in its first record, after 100 of " + std::to_string(whole) +
-                          " bytes; too little is left to read its header");
-  EXPECT_NE(cut(whole - 1).find("its header reads, unchecked: log format 1, firmware 0.1"), std::string::npos)
+                          " bytes; it is too short to read its header");
+  EXPECT_NE(cut(whole - 1).find("its header (not checked) gives log format 1, firmware 0.1"), std::string::npos)
       << cut(whole - 1);
   std::vector<std::byte> turned{made.bytes.begin(), made.bytes.begin() + static_cast<std::ptrdiff_t>(whole)};
   turned[40] ^= std::byte{1};
@@ -88,7 +88,7 @@ TEST_F(LogFileOnDisk, ThatDoesNotExistIsNoInput) {
 }
 
 TEST_F(LogFileOnDisk, OfAFolderIsTheFlightInIt) {
-  EXPECT_NE(refusal(folder_, text::ErrorKind::no_such_input).find("without a flight.ftl"), std::string::npos);
+  EXPECT_NE(refusal(folder_, text::ErrorKind::no_such_input).find("contains no flight.ftl"), std::string::npos);
   std::ofstream{folder_ / "flight.ftl"} << "x";
   EXPECT_NE(refusal(folder_, text::ErrorKind::bad_data).find("flight.ftl"), std::string::npos);
 }

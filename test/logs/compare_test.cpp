@@ -220,7 +220,7 @@ TEST(Compare, LogsWithoutOverlapAreRefused) {
 }
 
 TEST(Compare, OneSampleIsTooFew) {
-  test::expect_refused(text::ErrorKind::bad_data, {"only one sample is there to compare, at 5 s of A"},
+  test::expect_refused(text::ErrorKind::bad_data, {"there is only one sample to compare, at 5 s of A"},
                        [] { (void)compare(sine({0, 5, 0.01}), sine({5, 9, 0.01}), {}); });
 }
 

@@ -86,11 +86,11 @@ TEST_F(FlightFile, WhatIsLostIsAGapInTimeAndAWarning) {
 
 TEST_F(FlightFile, WhatOnlyATableCanBeAskedIsRefusedOfALog) {
   const auto path = folder_.write("flown.ftl", test::as_text(made_.bytes));
-  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "no true values"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: this is a flight log", "not true values"},
                  [&] { (void)read_roll_log(path, {.truth = true}, {}); });
-  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "angle unit is fixed"},
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: this is a flight log", "angle unit is fixed"},
                  [&] { (void)read_roll_log(path, {.angles = AngleUnit::radians}, {}); });
-  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: is a flight log", "its column names are fixed"}, [&] {
+  expect_refused(ErrorKind::bad_configuration, {"flown.ftl: this is a flight log", "its column names are fixed"}, [&] {
     (void)read_roll_log(path, {.columns = files::parse_columns("roll_angle_deg=phi", "x", files::of_flight_csv)}, {});
   });
 }
@@ -153,7 +153,7 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
     expect_refused(ErrorKind::bad_data, words, [&] { (void)read_flight(folder_.path() / "mixed"); });
     expect_refused(ErrorKind::bad_data, words, [&] { (void)read_roll_log(folder_.path() / "mixed", {}, {}); });
   };
-  refused({"mixed: its files are of two flights", "come under control at 1.000 s", "it was at 1.300 s"});
+  refused({"mixed: its files are of two flights", "come under control at 1.000 s", "but at 1.300 s in summary.json"});
   folder_.write("mixed/flight.csv",
                 "time_s,phase,roll_angle_deg,roll_rate_deg_s\n0,launched,1,0\n1,controlling,1,0\n2,controlling,3,0\n"
                 "3,finished,3,0\n");
@@ -170,13 +170,13 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
   folder_.write("mixed/summary.json", R"({"events":{"control_start_s":1,"control_end_s":2.0}})");
   EXPECT_EQ(read_flight(folder_.path() / "mixed").rows.size(), 4U);
   folder_.write("mixed/summary.json", R"({"events":{"control_start_s":1,"control_end_s":1.9}})");
-  refused({"mixed: its files are of two flights", "leave control at 3.000 s", "it was at 1.900 s"});
+  refused({"mixed: its files are of two flights", "leave control at 3.000 s", "but at 1.900 s in summary.json"});
   folder_.write("mixed/flight.ftl", test::as_text(made_.bytes));
   const auto summary = [&](const std::string& sha256) {
     folder_.write("mixed/summary.json", R"({"log_sha256":")" + sha256 + R"("})");
   };
   summary(std::string(64, '0'));
-  expect_refused(ErrorKind::bad_data, {"mixed: its files are of two flights: flight.ftl has not the SHA-256"},
+  expect_refused(ErrorKind::bad_data, {"mixed: its files are of two flights: flight.ftl does not have the SHA-256"},
                  [&] { (void)read_flight(folder_.path() / "mixed"); });
   expect_refused(ErrorKind::bad_data, {"mixed: its files are of two flights"},
                  [&] { (void)flown_plan(folder_.path() / "mixed/flight.csv", {}); });
@@ -199,7 +199,8 @@ TEST_F(FlightFile, TheSummaryOfAnotherFlightSaysNothingOfALog) {
     EXPECT_EQ(read_roll_log(path, {}, {}).time_s.size(), made_.records.size());
   }
   summary(std::string(64, '0'));
-  const std::initializer_list<const char*> words{"day: its files are of two flights: flight.ftl has not the SHA-256"};
+  const std::initializer_list<const char*> words{
+      "day: its files are of two flights: flight.ftl does not have the SHA-256"};
   for (const std::filesystem::path& path : {log, day}) {
     expect_refused(ErrorKind::bad_data, words, [&] { (void)flown_airframe(path, {}); });
   }

@@ -40,10 +40,10 @@ TEST(OneFlight, ATableThatIsLongerUnderControlThanTheLogIsRefused) {
   rows.events = {.control_start_s = 1.0, .control_end_s = 3.0};
   expect_rows_of_log(rows, log, "day");
   rows.events.control_end_s = 3.2;
-  expect_refused(ErrorKind::bad_data,
-                 {"day: flight.csv and flight.ftl do not show one and the same flight: control lasts 2.20 s",
-                  "2.00 s in flight.ftl"},
-                 [&] { expect_rows_of_log(rows, log, "day"); });
+  expect_refused(
+      ErrorKind::bad_data,
+      {"day: flight.csv and flight.ftl do not show the same flight: control lasts 2.20 s", "2.00 s in flight.ftl"},
+      [&] { expect_rows_of_log(rows, log, "day"); });
   const test::Folder folder;
   folder.write("summary.json", "{}");  // knows of outages
   expect_rows_of_log(rows, log, folder.path());
@@ -97,13 +97,13 @@ TEST_F(TableBesideLog, OfTheSameFlightIsTaken) { expect_one_flight(); }
 TEST_F(TableBesideLog, WithACommandThatTheLogDoesNotHaveIsRefusedWithTheTime) {
   controlled(500).command_rad += text::radians(0.1);
   const std::string at = fmt::format("at {:.3f} s the roll command is ", controlled(500).time_s);
-  expect_two_flights({"day: flight.csv and flight.ftl do not show one and the same flight", at.c_str(),
+  expect_two_flights({"day: flight.csv and flight.ftl do not show the same flight", at.c_str(),
                       "deg in flight.csv, and near that time at most ", "deg in flight.ftl"});
 }
 
 TEST_F(TableBesideLog, WithARollThatTheLogDoesNotHaveIsRefused) {
   controlled(500).roll_angle_rad += text::radians(1.0);
-  expect_two_flights({"do not show one and the same flight", "the roll angle is "});
+  expect_two_flights({"do not show the same flight", "the roll angle is "});
   controlled(500).roll_angle_rad = 1e300;
   expect_two_flights({"the roll angle is 5.73e+301 deg in flight.csv, and near that time at most "});
 }
@@ -113,7 +113,7 @@ TEST_F(TableBesideLog, WithoutTheBeginOfControlIsLaidBesideItAllTheSame) {
   first_ = 0;
   expect_one_flight();
   controlled(500).command_rad += text::radians(0.1);
-  expect_two_flights({"do not show one and the same flight"});
+  expect_two_flights({"do not show the same flight"});
 }
 
 TEST_F(TableBesideLog, WhoseNumbersAreRoundedIsTaken) {
@@ -144,7 +144,7 @@ TEST_F(TableBesideLog, UnderControlIsRefusedWhereTheWholeLogShowsNone) {
   flight_log::MadeFlightOptions on_the_pad;
   on_the_pad.length = core::Microseconds{400'000};
   folder_.write("day/flight.ftl", test::as_text(flight_log::make_flight(on_the_pad).bytes));
-  expect_two_flights({"do not show one and the same flight", "no control in flight.ftl"});
+  expect_two_flights({"do not show the same flight", "no control in flight.ftl"});
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(FlightCsv, RowsThatWereNotReplayedAreLeftOutAndSaidHoweverManyThereAre) {
   ASSERT_EQ(flight.rows.size(), 2U);
   EXPECT_EQ(flight.rows[1].time_s, 0.3);
   ASSERT_EQ(flight.notes.size(), 1U);
-  EXPECT_EQ(flight.notes[0], "2 of 4 rows are of ticks that could not be replayed; they are left out.");
+  EXPECT_EQ(flight.notes[0], "2 of 4 rows belong to ticks that could not be replayed; they are left out.");
 }
 
 TEST(FlightCsv, ARowThatWasNotReplayedIsWrittenWithItsMarkAndTheOthersWithTheirs) {
@@ -107,7 +107,7 @@ TEST(FlightCsv, WhatIsUnusualIsSaid) {
   const std::string notes = joined(flight.notes);
   for (const char* said :
        {"No unit was stated for gyro_x; it is read in deg/s.", "Columns that are not used: \"battery\", \"comment\".",
-        "1 of 3 cells of speed_m_s hold something that is no number"}) {
+        "1 of 3 cells of speed_m_s contain text instead of a number"}) {
     EXPECT_NE(notes.find(said), std::string::npos) << said << "\n" << notes;
   }
   EXPECT_TRUE(std::isnan(flight.rows[2].speed_m_s)) << "an empty cell is usual where a value is not known";
@@ -173,8 +173,9 @@ TEST(FlightCsv, ACellThatIsNeitherOnNorOffLeavesTheShareUnknown) {
     EXPECT_NE(report::verdict(flight, figures).text.find("the log does not say when canards were at their limit"),
               std::string::npos);
     if (*cell != '\0') {
-      EXPECT_EQ(joined(flight.notes),
-                "1 of 4 cells of saturated hold neither 0 nor 1, nor a word for it; they are taken as not known.\n");
+      EXPECT_EQ(
+          joined(flight.notes),
+          "1 of 4 cells of saturated contain neither 0 nor 1, nor a word for them; they are treated as unknown.\n");
     }
     EXPECT_FALSE(read(flight::csv(flight)).rows[2].saturated);
   }
@@ -202,10 +203,11 @@ TEST(FlightCsv, ATableOfTwoFlightsIsRefusedWithTheTimeAtWhichItBeginsAnew) {
       expect_refused(ErrorKind::bad_data, words, [&] { (void)read(text); });
     }
   };
-  refused("alccfsalccf", {"log.csv: holds more than one flight", "begins anew at 2.500 s", "safe", "after control"});
-  refused("acfcf", {"begins anew at 1.500 s"});
-  refused("acacf", {"begins anew at 1.000 s"});
-  refused("alcfl", {"begins anew at 2.000 s"});
+  refused("alccfsalccf",
+          {"log.csv: contains more than one flight", "a new one begins at 2.500 s", "safe", "after control"});
+  refused("acfcf", {"a new one begins at 1.500 s"});
+  refused("acacf", {"a new one begins at 1.000 s"});
+  refused("alcfl", {"a new one begins at 2.000 s"});
   refused("alalccf", {});  // detected by mistake
   refused("alcsccf", {});  // resumed after a reset
   refused("alcfsss", {});  // reset after control

@@ -173,7 +173,7 @@ TEST_F(RollLogFile, AFolderMayLackASummaryButNotAFlight) {
   expect_refused(ErrorKind::bad_data, {"summary.json: is not the summary of a flight"},
                  [&] { (void)read_roll_log(folder_.path() / "broken", {}, {}); });
   folder_.write("empty/other.txt", "");
-  expect_refused(ErrorKind::no_such_input, {"empty: this folder holds no flight.csv"},
+  expect_refused(ErrorKind::no_such_input, {"empty: this folder contains no flight.csv"},
                  [&] { (void)read_roll_log(folder_.path() / "empty", {}, {}); });
   expect_refused(ErrorKind::no_such_input, {"gone.csv: no such file"},
                  [&] { (void)read_roll_log(folder_.path() / "gone.csv", {}, {}); });

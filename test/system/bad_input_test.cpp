@@ -48,7 +48,7 @@ TEST(MissingPath, IsRefused) {
                              {"identify", "/dev/zero", "--vehicle", "tasha3_launch2"},
                              {"log", "info", "/dev/zero"},
                              {"report", "/dev/zero"}}) {
-    Refusal({}, words, 66, {"/dev/zero: is a device, not a file; copy what you need of it into a file"});
+    Refusal({}, words, 66, {"/dev/zero: is a device, not a file; copy the data you need into a file"});
   }
   Refusal({}, {"identify", "/nonexistent"}, 66, {"/nonexistent: no such file"});
   Refusal({}, {"tunnel", "stability", "/nonexistent"}, 66, {"/nonexistent: no such file"});

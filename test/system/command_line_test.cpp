@@ -139,7 +139,7 @@ TEST(CommandLine, NoWordBehindABareDoubleDashIsAnOptionOrAVerb) {
   EXPECT_NE(surplus.err.find("\"--sed\" is one word too many for fly"), std::string::npos) << surplus.err;
   const Outcome verb = fantail({"plan", "--", "check"});
   EXPECT_EQ(verb.exit_code, 64);
-  EXPECT_NE(verb.err.find("\"check\" is no verb behind a bare --"), std::string::npos) << verb.err;
+  EXPECT_NE(verb.err.find("\"check\" is not a verb after a bare --"), std::string::npos) << verb.err;
 }
 
 TEST(CommandLine, AFolderIsNoScenario) {

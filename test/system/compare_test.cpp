@@ -126,7 +126,7 @@ TEST(Compare, WhatHardlyOverlapsMeetsNoRequirement) {
   EXPECT_EQ(compared("little.csv", {"--from", "0"}).exit_code, 0);
   const Outcome outcome = compared("little.csv", {"--require-angle", "1", "--from", "0"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("8.990 s of 10.000 s, is less than the nine in ten"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("8.990 s of 10.000 s, is less than the nine tenths"), std::string::npos) << outcome.err;
   EXPECT_NE(content(folder / "o/compare.html").find("Too little to compare"), std::string::npos);
 
   // A hole in A, and a window from one edge of it to the other.

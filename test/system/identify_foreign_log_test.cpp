@@ -103,7 +103,7 @@ TEST(IdentifyForeignLog, RefusesAMapThatItWouldHaveToGuessAt) {
     words.insert(words.end(), more.begin(), more.end());
     Refusal({{"a.csv", "t,p,u\n0,1,2\n1,1,2\n"}}, words, code, said);
   };
-  refuse({"--columns", "time=t:sec"}, 78, {"\"sec\" is no unit of time", "s, ms, us"});
+  refuse({"--columns", "time=t:sec"}, 78, {"\"sec\" is not a unit of time", "s, ms, us"});
   refuse({"--columns", "time=t:s", "--column", "time_s=t"}, 64, {"time_s", "--column"});
   refuse({"--columns", "time=tt:s,roll_rate=p:rad/s,canard=u:deg"}, 65, {"no column tt", "t, p, u"});
   refuse({"--save-columns"}, 64, {"--save-columns"});

@@ -78,7 +78,8 @@ TEST_F(ModesOfTheLaw, ALogWithAnEstimateIsFlownWithItWhateverPlanIsGiven) {
       {"integral", "--loop", "closed", "--servo-lag", "0.026", "--kp", "0.5", "--kd", "0.05", "--limit", "9"});
   const auto by_plan = identified({"integral", "--loop", "closed", "--servo-lag", "0.026"});
   EXPECT_EQ(by_hand["alpha_m2"], by_plan["alpha_m2"]);
-  EXPECT_NE(by_hand["remarks"].dump().find("subtracted an estimate of the fin offset from its command"), std::string::npos)
+  EXPECT_NE(by_hand["remarks"].dump().find("subtracted an estimate of the fin offset from its command"),
+            std::string::npos)
       << by_hand["remarks"];
 }
 

@@ -92,7 +92,8 @@ TEST_F(IdentifiedFlight, WithTheSummaryOfAnotherFlightIsRefusedByEveryVerbThatRe
                              {"compare", "day", "day"},
                              {"report", "day", "day"},
                              {"report", "day"}}) {
-    Refusal(files, words, 65, {"day: its files are of two flights: flight.ftl has not the SHA-256 that summary.json"});
+    Refusal(files, words, 65,
+            {"day: its files are of two flights: flight.ftl does not have the SHA-256 that summary.json"});
   }
 }
 
@@ -213,7 +214,7 @@ TEST(Identify, DoubtsRadiansInADegreeColumn) {
 TEST(Identify, RefusesWhatIsNoLog) {
   const std::string good = text(tunnel_rows(shaken));
   Refusal({}, identify("none.csv"), 66, {"none.csv: no such file"});
-  Refusal({{"folder/other", ""}}, identify("folder"), 66, {"folder: this folder holds no flight.csv"});
+  Refusal({{"folder/other", ""}}, identify("folder"), 66, {"folder: this folder contains no flight.csv"});
   Refusal({{"a.csv", ""}}, identify("a.csv"), 65, {"a.csv: is empty"});
   Refusal({{"a.csv", "time_s,roll_angle,roll_rate_deg_s,canard_deg,speed_m_s\n1,2,3,4,5\n"}}, identify("a.csv"), 65,
           {"a.csv: no column roll_angle_deg", "did you mean roll_angle?", "the columns are: time_s, roll_angle"});

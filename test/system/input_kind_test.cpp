@@ -99,7 +99,7 @@ TEST(Input, OfAPipeThatNobodyWritesToIsWaitedForAloud) {
                                   {.working_folder = folder.path(), .meanwhile = interrupt, .has_spoken = &has_spoken});
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.err,
-            "pipe.ftl is a pipe, and nothing has come out of it for 5 s; Ctrl-C ends the wait\n"
+            "pipe.ftl is a pipe that has given no data for 5 s; Ctrl-C ends the wait\n"
             "fantail: interrupted; nothing was written\n");
 }
 
@@ -121,13 +121,13 @@ TEST(Input, ThatIsADeviceAFolderOrFarTooLargeIsRefusedInWords) {
     const Outcome device = fantail({verb, place}, {.working_folder = folder.path()});
     EXPECT_EQ(device.exit_code, 66) << device.err;
     EXPECT_EQ(device.err,
-              "fantail: " + std::string{place} + ": is a device, not a file; copy what you need of it into a file\n");
+              "fantail: " + std::string{place} + ": is a device, not a file; copy the data you need into a file\n");
     std::filesystem::remove(folder.path() / place);
     folder.write(place, "");
     std::filesystem::resize_file(folder.path() / place, std::uintmax_t{1} << 40U);
     const Outcome large = fantail({verb, place}, {.working_folder = folder.path()});
     EXPECT_EQ(large.exit_code, 65) << large.err;
-    EXPECT_NE(large.err.find("larger than 512 MiB, and no more of one file is read"), std::string::npos) << large.err;
+    EXPECT_NE(large.err.find("larger than 512 MiB, the most that is read of one file"), std::string::npos) << large.err;
   }
 }
 
@@ -143,7 +143,7 @@ TEST(Input, ThatAPersonWritesIsNoDeviceNoFolderAndNoGigabyte) {
                              {"new", "x", "--from", "tasha3_launch2", "--motor", "large.eng"}}) {
     const Outcome outcome = fantail(words, {.working_folder = folder.path()});
     EXPECT_EQ(outcome.exit_code, 65) << joined(words) << outcome.err;
-    EXPECT_NE(outcome.err.find("larger than 16 MiB, which no such file is"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("larger than 16 MiB, which is too large"), std::string::npos) << outcome.err;
   }
 }
 
@@ -170,7 +170,7 @@ TEST(Input, ThatTheMemoryHasNoRoomForIsSaidSo) {
   };
   const Outcome outcome = fantail({"listen", "log.csv"}, {.working_folder = folder.path(), .prepare = little_memory});
   EXPECT_EQ(outcome.exit_code, 70) << outcome.err;
-  EXPECT_EQ(outcome.err, "fantail: this takes more memory than there is; end other programs, or give less at once\n");
+  EXPECT_EQ(outcome.err, "fantail: not enough memory; end other programs, or give less data at once\n");
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ TEST(Listen, SaysOfWhichColumnsAMapIs) {
   EXPECT_TRUE(said({"listen", "cats.csv"}).ends_with(", columns of the map cats, which fits them"))
       << said({"listen", "cats.csv"});
   const Words mixed{"listen", "cats.csv", "--columns", "axial=b:m/s2"};
-  EXPECT_TRUE(said(mixed).ends_with(", columns as typed, and for the rest columns of the map cats, which fits them"))
+  EXPECT_TRUE(said(mixed).ends_with(", columns as typed, the rest from columns of the map cats, which fits them"))
       << said(mixed);
 }
 
@@ -184,10 +184,9 @@ TEST(Listen, RefusesWhatItCannotHear) {
   const auto with = [](const std::string& columns) { return Words{"listen", "log.csv", "--columns", columns}; };
   Refusal({}, of_made, 66, {"log.csv", "no such file"});
   Refusal({{"log.csv", ""}}, of_made, 65, {"log.csv", "is empty"});
-  Refusal({{"log.csv", made}}, {"listen", "log.csv"}, 65,
-          {"no logger that is known", "--columns time=", "ms, Ay, alt"});
+  Refusal({{"log.csv", made}}, {"listen", "log.csv"}, 65, {"no known logger", "--columns time=", "ms, Ay, alt"});
   Refusal({{"log.csv", made}}, with("time=ms:ms,axial=ay:g"), 65, {"no column ay (did you mean Ay?)", "ms, Ay, alt"});
-  Refusal({{"log.csv", made}}, with("time=ms:ms,axial=Ay:m/s"), 78, {"\"m/s\" is no unit of axial", "m/s2, g"});
+  Refusal({{"log.csv", made}}, with("time=ms:ms,axial=Ay:m/s"), 78, {"\"m/s\" is not a unit of axial", "m/s2, g"});
   Refusal({{"log.csv", made}}, with("time=ms:ms,axal=Ay:g"), 78, {"did you mean axial?"});
   Refusal({{"log.csv", made + "20000,1,0\n19000,1,0\n"}}, of_made, 65,
           {"log.csv:2004", "ms is 19000 after", "in line 2003: time must increase"});

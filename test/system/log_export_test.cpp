@@ -201,8 +201,7 @@ TEST_F(LogExport, WithoutAReplayTheRecordedFieldsAreStillThere) {
   folder_.write("flown.ftl", head + ticks);
   const Outcome refused = run({"--to", "lcm"});
   EXPECT_EQ(refused.exit_code, 65);
-  EXPECT_NE(refused.err.find("What the log itself contains can be exported: --to csv"), std::string::npos)
-      << refused.err;
+  EXPECT_NE(refused.err.find("The recorded data can be exported with --to csv"), std::string::npos) << refused.err;
   const Outcome rows = run({"--to", "csv", "--out", "-"});
   EXPECT_EQ(rows.exit_code, 0) << rows.err;
   EXPECT_TRUE(rows.out.ends_with(",0\n")) << "marked";
@@ -224,13 +223,14 @@ TEST(LogExportRefuses, WithTheReasonAndWithoutAFile) {
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--fields", "time_s,roll_angel_deg"}), 64,
           {"no field \"roll_angel_deg\" (did you mean roll_angle_deg?)", "time_us", "encoder_4_count"});
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--fields", "time_s,time_s"}), 64, {"time_s stands there twice"});
-  Refusal({{"flown.ftl", log}}, words({"--to", "candump", "--fields", "time_s"}), 64, {"messages of its own"});
-  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "2", "--until", "1"}), 64, {"--from 2 lies behind"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "candump", "--fields", "time_s"}), 64, {"fixed messages"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "2", "--until", "1"}), 64, {"--from 2 is after"});
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "nan"}), 64, {"nan"});
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "100"}), 65, {"no tick between"});
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--flight", "2"}), 64, {"holds one flight; allowed: 1 to 1"});
   Refusal({{"flown.ftl", log + log}}, words({"--to", "csv"}), 64, {"holds 2 flights; which one?"});
-  Refusal({{"flown.ftl", "time_s,roll_angle_deg\n0,1\n"}}, words({"--to", "csv"}), 65, {"holds no record of a flight"});
+  Refusal({{"flown.ftl", "time_s,roll_angle_deg\n0,1\n"}}, words({"--to", "csv"}), 65,
+          {"contains no record of a flight"});
   Refusal({}, words({"--to", "csv"}), 66, {"flown.ftl"});
 }
 

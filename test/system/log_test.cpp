@@ -67,7 +67,7 @@ TEST_F(FlownLog, SaysThatTheScenarioWasChangedOnTheCommandLine) {
   const Outcome flown = run({"fly", "tasha3_launch2", "--set", "servo.stop_deg=4.5", "--seed", "3", "--out", "flown"});
   const Outcome info = run({"log", "info", "flown"});
   expect_said(info.out, {"sensors   simulated, 2 values changed\n",
-                         "the recording ends after control, as the simulation does (normal)"});
+                         "the recording ends after control, with the simulation (normal)"});
   const Outcome report = run({"report", "flown/flight.ftl", "--out", "reported"});
   expect_said(content(folder / "reported/report.html"),
               {"changed for this flight, on the command line or by the draw of"});
@@ -107,13 +107,13 @@ TEST_F(FlownLog, ADamagedOneIsShownAsFarAsItGoesWithExitCode1) {
   const Outcome outcome = run({"log", "info", "a.ftl"}, 1);
   EXPECT_EQ(outcome.err, "");
   expect_said(outcome.out, {"damaged: 1 record lost in 1 gap", "outside the intact records",
-                            "longest step from one tick to the next, but for the gaps in the log: 1.000 ms"});
+                            "longest step from one tick to the next, except for the gaps in the log: 1.000 ms"});
 }
 
 TEST_F(FlownLog, OneThatWasCutOffIsIntactAsFarAsItGoes) {
   folder.write("a.ftl", flown_log().substr(0, flown_log().size() / 2));
   const Outcome outcome = run({"log", "info", "a.ftl"});
-  expect_said(outcome.out, {"the recording breaks off: the simulation ended"});
+  expect_said(outcome.out, {"the recording ends early: the simulation ended"});
   EXPECT_EQ(outcome.out.find("power was lost"), std::string::npos) << outcome.out;
 }
 

@@ -127,10 +127,11 @@ TEST(Report, RefusesWithTheReasonAndWithoutAFile) {
   Refusal({}, {"report"}, 64, {"A"});
   Refusal({}, {"report", "nowhere.ftl"}, 66, {"nowhere.ftl"});
   Refusal({}, {"report", "nowhere.csv"}, 66, {"nowhere.csv"});
-  Refusal({{"folder/other", ""}}, {"report", "folder"}, 66, {"folder: this folder holds no flight.csv or flight.ftl"});
+  Refusal({{"folder/other", ""}}, {"report", "folder"}, 66,
+          {"folder: this folder contains no flight.csv or flight.ftl"});
   Refusal({{"a.csv", "t,b\n0,1\n"}}, {"report", "a.csv"}, 65, {"a.csv", "time_s"});
   Refusal({{"a.csv", line(0, 1)}}, {"report", "a.csv", "--align", "angle"}, 64, {"--align"});
-  Refusal({{"a.ftl", "not a log"}}, {"report", "a.ftl"}, 65, {"a.ftl", "holds no record of a flight"});
+  Refusal({{"a.ftl", "not a log"}}, {"report", "a.ftl"}, 65, {"a.ftl", "contains no record of a flight"});
 }
 
 }  // namespace

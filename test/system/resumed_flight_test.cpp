@@ -44,7 +44,7 @@ TEST_F(ResumedFlight, ItsLogHoldsTwoPartsThatBothReplayExactlyAndAreReportedAsOn
   const Outcome info = run({"log", "info", "out"});
   EXPECT_EQ(info.exit_code, 0) << info.out;
   EXPECT_TRUE(says(info.out, "2 flights"));
-  EXPECT_TRUE(says(info.out, "breaks off: the processor was reset, and flight 2 is the rest of it")) << info.out;
+  EXPECT_TRUE(says(info.out, "ends early: the processor was reset, and flight 2 is the rest")) << info.out;
   EXPECT_TRUE(says(info.out, "the flight was resumed after a reset (watchdog), for the first time"));
   EXPECT_TRUE(says(info.out, "seconds from lift-off")) << info.out;
   for (const char* const part : {"1", "2"}) {
@@ -63,7 +63,7 @@ TEST_F(ResumedFlight, ItsLogHoldsTwoPartsThatBothReplayExactlyAndAreReportedAsOn
 TEST_F(ResumedFlight, EachPartOfItsLogSaysWhatItsTimesCountFrom) {
   fly_with_fault("kind = \"reset\"\nfrom_s = 0.3\n");
   const Outcome info = run({"log", "info", "out"});
-  EXPECT_TRUE(says(info.out, "seconds from the beginning of the record, which shows no lift-off")) << info.out;
+  EXPECT_TRUE(says(info.out, "seconds from the beginning of the record, which does not show lift-off")) << info.out;
   EXPECT_TRUE(says(info.out, "seconds from lift-off")) << info.out;
 }
 

@@ -150,7 +150,8 @@ TEST(Tunnel, ARocketThatTheWindTurnsOverIsNotStable) {
   ASSERT_EQ(in(folder, fly).exit_code, 0);
   const Outcome outcome = in(folder, {"tunnel", "stability", "made"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("the rocket turns away from its rest position faster and faster, which a push alone cannot cause"),
+  EXPECT_NE(outcome.out.find(
+                "the rocket turns away from its rest position faster and faster, which a push alone cannot cause"),
             std::string::npos)
       << outcome.out;
 }
@@ -174,8 +175,7 @@ TEST(Tunnel, WhatIsNoLogOfATunnelIsRefusedAndNothingIsWritten) {
   const std::string roll = "time_s,roll_rate_deg_s\n0,1\n2,1\n4,1\n";
   Refusal({}, {"tunnel", "flow", "none.csv"}, 66, {"none.csv", "no such file"});
   Refusal({{"a.csv", "time_s,rpm\n0,1\n"}}, {"tunnel", "flow", "a.csv"}, 65, {"a.csv", "fan_rpm", "rpm"});
-  Refusal({{"a.csv", wind + "0,570,10\n2,570,10\n"}}, {"tunnel", "flow", "a.csv"}, 65,
-          {"a.csv", "was not steady"});
+  Refusal({{"a.csv", wind + "0,570,10\n2,570,10\n"}}, {"tunnel", "flow", "a.csv"}, 65, {"a.csv", "was not steady"});
   Refusal({{"a.csv", wind + "0,570,10\n2,570,10\n"}}, {"tunnel", "flow", "a.csv", "--steady", "50"}, 78, {"from 50 s"});
   Refusal({{"a.csv", wind}}, {"tunnel", "flow", "a.csv", "--column", "rpm=x"}, 78, {"rpm=x"});
   Refusal({{"a.csv", roll}, {"b.csv", roll}}, {"tunnel", "swirl", "a.csv", "b.csv"}, 65, {"a.csv", "no wind speed"});

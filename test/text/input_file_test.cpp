@@ -73,11 +73,10 @@ TEST_F(InputFileTest, WhatIsNoFileIsSaidToBeWhatItIs) {
   EXPECT_EQ(refusal(folder_.write("file", "") + "/below", ErrorKind::no_such_input), "no such file");
   EXPECT_EQ(refusal(folder_.path().string(), ErrorKind::no_such_input), "is a folder, not a file");
   for (const char* device : {"/dev/zero", "/dev/null", "/dev/random"}) {
-    EXPECT_EQ(refusal(device, ErrorKind::no_such_input),
-              "is a device, not a file; copy what you need of it into a file");
+    EXPECT_EQ(refusal(device, ErrorKind::no_such_input), "is a device, not a file; copy the data you need into a file");
   }
   EXPECT_EQ(refusal(pipe(), ErrorKind::no_such_input, InputKind::document),
-            "is a pipe, which can be read only once; save its content as a file and give that");
+            "is a pipe, which can be read only once; save its content to a file and give that");
   EXPECT_EQ(read_if_there("/dev/null/x"), std::nullopt);
 }
 
@@ -85,11 +84,11 @@ TEST_F(InputFileTest, ThatIsLargerThanItsKindIsRefusedWithoutBeingRead) {
   const std::string path = folder_.write("large", "");
   std::filesystem::resize_file(path, (16U << 20U) + 1);  // without taking room on the disk
   EXPECT_EQ(refusal(path, ErrorKind::bad_data, InputKind::document),
-            "larger than 16 MiB, which no such file is; is it the one that you meant?");
+            "larger than 16 MiB, which is too large for this kind of file; check the path");
   std::filesystem::resize_file(path, std::uintmax_t{1} << 40U);
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(refusal(path, ErrorKind::bad_data),
-            "larger than 512 MiB, and no more of one file is read; give the part that you need");
+            "larger than 512 MiB, the most that is read of one file; give the part that you need");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s);
 }
 
@@ -136,7 +135,7 @@ TEST_F(InputFileTest, APipeThatNobodyWritesToIsNamedOnce) {
       [](const std::string& sentence) { told += std::to_string(looks) + ": " + sentence + "\n"; });
   const std::string path = pipe();
   EXPECT_THROW((void)read_input(path), Enough);
-  EXPECT_EQ(told, "50: " + path + " is a pipe, and nothing has come out of it for 5 s; Ctrl-C ends the wait\n");
+  EXPECT_EQ(told, "50: " + path + " is a pipe that has given no data for 5 s; Ctrl-C ends the wait\n");
 }
 
 TEST_F(InputFileTest, NobodyWaitsForAPipeAfterCtrlC) {

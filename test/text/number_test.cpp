@@ -97,7 +97,7 @@ TEST(TomlText, OfBytesThatAreNoUtf8IsRefused) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_configuration);
-    EXPECT_STREQ(error.what(), "\"fl?g\" is not text in UTF-8, which a TOML file must be; rename what is called so");
+    EXPECT_STREQ(error.what(), "\"fl?g\" is not UTF-8 text, which TOML needs; choose another name");
   }
 }
 

@@ -142,7 +142,7 @@ TEST_F(OutputFolderTest, WhatIsNoFileIsNotReplacedByOne) {
   fs::create_directory(folder_);
   ASSERT_EQ(mkfifo((folder_ / "flight.csv").c_str(), 0600), 0);
   EXPECT_EQ(failure(folder_, first),
-            (folder_ / "flight.csv").string() + ": is a device, a pipe or a socket, and no place for a file");
+            (folder_ / "flight.csv").string() + ": is a device, a pipe or a socket, so no file can be written there");
   EXPECT_TRUE(fs::is_fifo(folder_ / "flight.csv"));
   EXPECT_EQ(names_in(folder_), std::set<std::string>{"flight.csv"});
 }

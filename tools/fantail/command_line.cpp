@@ -204,11 +204,11 @@ Objection within(double low, double high) {
 }
 
 void add_threads_option(const Verb& verb, unsigned& threads) {
-  verb.option("--threads", threads, "How many at once [as many as the machine can]").range(1, 1024);
+  verb.option("--threads", threads, "Number of parallel threads [all of the machine's]").range(1, 1024);
 }
 
 void add_end_option(const Verb& verb, std::optional<double>& seconds, const std::string& names) {
-  verb.option(names, seconds, "End after so many seconds; without it, by Ctrl-C").range(0.0, 1e9).value_name("SECONDS");
+  verb.option(names, seconds, "End after this many seconds [until Ctrl-C]").range(0.0, 1e9).value_name("SECONDS");
 }
 
 void add_can_option(const Verb& verb, std::string& interface) {

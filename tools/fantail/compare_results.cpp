@@ -38,13 +38,13 @@ using result::Worse;
 constexpr auto comparison_fields = result::fields<R>({
     {"mean_abs_angle_difference", "angle, mean difference", u::deg, 3, difference<&C::angle, &D::mean_abs>,
      "mean absolute difference of the roll angles", Worse::neither, three_digits},
-    {"rms_angle_difference", "angle, rms", u::deg, 3, difference<&C::angle, &D::rms>, "root mean square of it",
+    {"rms_angle_difference", "angle, rms", u::deg, 3, difference<&C::angle, &D::rms>,
+     "rms difference of the roll angles", Worse::neither, three_digits},
+    {"max_abs_angle_difference", "angle, largest", u::deg, 3, difference<&C::angle, &D::max_abs>, "largest difference",
      Worse::neither, three_digits},
-    {"max_abs_angle_difference", "angle, largest", u::deg, 3, difference<&C::angle, &D::max_abs>, "largest one",
-     Worse::neither, three_digits},
-    {"max_angle_difference_at", "at", u::s, 3, difference<&C::angle, &D::max_at_s>, "when that was, on A's clock"},
+    {"max_angle_difference_at", "at", u::s, 3, difference<&C::angle, &D::max_at_s>, "its time, on A's clock"},
     {"mean_abs_rate_difference", "rate, mean difference", u::deg_s, 3, difference<&C::rate, &D::mean_abs>,
-     "the same of the roll rates", Worse::neither, three_digits},
+     "mean absolute difference of the roll rates", Worse::neither, three_digits},
     {"rms_rate_difference", "rate, rms", u::deg_s, 3, difference<&C::rate, &D::rms>, "likewise", Worse::neither,
      three_digits},
     {"max_abs_rate_difference", "rate, largest", u::deg_s, 3, difference<&C::rate, &D::max_abs>, "likewise",
@@ -53,15 +53,15 @@ constexpr auto comparison_fields = result::fields<R>({
     {"samples", "samples", u::none, 0, [](const R& r) { return Cell{std::uint64_t{r.comparison.time_s.size()}}; },
      "samples of A that were compared"},
     {"from", "from", u::s, 3, [](const R& r) { return Cell{r.comparison.time_s.front()}; },
-     "the first of them, on A's clock"},
-    {"to", "to", u::s, 3, [](const R& r) { return Cell{r.comparison.time_s.back()}; }, "the last"},
+     "first sample compared, on A's clock"},
+    {"to", "to", u::s, 3, [](const R& r) { return Cell{r.comparison.time_s.back()}; }, "last sample compared"},
     {"seconds", "length in seconds", u::none, 3,
      [](const R& r) { return Cell{r.comparison.time_s.back() - r.comparison.time_s.front()}; },
-     "seconds from the first to the last"},
+     "seconds from the first to the last sample"},
     {"shift", "B's clock at A's zero", u::s, 4, [](const R& r) { return Cell{r.comparison.shift_s}; },
-     "what B's clock shows at A's zero"},
+     "reading of B's clock at A's zero"},
     {"offset", "added to B's angles", u::deg, 3, [](const R& r) { return Cell{r.comparison.offset_rad}; },
-     "what was added to B's roll angles"},
+     "constant added to B's roll angles"},
     {"requirement_met", "requirement met", u::none, 0,
      [](const R& r) { return r.required() ? Cell{r.objections().empty()} : Cell{}; },
      "whether both means are no larger than required; null without a requirement"},
@@ -143,22 +143,23 @@ result::Figures figures(const R& r) {
 
 std::string how(const R& r) {
   const C& c = r.comparison;
-  std::string text = c.shift_s == 0.0 ? "Both logs are compared by their own clocks"
+  std::string text = c.shift_s == 0.0 ? "Both logs are compared on their own clocks"
                                       : fmt::format("B's clock shows {:+.4f} s at A's zero", c.shift_s);
   text += r.shift_found ? ", which makes the roll rates agree best. " : c.shift_s != 0.0 ? ", as stated. " : ". ";
   if (c.offset_rad != 0.0) {
-    text += fmt::format("B's roll angles are moved by {:+.3g} deg, so that both begin alike. ", degrees(c.offset_rad));
+    text += fmt::format("B's roll angles are shifted by {:+.3g} deg, so that both begin at the same angle. ",
+                        degrees(c.offset_rad));
   }
   return text +
-         "For the differences B is read at A's times, in a straight line between two samples. Every sample that was "
-         "compared is in differences.csv, every figure in compare.json.";
+         "For the differences B is interpolated linearly at A's times. Every sample that was compared is in "
+         "differences.csv, every figure in compare.json.";
 }
 
 result::Verdict verdict_of(const R& r) {
   using enum result::Answer;
   const C& c = r.comparison;
   const std::string apart =
-      fmt::format("The roll angles differ by {:.3g} deg in the mean and {:.3g} deg at most, the rates by {:.3g} deg/s.",
+      fmt::format("The roll angles differ by {:.3g} deg on average and {:.3g} deg at most, the rates by {:.3g} deg/s.",
                   degrees(c.angle.mean_abs), degrees(c.angle.max_abs), degrees(c.rate.mean_abs));
   if (!r.required()) {
     return {.answer = none, .heading = "Compared", .sentence = apart};
@@ -210,7 +211,7 @@ std::optional<result::Section> section_of(const Quantity& quantity, const Compar
   const bool alone = series.size() == 1;
   section.blocks.emplace_back(over_time(quantity.what, quantity.unit, tall, std::move(series), stretch));
   if (alone) {
-    section.blocks.emplace_back(fmt::format("Log {} does not have it.", missing));
+    section.blocks.emplace_back(fmt::format("Log {} does not have this quantity.", missing));
   }
   return section;
 }
@@ -252,7 +253,7 @@ std::vector<std::string> CompareResults::objections() const {
   std::vector<std::string> sentences;
   if (required() && !is_known()) {
     sentences.push_back(fmt::format(
-        "time that both logs know, {:.3f} s of {:.3f} s, is less than the nine in ten that a requirement needs",
+        "time that both logs cover, {:.3f} s of {:.3f} s, is less than the nine tenths that a requirement needs",
         comparison.known_s, comparison.asked_s));
   }
   if (required_angle_rad && comparison.angle.mean_abs > *required_angle_rad) {

@@ -24,11 +24,9 @@ void add_reading(const Verb& verb, IdentifyOptions& o) {
               "--shared")
       .offers(files)
       .required();
-  auto shared =
-      verb.option(
-              "--shared", o.shared,
-              "alpha,beta: one pair for all logs and windows; disturbance and start are fitted for each")
-          .one_of({"alpha,beta"});
+  auto shared = verb.option("--shared", o.shared,
+                            "alpha,beta: one pair for all logs and windows; disturbance and start are fitted for each")
+                    .one_of({"alpha,beta"});
   verb.option("--validate", o.validate,
               "Check an earlier identification with this log: its alpha and beta are kept, the disturbance is fitted "
               "[into out/validate/DATA]")
@@ -96,10 +94,9 @@ void add_method(const Verb& verb, IdentifyOptions& o) {
   verb.option("--loop", o.loop, "open: canards as measured; closed: as commanded by the controller in the model")
       .one_of({"open", "closed"})
       .show_default();
-  verb.option(
-          "--plan", o.plan,
-          "Closed loop: plan with gains, schedule and limit; a shipped name or a path [the plan in the flight log, "
-          "if DATA is or contains one]")
+  verb.option("--plan", o.plan,
+              "Closed loop: plan with gains, schedule and limit; a shipped name or a path [the plan in the flight log, "
+              "if DATA is or contains one]")
       .offers(shipped(input::Shipped::plan));
   verb.option("--kp", o.proportional_gain, "Closed loop: canard angle per roll angle error").check(within(0, 100));
   verb.option("--kd", o.derivative_gain_s, "Closed loop: canard angle per roll rate, in s")

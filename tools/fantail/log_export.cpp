@@ -68,7 +68,7 @@ struct Exported {
 void require_once(std::span<const std::string> names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (std::ranges::find(names.first(i), names[i]) != names.begin() + static_cast<std::ptrdiff_t>(i)) {
-      refuse_fields(names[i] + " stands there twice");
+      refuse_fields(names[i] + " appears twice");
     }
   }
 }
@@ -96,7 +96,7 @@ flight_log::Regeneration replay_of(const flight_log::Flight& flight) {
   none.records.resize(flight.ticks.size());
   none.unreachable = flight.ticks.size();
   none.obstacle = flight.has_header ? fmt::format("Its plan cannot be used: {}.", flight.plan_fault)
-                                    : "No intact header is left, and so no plan.";
+                                    : "It has no intact header, so there is no plan.";
   return none;
 }
 
@@ -115,10 +115,10 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
   const std::vector<std::string> all = log_export::foreign_fields(flight);
   constexpr std::string_view what = "its ticks have the layout of another version of Fantail";
   if (all.empty()) {
-    refuse_log(question, fmt::format("{}, and its schema does not say how", what));
+    refuse_log(question, fmt::format("{}, and its schema does not describe them", what));
   }
   if (question.format->name != "csv") {
-    refuse_log(question, fmt::format("{}; what they hold can be exported with --to csv", what));
+    refuse_log(question, fmt::format("{}; their content can be exported with --to csv", what));
   }
   for (const std::string& name : question.fields) {
     if (std::ranges::find(all, name) == all.end()) {
@@ -138,7 +138,7 @@ Exported export_foreign(const ExportQuestion& question, const flight_log::Flight
 
 Exported export_flight(const ExportQuestion& question, const flight_log::Flight& flight) {
   if (!question.fields.empty() && question.format->write_fields == nullptr) {
-    refuse_fields(fmt::format("--to {} has messages of its own; the others have fields", question.format->name));
+    refuse_fields(fmt::format("--to {} has fixed messages; --fields is for the other formats", question.format->name));
   }
   require_once(question.fields);
   if (!flight.foreign_ticks.empty()) {
@@ -146,20 +146,20 @@ Exported export_flight(const ExportQuestion& question, const flight_log::Flight&
   }
   const auto chosen = selection(question);
   if (flight.ticks.empty()) {
-    refuse_log(question, "holds no tick of the flight");
+    refuse_log(question, "contains no tick of the flight");
   }
   const flight_log::Regeneration replay = replay_of(flight);
   const bool only_replayed = question.format->write_fields == nullptr;
   if (only_replayed && replay.compared == 0) {
     // A file of nothing but headers would look like a success.
-    refuse_log(question, fmt::format("{} What the log itself contains can be exported: --to csv",
-                                     replay.obstacle.empty() ? "No tick of it can be replayed." : replay.obstacle));
+    refuse_log(question, fmt::format("{} The recorded data can be exported with --to csv",
+                                     replay.obstacle.empty() ? "None of its ticks can be replayed." : replay.obstacle));
   }
   flight::Flight report = flight_log::to_report(flight, replay);
   if (only_replayed && replay.unreachable > 0) {
     report.notes.push_back(
-        fmt::format("The messages of --to {} are what a replay gives: ticks that could not be replayed are not among "
-                    "them. --to csv has every tick.",
+        fmt::format("The messages of --to {} come from a replay, so ticks that could not be replayed are missing. "
+                    "--to csv has every tick.",
                     question.format->name));
   }
   const log_export::ReplayedFlight source{flight, replay, report, question.window};
@@ -214,8 +214,8 @@ std::vector<std::filesystem::path> files_to_spare(const std::filesystem::path& l
 void refuse_to_replace(const std::filesystem::path& target, const ExportFormat& format) {
   if (target != "-" && target.extension() != format.ending && std::filesystem::exists(target)) {
     throw text::OutputError{
-        fmt::format("--out {}: this file exists, and its name does not end in {}, as that of an earlier export "
-                    "would; choose another name",
+        fmt::format("--out {}: this file exists, and its name does not end in {} like an earlier export; choose "
+                    "another name",
                     target.string(), format.ending)};
   }
 }
@@ -223,7 +223,7 @@ void refuse_to_replace(const std::filesystem::path& target, const ExportFormat& 
 void export_log(const ExportOptions& options) {
   const auto& [from_s, until_s] = options.window;
   if (from_s && until_s && *from_s > *until_s) {
-    throw UsageError{fmt::format("--from {:g} lies behind --until {:g}", *from_s, *until_s)};
+    throw UsageError{fmt::format("--from {:g} is after --until {:g}", *from_s, *until_s)};
   }
   const ExportFormat& format = *std::ranges::find(export_formats, options.format, &ExportFormat::name);
   refuse_to_replace(output_file(options, format), format);
@@ -269,7 +269,7 @@ void add_log_export(const Verb& log) {
   verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").offers(files).required();
   verb.option("--to", options->format,
               "csv: flight.csv. mat: for MATLAB, Octave and SciPy. parquet: for pandas and DuckDB. mcap: for "
-              "Foxglove. ulog: for PlotJuggler. lcm: for lcm-logplayer. candump: the bus as it was, for canplayer and "
+              "Foxglove. ulog: for PlotJuggler. lcm: for lcm-logplayer. candump: the bus frames, for canplayer and "
               "cantools. json: one object with everything")
       .required()
       .one_of({"csv", "mat", "parquet", "mcap", "ulog", "lcm", "candump", "json"})
@@ -278,20 +278,20 @@ void add_log_export(const Verb& log) {
       .offers(files)
       .check(objection_to_file);
   verb.option("--fields", options->fields,
-              "Only these, with commas between; an unknown name lists all [csv: those of flight.csv; others: all]")
+              "Only these, separated by commas; an unknown name lists all [csv: those of flight.csv; others: all]")
       .separated_by(',')
       .one_word_each_time()
       .value_name("A,B,C");
-  verb.option("--from", options->window.from_s, "Begin, s on the clock of time_s").check(objection_to_time);
+  verb.option("--from", options->window.from_s, "Start, s on the clock of time_s").check(objection_to_time);
   verb.option("--until", options->window.until_s, "End, likewise (--to is the format)").check(objection_to_time);
   add_flight_choice(verb, options->flight);
   verb.examples(
       "Examples:\n"
       "  fantail log export out/tasha3_launch2 --to ulog      for PlotJuggler: out/export/tasha3_launch2.ulg\n"
       "  fantail log export flown.ftl --to csv --fields time_s,roll_angle_deg,rate_x_count --from 0 --until 12\n"
-      "                                                       a table of your own, raw counts of the gyro in it\n"
+      "                                                       a table of your choice, with raw counts of the gyro\n"
       "  fantail log export flown.ftl --to candump --out - | cantools decode canard_bus.dbc\n"
-      "                                                       what the bus carried, in words; canard_bus.dbc is in\n"
+      "                                                       the bus messages in words; canard_bus.dbc is in\n"
       "                                                       PREFIX/share/fantail or the sources' firmware/protocol");
   verb.action([options] { export_log(*options); });
 }

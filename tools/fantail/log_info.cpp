@@ -31,7 +31,7 @@ std::string heading(const flight_log::LogFile& file) {
     text += foreign + "\n";
   }
   if (file.records_left_out > 0) {
-    text += fmt::format("{} records behind flight {} are left out: no more flights are read\n", file.records_left_out,
+    text += fmt::format("{} records after flight {} are left out: no more flights are read\n", file.records_left_out,
                         file.flights.size());
   }
   return text;
@@ -46,7 +46,7 @@ void show_info(const InfoOptions& options) {
     file.flights.clear();
     file.flights.push_back(std::move(chosen));
   }
-  chapters.next("replaying what was recorded");
+  chapters.next("replaying the recording");
   std::vector<FlightInfo> flights;
   for (std::size_t i = 0; i < file.flights.size(); ++i) {
     give_up_if_interrupted();
@@ -75,7 +75,7 @@ FlightInfo flight_info(const flight_log::Flight& flight) {
   } else {
     replay.unreachable = flight.ticks.size();
     replay.obstacle = flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
-                                        : "No intact header is left, and so no flight plan.";
+                                        : "It has no intact header, so there is no flight plan.";
   }
   const core::Microseconds zero = flight_log::time_zero(flight, replay);
   const std::string_view zero_text = flight_log::time_zero_text(flight, replay);
@@ -89,17 +89,18 @@ FlightInfo flight_info(const flight_log::Flight& flight) {
 }
 
 void add_log_info(const Verb& log) {
-  auto verb = log.verb("info", "What a flight log holds, whether it is intact, and whether a replay agrees");
+  auto verb = log.verb("info", "Content of a flight log, whether it is intact, and whether a replay agrees");
   auto options = std::make_shared<InfoOptions>();
   verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").offers(files).required();
   add_flight_choice(verb, options->flight, " [all]");
   verb.flag("--json", options->json, "Print one JSON object");
   verb.examples(
-      "Times count from lift-off, in the tunnel from control start; of a record that shows none, from its beginning.\n"
-      "Exit code 0: intact, also when the recording breaks off; 1: records are missing or bytes damaged.\n"
+      "Times count from lift-off, in the tunnel from the start of control; if the record shows neither, from its "
+      "beginning.\n"
+      "Exit code 0: intact, also when the recording ends early; 1: records are missing or bytes damaged.\n"
       "Examples:\n"
-      "  fantail log info out/tasha3_launch2    who flew what, is it intact, does a replay give the same\n"
-      "  fantail log info flash.ftl --flight 2  one of several flights that a board's flash held\n"
+      "  fantail log info out/tasha3_launch2    vehicle and plan, is it intact, does a replay agree\n"
+      "  fantail log info flash.ftl --flight 2  one of several flights from a board's flash\n"
       "  fantail log info flown.ftl --json      every figure and every event, for a script");
   verb.action([options] { show_info(*options); });
 }

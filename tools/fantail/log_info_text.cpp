@@ -40,14 +40,14 @@ std::string duration_words(const flight_log::LoopTimes& loop) {
   if (loop.longest_us == 0.0) {
     return "no tick durations: the simulated clock does not advance during a tick";
   }
-  return fmt::format("a tick takes {:.1f} us in the mean, 99 of 100 at most {:.0f} us, the longest {:.0f} us; {}",
+  return fmt::format("a tick takes {:.1f} us on average, 99 of 100 at most {:.0f} us, the longest {:.0f} us; {}",
                      loop.mean_us, loop.p99_us, loop.longest_us,
                      loop.late == 0 ? "none was late" : fmt::format("{} took a millisecond or more", loop.late));
 }
 
 std::string loop_words(const flight_log::LoopTimes& loop, bool has_gaps) {
   return fmt::format("{}\n{:12}longest step from one tick to the next{}: {:.3f} ms", duration_words(loop), "",
-                     has_gaps ? ", but for the gaps in the log" : "", 1e-3 * loop.longest_step_us);
+                     has_gaps ? ", except for the gaps in the log" : "", 1e-3 * loop.longest_step_us);
 }
 
 std::string health_words(const flight_log::HealthFigures& health) {
@@ -57,13 +57,15 @@ std::string health_words(const flight_log::HealthFigures& health) {
 
 std::string event_list(const FlightInfo& info) {
   const auto& events = info.flight.events;
-  std::string text = events.empty() ? "" : "\n  time / s   what happened\n";
+  std::string text = events.empty() ? ""
+                                    : "\n"
+                                      "  time / s   event\n";
   for (std::size_t i = 0; i < std::min(events.size(), most_events_shown); ++i) {
     text += fmt::format("  {:>9.3f}  {}\n", info.seconds(events[i].time),
                         flight_log::event_text(events[i], info.flight.first_time));
   }
   if (events.size() > most_events_shown) {
-    text += fmt::format("  and {} more, which --json lists\n", events.size() - most_events_shown);
+    text += fmt::format("  and {} more, listed by --json\n", events.size() - most_events_shown);
   }
   return text;
 }

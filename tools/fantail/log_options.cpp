@@ -48,23 +48,22 @@ void add_older_option(const Verb& verb, const std::string& dashes, ColumnOptions
 }  // namespace
 
 void add_columns_option(const Verb& verb, const std::string& dashes, ColumnOptions& columns) {
-  verb.option(
-          dashes + "columns", columns.said,
-          "Another logger's columns and units, as time=t:ms,roll_rate=p:rad/s,canard=-u:deg; rad alone: every angle "
-          "and rate without a unit")
+  verb.option(dashes + "columns", columns.said,
+              "Columns and units of another logger, as time=t:ms,roll_rate=p:rad/s,canard=-u:deg; rad alone: for every "
+              "angle and rate without a unit")
       .value_name("QUANTITY=COLUMN:UNIT,...");
   add_older_option(verb, dashes, columns);
   verb.option(dashes + "units", columns.units, "").one_of({"deg", "rad"}).value_name("deg|rad").hidden();
 }
 
 void add_tunnel_columns_option(const Verb& verb, ColumnOptions& columns) {
-  verb.option("--columns", columns.said, "Another logger's columns and units, as time=t:ms,wind_speed=v:km/h,fan=n")
+  verb.option("--columns", columns.said, "Columns and units of another logger, as time=t:ms,wind_speed=v:km/h,fan=n")
       .value_name("QUANTITY=COLUMN:UNIT,...");
   add_older_option(verb, "--", columns);
 }
 
 void add_save_columns_option(const Verb& verb, bool& save) {
-  verb.flag("--save-columns", save, "Keep that in LOG.columns.toml, which is read from then on");
+  verb.flag("--save-columns", save, "Save them in LOG.columns.toml, which is read from then on");
 }
 
 files::Sources sources(const ColumnOptions& columns, const std::string& dashes,
@@ -122,7 +121,7 @@ void add_log_options(const Verb& verb, LogOptions& options) {
 
 logs::Reading reading(const LogOptions& options) {
   if (options.save_columns && options.columns.said.empty()) {
-    throw UsageError{"--save-columns: there is nothing to keep without --columns"};
+    throw UsageError{"--save-columns: there is nothing to save without --columns"};
   }
   return reading(options.columns, "--", options.truth);
 }

@@ -33,16 +33,16 @@ using fantail::tool::verb_table;
 
 constexpr const char* meaning = "roll control for sounding rockets, from the wind tunnel to flight";
 constexpr const char* description =
-    "It simulates sounding rockets with roll canards, with the control code of the real avionics. It checks the "
-    "canards "
-    "of a rocket over CAN. It finds the roll model in tunnel and flight logs, and predicts the next flight.\n"
-    "`--help` explains each verb, with examples. Each has a page in this manual: `man fantail-fly`.\n\n";
+    "It simulates sounding rockets with roll canards, using the control code of the real avionics. It checks the "
+    "canards of a rocket over CAN. It finds the roll model in tunnel and flight logs, and predicts the next flight.\n"
+    "`--help` explains each verb, with examples. Each has a page in this manual: `man fantail-fly`.\n"
+    "\n";
 constexpr const char* examples =
     "Examples:\n"
     "  fantail fly                          the second launch of Tasha III, with a report\n"
     "  fantail fly tunnel_steps --json      the wind-tunnel runs, for a script\n"
-    "  fantail plan show tasha3_launch2     every number a rocket is loaded with\n"
-    "  fantail predict tasha3_launch1       in hindsight, by the offsets of its own log: no go\n"
+    "  fantail plan show tasha3_launch2     every number of a flight plan\n"
+    "  fantail predict tasha3_launch1       in hindsight, with the fin offsets of its own log: no go\n"
     "  fantail bench limits --can can0      four real canards to their limits, and a sheet to sign\n";
 
 std::string list_of_exit_codes() {
@@ -140,8 +140,8 @@ ExitCode become(const std::string& verb, char** argv) {
     }
   }
   say(fmt::format(
-      "fantail: the verb {} is not there: {} is neither in {} nor in {}; in the sources, ./dev {} builds it\n", verb,
-      program, (here / "libexec").string(), (here / "../libexec/fantail").lexically_normal().string(), verb));
+      "fantail: the verb {} is not installed: {} is neither in {} nor in {}; in the sources, ./dev {} builds it\n",
+      verb, program, (here / "libexec").string(), (here / "../libexec/fantail").lexically_normal().string(), verb));
   return ExitCode::not_installed;
 }
 

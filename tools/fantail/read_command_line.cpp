@@ -71,7 +71,7 @@ std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
   }
   const std::string& word = surplus.front();
   if (std::ranges::find(verbs, word) != verbs.end()) {
-    return '"' + word + "\" is no verb behind a bare --";
+    return '"' + word + "\" is not a verb after a bare --";
   }
   if (word.starts_with('-')) {
     return fmt::format("unknown option {}; a verb comes first: {}", word, fmt::join(verbs, ", "));

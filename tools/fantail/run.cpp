@@ -76,8 +76,7 @@ ExitCode run_words(const VerbEntry& entry, void (*fill)(const Verb& verb), const
   } catch (const std::runtime_error& error) {
     return output_was_taken() ? complain(error.what(), ExitCode::input_output) : complain_about_output();
   } catch (const std::bad_alloc&) {
-    return complain("this takes more memory than there is; end other programs, or give less at once",
-                    ExitCode::internal_error);
+    return complain("not enough memory; end other programs, or give less data at once", ExitCode::internal_error);
   } catch (const std::exception& error) {
     return complain(error.what(), ExitCode::internal_error);
   }

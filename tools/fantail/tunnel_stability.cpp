@@ -76,8 +76,7 @@ void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& he
     if (!std::filesystem::exists(options.logs.front())) {
       throw text::Error{text::ErrorKind::no_such_input, options.logs.front() + ": no such file"};
     }
-    throw UsageError{
-        "no rocket given, and no summary.json beside the log names one: use --vehicle NAME|FILE"};
+    throw UsageError{"no rocket given, and no summary.json beside the log names one: use --vehicle NAME|FILE"};
   }
   const std::string named = options.vehicle ? *options.vehicle : flown->vehicle_file;
   // A path is one from the folder of a scenario that nobody names here: in this folder it may be another rocket's.

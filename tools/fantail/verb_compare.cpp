@@ -72,7 +72,7 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
 
 void compare_logs(const CompareVerbOptions& options) {
   if (options.save_columns && options.a.columns.said.empty() && options.b.columns.said.empty()) {
-    throw UsageError{"--save-columns: there is nothing to keep without --a-columns or --b-columns"};
+    throw UsageError{"--save-columns: there is nothing to save without --a-columns or --b-columns"};
   }
   Chapters chapters{"compare", 3, "reading " + options.a.path};
   const result::Made made = made_with({options.a.path, options.b.path});
@@ -111,7 +111,8 @@ void add_log(const Verb& verb, const std::string& name, const std::string& capit
   verb.option(capital, choice.path, "CSV, MAT or Parquet file, flight log (.ftl) or flight folder")
       .offers(files)
       .required();
-  verb.option("--" + name, choice.motion, "Which roll motion of " + capital + ": as measured, or a simulation's truth")
+  verb.option("--" + name, choice.motion,
+              "Roll motion of " + capital + ": as measured, or the true one of a simulation")
       .one_of({"measured", "true"})
       .value_name("measured|true")
       .show_default();
@@ -126,17 +127,17 @@ void add_alignment(const Verb& verb, CompareVerbOptions& options) {
       .excludes(window);
   verb.option("--to", options.to_s, "End on A's clock, s").check(objection_to_time).value_name("S").excludes(window);
   auto align = verb.option("--align", options.align,
-                           "none: the clocks as they are. angle: look up to 2 s to both sides for the shift at which "
-                           "the rolls agree best, judged by their rates")
+                           "none: use the clocks unchanged. angle: find the shift, up to 2 s either way, at which "
+                           "the roll rates agree best")
                    .one_of({"none", "angle"})
                    .value_name("none|angle")
                    .show_default();
-  verb.option("--shift", options.shift_s, "What B's clock shows at A's zero, s")
+  verb.option("--shift", options.shift_s, "Reading of B's clock at A's zero, s")
       .check(objection_to_time)
       .value_name("S")
       .excludes(align);
   verb.flag("--remove-offset", options.remove_offset,
-            "Roll angles count from different zeros: let both begin the window at A's");
+            "Remove a constant difference of the roll angles: both begin the window at A's angle");
 }
 
 void fill(const Verb& verb) {
@@ -162,11 +163,12 @@ void fill(const Verb& verb) {
   verb.examples(
       "Examples:\n"
       "  fantail compare out/tasha3_launch2 out/tasha3_launch2 --b true --window control\n"
-      "                                                      how well the avionics knew its own roll\n"
+      "                                                      how well the avionics measured its own roll\n"
       "  fantail compare flown.csv out/tasha3_launch2 --align angle --remove-offset --from 0.5 --to 8\n"
-      "                                                      a logger whose clock and zero were not set\n"
+      "                                                      a logger with another clock and another zero\n"
       "  fantail compare new.csv old.csv --b-columns rad,roll_angle_deg=phi --require-angle 0.5 --json\n"
-      "                                                      a check for a script: exit code 1 when farther apart");
+      "                                                      a check for a script: exit code 1 if the difference is "
+      "larger");
   verb.action([options] { compare_logs(*options); });
 }
 

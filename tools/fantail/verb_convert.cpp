@@ -40,8 +40,8 @@ std::string ending_of(const ConvertOptions& o) {
   }
   std::string ending = std::filesystem::path{o.out}.extension().string();
   if (!is_written(ending)) {
-    throw UsageError{fmt::format("--out {}: its ending names no format that is written; allowed: {}, or say --to",
-                                 o.out, files::listed(files::written_endings))};
+    throw UsageError{fmt::format("--out {}: its ending is not an output format; allowed: {}, or give --to", o.out,
+                                 files::listed(files::written_endings))};
   }
   return ending;
 }

@@ -60,17 +60,16 @@ files::Sources sources(const ListenOptions& o, const flight::Table& table, std::
   }
   const files::Logger* const logger = o.map.empty() ? files::logger_of(table.columns()) : files::find_logger(o.map);
   if (logger == nullptr) {
-    throw text::Error{
-        text::ErrorKind::bad_data,
-        fmt::format("{}: its columns are those of no logger that is known; say at least what time and axial force are: "
-                    "--columns time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
-                    table.name(), flight::missing_column("known", table.columns()))};
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: its columns fit no known logger; name at least time and axial force: --columns "
+                                  "time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
+                                  table.name(), flight::missing_column("known", table.columns()))};
   }
   const files::Sources of_map = files::sources_of(*logger, listen::heard_quantities);
   const bool uses_map = std::ranges::any_of(of_map, [&](const files::Source& source) {
     return files::find(typed, source.quantity) == nullptr && table.find(source.column);
   });
-  from = uses_map ? fmt::format("{}columns of the map {}{}", typed.empty() ? "" : "columns as typed, and for the rest ",
+  from = uses_map ? fmt::format("{}columns of the map {}{}", typed.empty() ? "" : "columns as typed, the rest from ",
                                 logger->name, o.map.empty() ? ", which fits them" : "")
                   : "";
   return files::merged(typed, of_map);
@@ -123,7 +122,7 @@ void listen_to(const ListenOptions& o) {
       listen::answer(heard, made_with({o.log, o.barometer})),
       {.folder = place.folder, .name = "listen", .inputs = {o.log, o.barometer}, .json = o.json, .when_written = [&] {
          if (!place.remark.empty()) {
-           say(fmt::format("fantail: {} This one is in {}; --out names another place.\n", place.remark,
+           say(fmt::format("fantail: {} This page is in {}; --out names another place.\n", place.remark,
                            place.folder.string()));
          }
        }});
@@ -132,57 +131,53 @@ void listen_to(const ListenOptions& o) {
 std::string objection_to_map(const std::string& text) {
   return files::find_logger(text) != nullptr
              ? ""
-             : fmt::format("\"{}\" is no map of a logger's columns; allowed: {}", text, names_of_maps());
+             : fmt::format("\"{}\" is not a map of a logger's columns; allowed: {}", text, names_of_maps());
 }
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<ListenOptions>();
-  verb.option(
-          "LOG", options->log,
-          "A ULog (.ulg), MAT or Parquet file, any other that `fantail convert` reads, or a CSV file of any other name")
+  verb.option("LOG", options->log,
+              "A ULog (.ulg), MAT or Parquet file, any other type that `fantail convert` reads, or a CSV file")
       .offers(files)
       .required();
   verb.option("--columns", options->columns,
               "QUANTITY=[-][SCALE*]COLUMN:UNIT for time, axial (or axial_from_rest, zero on the pad), second_axial, "
               "lateral_y, lateral_z, roll_rate, pitch_rate, yaw_rate, height, speed; x points to the nose")
       .value_name("QUANTITY=COLUMN:UNIT,...");
-  verb.option(
-          "--map", options->map,
-          fmt::format("The map of a logger's columns [the one that fits]. --columns overrides it. {}", names_of_maps()))
+  verb.option("--map", options->map,
+              fmt::format("Map of a logger's columns [the one that fits]. --columns overrides it. {}", names_of_maps()))
       .check(objection_to_map)
       .value_name("MAP");
-  verb.option("--barometer", options->barometer, "A file of its own that has the height")
-      .offers(files)
-      .value_name("FILE");
-  verb.option("--barometer-columns", options->barometer_columns, "Its time, height and speed, as in --columns")
+  verb.option("--barometer", options->barometer, "Separate file with the height").offers(files).value_name("FILE");
+  verb.option("--barometer-columns", options->barometer_columns,
+              "Its columns for time, height and speed, as in --columns")
       .value_name("QUANTITY=COLUMN:UNIT,...");
   verb.option("--plan", options->plan, "The flight plan: a shipped name or a path")
       .offers(shipped(input::Shipped::plan))
       .show_default();
   verb.option("--longest-gap", options->longest_gap_s,
-              "Longest time between two samples that a straight line bridges, s [ten usual intervals; in a log faster "
-              "than 400 Hz the plan's stale time]")
+              "Longest time between two samples that is interpolated, s [ten usual intervals; in a log faster than "
+              "400 Hz the plan's stale time]")
       .check(within(1e-4, 10.0))
       .value_name("S");
-  verb.option("--pad", options->pad_s,
-              "The rocket stood still for so long before the log, s, reading the mean of what it reads up to lift-off")
+  verb.option("--pad", options->pad_s, "Time at rest before the log, s, with the mean readings up to lift-off")
       .check(within(0.0, 3600.0))
       .value_name("S");
   verb.option("--out", options->out,
-              "Folder for listen.html and listen.json [out/listen/LOG, where that has the page of another file "
+              "Folder for listen.html and listen.json [out/listen/LOG; if that has the page of another file, "
               "out/listen/LOG_2, ...]")
       .offers(folders);
   verb.flag("--json", options->json, "Print listen.json instead of the text");
   verb.examples(
       "Examples:\n"
       "  fantail listen flight.csv --columns time=ts:s,axial=-Ay:m/s2,roll_rate=Gy:deg/s,height=alt:m\n"
-      "                                               anybody's log; a minus turns an axis around\n"
+      "                                               any log; a minus reverses an axis\n"
       "  fantail listen 2022-06-24-serial-6583-flight-0003.csv --pad 5\n"
       "                                               an export of AltosUI; its log begins 0.3 s before the launch\n"
       "  fantail listen imu.csv --map cats --barometer flightInfo.csv --barometer-columns time=ts:s,height=height:m\n"
       "                                               a CATS Vega, with its height beside it\n"
       "  fantail listen log.ulg --plan tasha3_launch1 --json\n"
-      "                                               a PX4 log, by the rule of the first published launch");
+      "                                               a PX4 log, with the plan of the first published launch");
   verb.action([options] { listen_to(*options); });
 }
 

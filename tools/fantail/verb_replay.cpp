@@ -144,8 +144,7 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<ReplayOptions>();
   verb.option("LOG", options->log, "A flight log (.ftl), or a folder with a flight.ftl").offers(files).required();
   verb.option("--set", options->changes,
-              "section.key=value: change one value of the plan and see which commands it would have given, in "
-              "open loop; repeatable")
+              "section.key=value: change one value of the plan and compute the commands in open loop; repeatable")
       .offers(changes_of_plan)
       .one_word_each_time();
   add_flight_choice(verb, options->flight);
@@ -155,11 +154,11 @@ void fill(const Verb& verb) {
   verb.examples(
       "Exit code 0: every output byte of every tick that could be replayed is as recorded; 1: one differs.\n"
       "Examples:\n"
-      "  fantail replay out/tasha3_launch2    does this program fly that flight as it was flown?\n"
+      "  fantail replay out/tasha3_launch2    does this program repeat that flight exactly?\n"
       "  fantail replay flown.ftl --set controller.canard_limit_deg=9\n"
-      "                                       what would the law have asked for with a wider limit?\n"
+      "                                       commands of the law with a wider limit\n"
       "  fantail replay flown.ftl --set offset.rejection=integral\n"
-      "                                       and with integral action, in the motion that was flown?\n"
+      "                                       commands with integral action, in the recorded motion\n"
       "  fantail replay flash.ftl --flight 2 --json\n"
       "                                       one of several flights, for a script");
   verb.action([options] { run(*options); });

@@ -257,12 +257,13 @@ std::string exported(std::string_view flight, std::string_view format) {
 std::filesystem::path install() {
   const std::filesystem::path folder = own_environment();
   if (folder.empty()) {
-    throw text::Error{text::ErrorKind::usage, "--install: HOME is not set, so there is no place for the packages"};
+    throw text::Error{text::ErrorKind::usage, "--install: HOME is not set, so there is no folder for the packages"};
   }
   if (!environment("FANTAIL_PYTHON").empty()) {
     throw text::Error{
         text::ErrorKind::usage,
-        fmt::format("--install: FANTAIL_PYTHON names another Python; there this installs them: {}", install_command())};
+        fmt::format("--install: FANTAIL_PYTHON names another Python; this command installs the packages there: {}",
+                    install_command())};
   }
   const MemoryFile none;
   Child child{
@@ -273,7 +274,7 @@ std::filesystem::path install() {
   child.wait();
   if (const int status = child.status(); status != 0) {
     throw NotInstalled{fmt::format(
-        "--install: {} was not made; the reason stands above, and python3-venv may be missing", folder.string())};
+        "--install: {} could not be created; see the message above. python3-venv may be missing", folder.string())};
   }
   return folder;
 }

@@ -78,8 +78,8 @@ std::optional<Header> find_header(const std::string& text, Writer writer) {
 void refuse_unnamed_velocities(const std::string& name, const Header& header, std::string_view names) {
   if (names.find("E3,W1 (rad/s)") != std::string_view::npos && names.find("Vx") == std::string_view::npos) {
     text::refuse(fmt::format(
-        "{}:{}: RocketPy wrote this without names of variables, and its header then lacks the three velocities; name "
-        "them: export_data(\"flight.csv\", \"altitude\", \"speed\", \"vz\", \"attitude_angle\", \"density\", "
+        "{}:{}: RocketPy wrote this without variable names, so its header lacks the three velocities; name them: "
+        "export_data(\"flight.csv\", \"altitude\", \"speed\", \"vz\", \"attitude_angle\", \"density\", "
         "time_step=0.01)",
         name, header.line));
   }
@@ -99,10 +99,8 @@ void make_commas(std::string& text, const std::string& name, char separator) {
     is_comment = is_comment || (at_begin && c == '#');
     at_begin = at_begin && (c == ' ' || is_comment);
     if (c == ',' && !is_comment) {
-      text::refuse(
-          fmt::format("{}:{}: a comma, where the columns are separated by {}; numbers are expected with a decimal "
-                      "point",
-                      name, line, separator == ';' ? "semicolons" : "tabs"));
+      text::refuse(fmt::format("{}:{}: a comma, but the columns are separated by {}; numbers need a decimal point",
+                               name, line, separator == ';' ? "semicolons" : "tabs"));
     }
     c = c == separator ? ',' : c;
   }

@@ -37,7 +37,7 @@ struct Loaded {
 /// stays on its line. The decimal point is a point.
 ///
 /// Throws text::Error (bad_data) as flight::Table::parse() does, for a semicolon or tab beside commas, and for what
-/// RocketPy exports when no variable is named: its header then lacks three columns, and nobody knows which number is
+/// RocketPy exports when no variable is named: its header then lacks three columns, and it is unknown which number is
 /// which.
 [[nodiscard]] Loaded parse(std::string text, const std::string& name, Writer writer);
 

@@ -87,8 +87,7 @@ std::u16string utf16(std::string_view utf8) {
 
 std::uint32_t size_of(std::string_view bytes) {
   if (bytes.size() > std::numeric_limits<std::int32_t>::max()) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      "a MAT-file of version 5 has no room for more than 2 GB in a variable"};
+    throw text::Error{text::ErrorKind::bad_data, "a MAT-file of version 5 cannot contain more than 2 GB in a variable"};
   }
   return static_cast<std::uint32_t>(bytes.size());
 }

@@ -150,7 +150,7 @@ class Reader {
                                         repeated_, result_.read, table_.place(first_repeated_),
                                         rule_.same_time == SameTime::first_counts
                                             ? "they are left out"
-                                            : "of rows with one time the last number of each column counts"));
+                                            : "of rows with the same time the last number of each column counts"));
   }
 
   const flight::Table& table_;
@@ -173,7 +173,7 @@ Found find_column(const flight::Table& table, const Sources& sources, Quantity q
   const std::string name = source != nullptr ? source->column : std::string{own.column};
   const auto column = table.find(name);
   if (!column || name.empty()) {
-    const std::string advice = option.empty() ? "" : fmt::format("; say it with {} {}=COLUMN:UNIT", option, own.name);
+    const std::string advice = option.empty() ? "" : fmt::format("; name it with {} {}=COLUMN:UNIT", option, own.name);
     text::refuse(fmt::format("{}: {}{}", table.name(), flight::missing_column(name, table.columns()), advice));
   }
   Found found{.column = *column};

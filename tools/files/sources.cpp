@@ -80,7 +80,8 @@ double sign_and_scale(const std::string& where, std::string& column) {
     const auto scale = text::number(column.substr(0, star));
     constexpr double largest = 1e12;
     if (!scale || !(std::abs(*scale) >= 1.0 / largest && std::abs(*scale) <= largest)) {
-      refuse(where, fmt::format("{} is no scale; a number from 1e-12 to 1e12 is expected before the *, as in 0.5*{}",
+      refuse(where, fmt::format("{} is not a scale; a number from 1e-12 to 1e12 is expected before the *, as in "
+                                "0.5*{}",
                                 flight::in_quotes(column.substr(0, star)), column.substr(star + 1)));
     }
     factor *= *scale;
@@ -118,7 +119,8 @@ Source source_of(const Said& said, std::span<const Quantity> asked) {
   const std::string word = said.source.substr(colon + 1);
   const Unit* const unit = find_unit(word);
   if (unit == nullptr || unit->dimension != *known.dimension) {
-    refuse(said.where, fmt::format("{} is no unit of {}; allowed: {}", flight::in_quotes(word), known.name, allowed));
+    refuse(said.where,
+           fmt::format("{} is not a unit of {}; allowed: {}", flight::in_quotes(word), known.name, allowed));
   }
   Source source{.quantity = known.quantity,
                 .name = known.name,

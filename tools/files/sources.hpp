@@ -31,7 +31,7 @@ using Sources = std::vector<Source>;
 /// may do without a unit. A name may contain colons itself, a unit none.
 ///
 /// `option` is named in messages. Throws text::Error (bad_configuration) for an unknown quantity or unit, one that is
-/// missing or of another dimension (naming those allowed), a scale outside 1e-12 to 1e12, a time turned round, a
+/// missing or of another dimension (naming those allowed), a scale outside 1e-12 to 1e12, a reversed time, a
 /// quantity twice.
 [[nodiscard]] Sources parse_columns(std::string_view text, const std::string& option, std::span<const Quantity> asked);
 

@@ -12,7 +12,9 @@ namespace {
 std::string_view text(protocol::LogEnd end) {
   switch (end) {
     case protocol::LogEnd::flight_over: return "the flight is over";
-    case protocol::LogEnd::returned_to_pad: return "no flight any more: at rest, or for a minute";
+    case protocol::LogEnd::returned_to_pad:
+      return "the flight has ended: the rocket is at rest, or a minute has "
+             "passed";
     case protocol::LogEnd::flash_full: return "the flash is full";
     case protocol::LogEnd::flash_failed: return "the flash failed";
   }
@@ -32,10 +34,10 @@ std::string_view text(core::CommandStatus status) {
 
 std::string_view text(core::GyroVote vote) {
   switch (vote) {
-    case core::GyroVote::both: return "the two gyros agree, and the first flies";
-    case core::GyroVote::first: return "the first gyro flies, and the second is not believed";
-    case core::GyroVote::second: return "the second gyro flies, and the first is not believed";
-    case core::GyroVote::disagree: return "the two gyros disagree, and neither is believed";
+    case core::GyroVote::both: return "the two gyros agree, and the first is used";
+    case core::GyroVote::first: return "the first gyro is used, and the second is rejected";
+    case core::GyroVote::second: return "the second gyro is used, and the first is rejected";
+    case core::GyroVote::disagree: return "the two gyros disagree, and neither is used";
     case core::GyroVote::neither: return "neither gyro gives a usable rate";
   }
   return "unknown";
@@ -72,7 +74,7 @@ std::string event_text(const protocol::LogEvent& event, core::Microseconds log_b
     case Kind::recording_began:
       return fmt::format("recording began, in sector {} of the flight memory{}", event.number,
                          static_cast<protocol::LogBegin>(event.value) == protocol::LogBegin::acceleration
-                             ? ": specific force beyond recording.threshold_g, ahead of any detection"
+                             ? ": specific force beyond recording.threshold_g, before any detection"
                              : "");
     case Kind::recording_ended:
       return fmt::format("recording ended: {}", text(static_cast<protocol::LogEnd>(event.value)));

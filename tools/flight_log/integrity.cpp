@@ -39,18 +39,18 @@ bool is_simulated(const Flight& flight) { return flight.sensors.starts_with("sim
 
 std::string end_text(const Flight& flight) {
   if (flight.goes_on) {
-    return fmt::format("the recording breaks off: the processor was reset, and flight {} is the rest of it",
+    return fmt::format("the recording ends early: the processor was reset, and flight {} is the rest",
                        flight.number + 1);
   }
   if (!is_simulated(flight)) {
-    return "the recording breaks off: power was lost, the processor was reset, or the log was read before it ended";
+    return "the recording ends early: power was lost, the processor was reset, or the log was read before it ended";
   }
   const bool was_over = std::ranges::any_of(flight.events, [](const protocol::LogEvent& event) {
     return event.kind == protocol::LogEventKind::phase &&
            event.value == static_cast<std::uint8_t>(core::Phase::finished);
   });
-  return was_over ? "the recording ends after control, as the simulation does (normal)"
-                  : "the recording breaks off: the simulation ended or reset the processor, or the file was cut off";
+  return was_over ? "the recording ends after control, with the simulation (normal)"
+                  : "the recording ends early: the simulation ended or reset the processor, or the file was cut off";
 }
 
 bool intact(const Flight& flight) { return lost_records(flight) == 0 && flight.has_header; }
@@ -71,7 +71,7 @@ std::string integrity_text(const Flight& flight) {
                        counted(flight.records, "record"));
   }
   if (!flight.has_header) {
-    text += "; no header, so the plan and the sensor scales are not known";
+    text += "; no header, so the plan and the sensor scales are unknown";
   }
   if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
     text += fmt::format("; {} never written, because the flash was too slow", counted(dropped, "record"));
@@ -80,7 +80,7 @@ std::string integrity_text(const Flight& flight) {
     text += "; " + end_text(flight);
   }
   if (flight.unknown_records > 0) {
-    text += fmt::format("; {} of a kind that this version does not know", counted(flight.unknown_records, "record"));
+    text += fmt::format("; {} of a type unknown to this version", counted(flight.unknown_records, "record"));
   }
   return text;
 }

@@ -19,8 +19,8 @@ namespace fantail::flight_log {
 
 [[nodiscard]] bool has_end(const Flight& flight);
 
-/// "the recording breaks off: ...": why a log without that end has none, where the next one says it, or most likely has
-/// none. Nobody cuts the power of a simulated rocket: its world ends a second after apogee, its recorder half a minute
+/// "the recording ends early: ...": why a log without that end has none, where the next one says it, or most likely has
+/// none. A simulated rocket does not lose power: its world ends a second after apogee, its recorder half a minute
 /// after control.
 [[nodiscard]] std::string end_text(const Flight& flight);
 

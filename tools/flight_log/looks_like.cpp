@@ -25,12 +25,12 @@ struct Beginning {
   std::string_view name;
 };
 constexpr std::array beginnings{
-    Beginning{"ULog\x01\x12\x35"sv, "a ULog file, which is what `fantail log export --to ulog` writes and others read"},
+    Beginning{"ULog\x01\x12\x35"sv, "a ULog file, which `fantail log export --to ulog` writes and other programs read"},
     Beginning{"MATLAB 5.0 MAT-file"sv, "a MAT-file, which compare, identify and tunnel read"},
     Beginning{"PAR1"sv, "a Parquet file, which compare, identify and tunnel read"},
-    Beginning{"\x89MCAP0\r\n"sv, "an MCAP file, which `fantail log export --to mcap` writes and others read"},
+    Beginning{"\x89MCAP0\r\n"sv, "an MCAP file, which `fantail log export --to mcap` writes and other programs read"},
     Beginning{"\xED\xA1\xDA\x01"sv, "an LCM log, which lcm-logplayer plays back"},
-    Beginning{"FTPL"sv, "a flight plan as a board is loaded with it"},
+    Beginning{"FTPL"sv, "a flight plan in the format of the board"},
     Beginning{"\x7F"
               "ELF"sv,
               "a program (ELF)"},
@@ -89,7 +89,7 @@ std::string or_unknown(std::string_view text) { return text.empty() ? "not known
 // What the readable part of a header says; its checksum lies behind the cut.
 std::string header_words(std::span<const std::byte> there, std::size_t whole) {
   if (there.size() < protocol::log_header_fixed_size) {
-    return "too little is left to read its header";
+    return "it is too short to read its header";
   }
   std::vector<std::byte> filled{there.begin(), there.end()};
   filled.resize(
@@ -98,7 +98,7 @@ std::string header_words(std::span<const std::byte> there, std::size_t whole) {
   if (!header) {
     return "its header cannot be read";
   }
-  return fmt::format("its header reads, unchecked: log format {}, firmware {}, vehicle {}, power-up {}",
+  return fmt::format("its header (not checked) gives log format {}, firmware {}, vehicle {}, power-up {}",
                      header->format_version, or_unknown(header->firmware_version), or_unknown(header->vehicle),
                      header->power_up);
 }
@@ -109,7 +109,7 @@ std::string beginning_of_a_log(std::span<const std::byte> bytes) {
     return {};
   }
   if (bytes.size() < protocol::log_head_size) {
-    return fmt::format("cut off in its first record: {} {}, if it is a flight log at all", bytes.size(),
+    return fmt::format("cut off in its first record: {} {}, possibly not a flight log", bytes.size(),
                        bytes.size() == 1 ? "byte" : "bytes");
   }
   const auto type = static_cast<std::uint8_t>(bytes[1]);

@@ -46,7 +46,7 @@ std::string fault_text(const protocol::PlanBlockReading& reading) {
     case protocol::PlanBlockFault::wrong_checksum: return "its checksum is wrong";
     case protocol::PlanBlockFault::older_version: return "it was written by an older version";
     case protocol::PlanBlockFault::newer_version: return "it was written by a newer version";
-    case protocol::PlanBlockFault::other_schema: return "it was written for another list of plan values";
+    case protocol::PlanBlockFault::other_schema: return "it was written for a different list of plan values";
     case protocol::PlanBlockFault::refused: break;
   }
   if (!reading.plan_fault) {

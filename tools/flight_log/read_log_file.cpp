@@ -22,7 +22,7 @@ std::filesystem::path file_of(const std::filesystem::path& path) {
   }
   std::filesystem::path file = path / "flight.ftl";
   if (!std::filesystem::exists(file, ignored)) {
-    throw Error{ErrorKind::no_such_input, path.string() + ": a folder without a flight.ftl"};
+    throw Error{ErrorKind::no_such_input, path.string() + ": this folder contains no flight.ftl"};
   }
   return file;
 }
@@ -36,7 +36,7 @@ LogFile read_log_file(const std::filesystem::path& path) {
   LogFile log = parse_log(bytes, file.string());
   if (log.flights.empty()) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("{}: holds no record of a flight; it is {}", file.string(), looks_like(bytes))};
+                fmt::format("{}: contains no record of a flight; it is {}", file.string(), looks_like(bytes))};
   }
   return log;
 }

@@ -48,22 +48,22 @@ std::string text(const SchemaField& field, double value) {
 
 std::string obstacle_before(const Flight& flight, const core::FlightPlan& plan) {
   if (!flight.foreign_ticks.empty()) {
-    return "Its ticks are laid out as in another version of Fantail, whose flight law this program does not have.";
+    return "Its ticks have the layout of another version of Fantail, whose flight law this program does not have.";
   }
   if (!flight.has_header) {
-    return "It has no intact header, so the plan and the scales of the sensor counts are not known.";
+    return "It has no intact header, so the plan and the scales of the sensor counts are unknown.";
   }
   if (flight.ticks.empty()) {
-    return "It holds no tick.";
+    return "It contains no tick.";
   }
   if (flight.state_layout != state_layout(plan)) {
     if (flight.plan && flight.plan->sensors.gyros != plan.sensors.gyros) {
-      return "What the flight law remembers of two gyros is not what it remembers of one: sensors.gyros cannot be "
-             "changed in a replay.";
+      return "The flight law has a different state for two gyros than for one: sensors.gyros cannot be changed in a "
+             "replay.";
     }
-    return "It was flown by another version of the flight law.";
+    return "It was flown with another version of the flight law.";
   }
-  return flight.checkpoints.empty() ? "It holds no checkpoint from which a replay could start." : "";
+  return flight.checkpoints.empty() ? "It contains no checkpoint from which a replay could start." : "";
 }
 
 // The first value that differs, in the order of the schema.
@@ -224,13 +224,12 @@ core::FlightPlan plan_for_replay(const Flight& flight, const std::string& log,
                                  std::span<const input::Override> changes) {
   if (!flight.plan) {
     refuse(log, flight.has_header ? "Its flight plan cannot be used: " + flight.plan_fault + "."
-                                  : "No intact header is left, and so no flight plan.");
+                                  : "It has no intact header, so there is no flight plan.");
   }
   for (const input::Override& change : changes) {
     if (change.section == "sensors" && !change.key.starts_with("gyro")) {
-      refuse(log,
-             fmt::format("{} changes nothing in a replay: what a log holds is turned into the rocket's axes already",
-                         change.text()));
+      refuse(log, fmt::format("{} changes nothing in a replay: the values in a log are already in the rocket's axes",
+                              change.text()));
     }
   }
   return changes.empty() ? *flight.plan : input::changed_plan(*flight.plan, changes);

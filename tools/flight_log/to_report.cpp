@@ -178,9 +178,11 @@ core::Microseconds time_zero(const Flight& flight, const Regeneration& regenerat
 
 std::string_view time_zero_text(const Flight& flight, const Regeneration& regeneration) {
   if (is_tunnel(flight)) {
-    return control_start(flight) ? "control start" : "the beginning of the record, which shows no control start";
+    return control_start(flight) ? "control start"
+                                 : "the beginning of the record, which does not show the start of "
+                                   "control";
   }
-  return lift_off(regeneration) ? "lift-off" : "the beginning of the record, which shows no lift-off";
+  return lift_off(regeneration) ? "lift-off" : "the beginning of the record, which does not show lift-off";
 }
 
 flight::Flight to_report(const Flight& flight, const Regeneration& regeneration) {

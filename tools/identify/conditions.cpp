@@ -73,9 +73,8 @@ std::optional<std::string> remark_on_inertia(const model::Record& record, const 
   const double first = record.roll_inertia_kg_m2.front();
   const double last = record.roll_inertia_kg_m2.back();
   if (first != last) {
-    return fmt::format(
-        "Roll inertia: {} to {} kg m2 in this window, as the propellant burns; the fit includes that.", about(first),
-        about(last));
+    return fmt::format("Roll inertia: {} to {} kg m2 in this window, as the propellant burns; the fit includes that.",
+                       about(first), about(last));
   }
   return fmt::format("Roll inertia: {} kg m2 throughout this window, the value {}.", about(first),
                      last == course.rbegin()->second ? "after burn-out" : "at lift-off");

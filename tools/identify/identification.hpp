@@ -16,7 +16,7 @@ namespace fantail::identify {
 struct EvenNodes {
   std::size_t intervals = 1;
 };
-/// So many intervals from 1 to `most` that one more is not worth it.
+/// The number of intervals from 1 to `most` beyond which one more is not worthwhile.
 struct AutomaticNodes {
   std::size_t most = 6;
 };

@@ -66,13 +66,13 @@ struct Entered : Event {
 };
 using E = Entered;
 constexpr auto phase_fields = result::fields<E>({
-    {"phase", "phase", u::none, 0, [](const E& e) { return Cell{std::string{core::name(e.to)}}; }, "phase that was "
-                                                                                                   "entered"},
+    {"phase", "phase", u::none, 0, [](const E& e) { return Cell{std::string{core::name(e.to)}}; },
+     "phase that was entered"},
     {"reason", "because", u::none, 0, [](const E& e) { return Cell{std::string{core::name(e.reason)}}; }, "why"},
     {"time", "log's clock", u::s, 3, [](const E& e) { return Cell{e.time_s}; }, "by the log's clock"},
     {"since_lift_off", "after lift-off", u::s, 3, &E::since_lift_off_s, "after lift-off, where that is known"},
-    {"height", "height", u::m, 1, [](const E& e) { return Cell{e.height_m}; }, "above the pad, as the law estimated "
-                                                                               "it"},
+    {"height", "height", u::m, 1, [](const E& e) { return Cell{e.height_m}; },
+     "above the pad, as the law estimated it"},
     {"speed", "speed", u::m_s, 1, [](const E& e) { return Cell{e.speed_m_s}; }, "along the guide, likewise"},
     {"tilt", "tilt", u::deg, 1, [](const E& e) { return Cell{e.tilt_rad}; }, "likewise"},
 });

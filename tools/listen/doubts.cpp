@@ -39,9 +39,7 @@ std::string axial_doubt(const Heard& heard, const Signal& axial, const char* wha
 
 // What the law refused because of it.
 std::string disagreement_doubt(const Heard& heard) {
-  return is_refused_for_disagreement(heard)
-             ? disagreement_sentence(heard) + " Check the columns of both."
-             : "";
+  return is_refused_for_disagreement(heard) ? disagreement_sentence(heard) + " Check the columns of both." : "";
 }
 
 std::string begin_doubt(const Heard& heard) {

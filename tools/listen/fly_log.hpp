@@ -21,10 +21,10 @@ struct Question {
 using Watch = std::function<void(double done_s)>;
 
 /// Flies a log through the flight law of the avionics (core::Autopilot), armed in its first tick, one step a
-/// millisecond. Between two samples values run straight; across a longer gap nothing is given but the old sample, which
-/// goes stale. One that stands at the end of its range is given as saturated. Where the plan asks for two
-/// accelerometers (gyros) and the log has one, its samples are given as both. The encoders say that every canard stands
-/// where it was commanded to be.
+/// millisecond. Between two samples values run straight; across a longer gap the law receives only the old sample,
+/// which goes stale. One that stands at the end of its range is given as saturated. Where the plan asks for two
+/// accelerometers (gyros) and the log has one, its samples are given as both. The encoders report that every canard
+/// stands where it was commanded to be.
 ///
 /// Ends at the end of the log, or three seconds after the later of both apogees (the log's own, the law's). A law of
 /// the plan that begins in the tunnel is refused: text::Error (bad_configuration).

@@ -37,10 +37,9 @@ std::string headline(const Heard& heard) {
                 *heard.early_control_s)
           : "";
   if (!heard.lift_off_s) {
-    return early == 0
-               ? "This log has no lift-off by the rule, and no launch was detected."
-               : fmt::format("This log has no lift-off by the rule, but {} detected.{}",
-                             early == 1 ? "a launch was" : fmt::format("{} launches were", early), control);
+    return early == 0 ? "This log has no lift-off by the rule, and no launch was detected."
+                      : fmt::format("This log has no lift-off by the rule, but {} detected.{}",
+                                    early == 1 ? "a launch was" : fmt::format("{} launches were", early), control);
   }
   const std::string what = early == 0   ? "no false launch"
                            : early == 1 ? "one false launch"
@@ -62,9 +61,10 @@ std::string headline(const Heard& heard) {
   const auto& gap = heard.lift_off_gap;
   const double since_s = *heard.detected_s - *heard.lift_off_s;
   if (since_s < 0.0 && early > 0) {
-    return fmt::format("Launch detected {}{:.3f} s before lift-off, and the flight was controlled from that "
-                       "detection on.",
-                       gap ? "at least " : "", -since_s);
+    return fmt::format(
+        "Launch detected {}{:.3f} s before lift-off, and the flight was controlled from that "
+        "detection on.",
+        gap ? "at least " : "", -since_s);
   }
   return fmt::format(
       "Launch detected {}{:.3f} s after lift-off{}{}{}.",
@@ -89,7 +89,7 @@ std::string further_sentence(const Heard& heard) {
 std::string lift_off_rule() {
   return fmt::format(
       "Lift-off is the first rise of the axial specific force through {0} g that meets two conditions. The force "
-      "stays above {0} g for at least half of the next {1} s. The rise begins a push of {2} m/s or more, which ends "
+      "stays above it for at least half of the next {1} s. The rise begins a push of {2} m/s or more, which ends "
       "when the force has been below {3} g for {4} s. {5} s at the end of the accelerometer's range also count as "
       "such a push, and so does a push in which the log ends. Readings at the end of a range below {0} g count as "
       "above it.",

@@ -22,7 +22,7 @@ struct Event {
   double tilt_rad = 0.0;
 };
 
-/// What the law knew, every 10 ms around the flight.
+/// The law's estimates, every 10 ms around the flight.
 struct Trace {
   std::vector<double> time_s{};  ///< log's clock
   std::vector<double> axial_m_s2{};
@@ -84,7 +84,7 @@ struct Heard {
   std::vector<std::string> doubts{};  ///< why the finding may be wrong, a sentence each
   std::vector<std::string> notes{};   ///< what a reader must know, a sentence each
 
-  /// Does the log begin in thrust, as far as anybody can tell?
+  /// Does the log seem to begin in thrust?
   [[nodiscard]] bool begins_at_lift_off() const { return lift_off_s && !lift_off_gap && *lift_off_s <= log.begin_s(); }
 
   /// Empty also where it lies in a gap.

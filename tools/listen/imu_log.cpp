@@ -36,8 +36,8 @@ constexpr std::array places{
 
 void require(const flight::Table& table, const Sources& sources, Quantity quantity, const char* what) {
   if (files::find(sources, quantity) == nullptr) {
-    text::refuse(fmt::format("{}: the column of the {} is missing; name it with --columns {}=COLUMN:UNIT", table.name(), what,
-                             files::known(quantity).name));
+    text::refuse(fmt::format("{}: the column of the {} is missing; name it with --columns {}=COLUMN:UNIT", table.name(),
+                             what, files::known(quantity).name));
   }
 }
 

@@ -30,7 +30,7 @@ struct Gap {
   double to_s = 0.0;
 };
 
-/// What somebody's logger wrote.
+/// A log of any logger.
 struct ImuLog {
   std::string name{};
   std::size_t rows = 0;
@@ -59,7 +59,7 @@ inline constexpr double longest_log_s = 6.0 * 3600.0;
 inline constexpr double shortest_log_s = 1.0;
 inline constexpr double fastest_log_hz = 20'000.0;
 
-/// What can be heard in a log; height and speed for comparison, the law never sees them.
+/// Quantities read from a log; height and speed are for comparison, the law never receives them.
 inline constexpr std::array heard_quantities{
     files::Quantity::time,      files::Quantity::axial,     files::Quantity::second_axial, files::Quantity::lateral_y,
     files::Quantity::lateral_z, files::Quantity::roll_rate, files::Quantity::pitch_rate,   files::Quantity::yaw_rate,

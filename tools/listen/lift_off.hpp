@@ -7,7 +7,7 @@
 
 namespace fantail::listen {
 
-/// Lift-off as somebody would read it off a plot, by a rule that knows nothing of the law: the first time at which the
+/// Lift-off as somebody would read it off a plot, by a rule that is independent of the law: the first time at which the
 /// axial specific force rises through 2 g, then stays above it for at least half of the next 0.3 s, and begins a push
 /// that makes a flight of it. The push lasts until the force has been below 1.5 g for 0.1 s; it makes a flight when
 /// what it has above 1 g comes to 20 m/s, when it stands at the end of the accelerometer's range for 0.5 s in all, or

@@ -60,8 +60,7 @@ std::string gap_sentence(const Heard& heard) {
   if (heard.gaps.empty()) {
     return {};
   }
-  const std::string longer =
-      fmt::format("longer than the {} ms that are interpolated", in_ms(heard.longest_bridge_s));
+  const std::string longer = fmt::format("longer than the {} ms that are interpolated", in_ms(heard.longest_bridge_s));
   const std::string all =
       heard.gaps.size() == 1 ? "One gap of the log is" : fmt::format("{} gaps of the log are", heard.gaps.size());
   if (flown.empty()) {
@@ -149,9 +148,9 @@ std::string unbelievable_sentence(const Heard& heard) {
   const auto beyond = std::ranges::count_if(heard.log.axial.value, [](double value) {
     return std::abs(value) > static_cast<double>(core::largest_specific_force_m_s2);
   });
-  return beyond == 0 ? ""
-                     : fmt::format(
-                           "{} samples of the axial force are beyond {} m/s2, which the law rejects from any sensor.",
+  return beyond == 0
+             ? ""
+             : fmt::format("{} samples of the axial force are beyond {} m/s2, which the law rejects from any sensor.",
                            beyond, core::largest_specific_force_m_s2);
 }
 
@@ -189,12 +188,12 @@ std::string disagreement_sentence(const Heard& heard) {
         "control did not begin for {} ms, from {:.3f} s on",
         in_ms(no_control.in_all_s), no_control.first_s));
   }
-  return fmt::format("The two accelerometers differed by more than the plan's {} g{}: {}.",
-                     text::brief(static_cast<double>(rule.disagreement_m_s2) / one_g_m_s2, 2),
-                     rule.low_pass ? fmt::format(" after its low-pass of {} Hz",
-                                                 text::brief(static_cast<double>(rule.low_pass_hz), 1))
-                                   : "",
-                     fmt::join(refused, "; "));
+  return fmt::format(
+      "The two accelerometers differed by more than the plan's {} g{}: {}.",
+      text::brief(static_cast<double>(rule.disagreement_m_s2) / one_g_m_s2, 2),
+      rule.low_pass ? fmt::format(" after its low-pass of {} Hz", text::brief(static_cast<double>(rule.low_pass_hz), 1))
+                    : "",
+      fmt::join(refused, "; "));
 }
 
 std::vector<std::string> notes_of(const Heard& heard, const Question& question) {

@@ -33,13 +33,13 @@ inline constexpr double late_s = 1.0;
 
 /// Where two accelerometers differed, and what the law did not do for it; empty where nothing came of it.
 [[nodiscard]] std::string disagreement_sentence(const Heard& heard);
-/// Was the launch not heard, or late, or never controlled, and the two differed meanwhile?
+/// Was the launch not detected, or late, or never controlled, while the two differed?
 [[nodiscard]] bool is_refused_for_disagreement(const Heard& heard);
 
 /// Why the finding may be wrong: columns, signs, units and clocks that do not look right.
 [[nodiscard]] std::vector<std::string> doubts_of(const Heard& heard);
 
-/// What a reader must know of how it was flown: the log's own notes, its rate, gaps, what is fed twice, ends of ranges.
+/// What a reader must know about the run: the log's own notes, its rate, gaps, what is fed twice, ends of ranges.
 [[nodiscard]] std::vector<std::string> notes_of(const Heard& heard, const Question& question);
 
 }  // namespace fantail::listen

@@ -40,7 +40,7 @@ std::string foreign_columns_json(const flight_log::Flight& flight, const std::st
       for (const flight_log::SchemaField& field : tick->fields) {
         if (name == (field.unit.empty() ? field.name : field.name + "_" + field.unit)) {
           return flight::ColumnText{.unit = field.unit.empty() ? "-" : std::string_view{field.unit},
-                                    .description = "as the version of Fantail that wrote the log names it"};
+                                    .description = "name given by the version of Fantail that wrote the log"};
         }
       }
     }

@@ -32,7 +32,7 @@ Extent samples_between(const RollLog& a, const CompareOptions& options) {
   const auto end = std::ranges::upper_bound(a.time_s, to);
   if (begin >= end) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("{}: window {:g} s to {:g} s: it contains no samples; the data run from {:g} s to {:g} s",
+                fmt::format("{}: the window {:g} s to {:g} s contains no samples; the data run from {:g} s to {:g} s",
                             a.name, from, to, a.time_s.front(), a.time_s.back())};
   }
   return {static_cast<std::size_t>(begin - a.time_s.begin()), static_cast<std::size_t>(end - a.time_s.begin())};
@@ -191,8 +191,8 @@ double choose_shift(const RollLog& a, const RollLog& b, const CompareOptions& op
   if (const double motion = mean_square_of_rate(a, extent); found->mean_square > poor * motion) {
     warnings.push_back(
         fmt::format("Even at the best shift within {:g} s, {:.3f} s, the roll rates differ by {:.0f} % of A's motion "
-                    "(rms): the clocks "
-                    "differ by more (then give it with --shift), or the logs show different motions.",
+                    "(rms): the clocks differ by more (then give the shift with --shift), or the logs show different "
+                    "motions.",
                     options.most_shift_s, found->shift_s, 100.0 * std::sqrt(found->mean_square / motion)));
   }
   return found->shift_s;
@@ -223,8 +223,8 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
   }
   if (result.time_s.size() == 1) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("{} and {}: only one sample is there to compare, at {:g} s of A: that is too few", a.name,
-                            b.name, result.time_s.front())};
+                fmt::format("{} and {}: there is only one sample to compare, at {:g} s of A, and two are needed",
+                            a.name, b.name, result.time_s.front())};
   }
   const bool is_window = options.from_s || options.to_s;
   result.asked_s = is_window ? options.to_s.value_or(a.time_s.back()) - options.from_s.value_or(a.time_s.front())

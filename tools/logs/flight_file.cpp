@@ -87,7 +87,7 @@ std::filesystem::path flight_file(const std::filesystem::path& path) {
       return path / name;
     }
   }
-  throw Error{ErrorKind::no_such_input, path.string() + ": this folder holds no flight.csv or flight.ftl"};
+  throw Error{ErrorKind::no_such_input, path.string() + ": this folder contains no flight.csv or flight.ftl"};
 }
 
 std::optional<flight::FlownAirframe> flown_airframe(const std::filesystem::path& path, const Reading& reading) {
@@ -147,7 +147,7 @@ flight::Flight read_flight_log(const std::filesystem::path& file) {
   }
   flight::Flight result = flight_log::to_report(parts);
   if (const std::string foreign = flight_log::foreign_bytes_text(log); !foreign.empty()) {
-    result.notes.push_back("Of the log, " + foreign + ".");
+    result.notes.push_back("In the log, " + foreign + ".");
   }
   return result;
 }

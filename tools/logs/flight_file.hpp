@@ -51,7 +51,7 @@ void expect_rows_of_log_beside(const flight::Flight& rows, const std::filesystem
 void expect_one_flight(const std::filesystem::path& folder, const flight::Flight* rows);
 
 /// The rows of the folder's flight.csv have the roll commands and roll angles of its flight.ftl under control, as far
-/// as both have them: but for how the table is rounded, and for whole turns. Their clocks may have different zeros.
+/// as both have them: except for rounding in the table and whole turns. Their clocks may have different zeros.
 /// Without summary.json they are under control for as long as the log says, too. `log` holds one flight.
 void expect_rows_of_log(const flight::Flight& rows, const flight_log::LogFile& log,
                         const std::filesystem::path& folder);

@@ -82,8 +82,7 @@ void note_doubtful_units(RollLog& log, const Reading& reading) {
   const bool angles_are_stated = is_stated(reading, files::Quantity::canard);
   if (angles_are_stated && canard_rad > 1.6) {
     log.warnings.push_back(
-        fmt::format("canard angles reach {} degrees with the unit that is stated for them: no canard "
-                    "turns so far",
+        fmt::format("canard angles reach {} degrees with their stated unit, which is more than any canard turns",
                     input::about(canard_rad / sim::radians_per_degree)));
   }
   if (!angles_are_stated && reading.angles == AngleUnit::degrees && looks_like_radians(log)) {
@@ -98,7 +97,7 @@ void note_doubtful_units(RollLog& log, const Reading& reading) {
   constexpr double fastest_logger_s = 2e-5;
   if (is_stated(reading, files::Quantity::time) && (interval_s >= 1.0 || interval_s < fastest_logger_s)) {
     log.warnings.push_back(
-        fmt::format("samples are {} s apart with the unit that is stated for time", input::about(interval_s)));
+        fmt::format("samples are {} s apart with the stated unit of time", input::about(interval_s)));
   } else if (interval_s >= 1.0) {
     log.warnings.push_back(fmt::format(
         "samples are {} s apart: time_s must be in seconds and may be in milliseconds here", input::about(interval_s)));

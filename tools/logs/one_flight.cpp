@@ -26,8 +26,8 @@ constexpr double rounding_s = 0.002;
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& difference) {
   throw text::Error{
       text::ErrorKind::bad_data,
-      fmt::format("{}: its files are of two flights: {}; put those of each into a folder of its own, or take "
-                  "summary.json away",
+      fmt::format("{}: its files are of two flights: {}; put the files of each into a separate folder, or remove "
+                  "summary.json",
                   folder.string(), difference)};
 }
 
@@ -57,7 +57,7 @@ void expect_log_of_summary(const std::filesystem::path& folder) {
   const std::optional<std::string> said = report::summary_log_sha256(folder / "summary.json");
   const std::optional<std::string> bytes = said ? text::read_if_there(folder / "flight.ftl") : std::nullopt;
   if (bytes && text::sha256(std::as_bytes(std::span{*bytes})) != *said) {
-    refuse(folder, "flight.ftl has not the SHA-256 that summary.json gives as log_sha256");
+    refuse(folder, "flight.ftl does not have the SHA-256 that summary.json gives as log_sha256");
   }
 }
 
@@ -68,7 +68,7 @@ void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::p
   for (const auto& [change, said_s, what] :
        {std::tuple{begins, said.start_s, "come under"}, {ends, said.end_s, "leave"}}) {
     if (change.elsewhere_s) {
-      refuse(folder, fmt::format("the rows of flight.csv {} control at {} s, and by summary.json it was at {} s", what,
+      refuse(folder, fmt::format("the rows of flight.csv {} control at {} s, but at {} s in summary.json", what,
                                  text::fixed(*change.elsewhere_s, 3), text::fixed(*said_s, 3)));
     }
   }
@@ -77,7 +77,7 @@ void expect_rows_of_summary(const flight::Flight& rows, const std::filesystem::p
   if (begins.is_there && ends.is_there && said.time_s && figures.control_time_s && figures.roll_turns &&
       said.roll_turns && std::abs(*said.time_s - *figures.control_time_s) < rounding_s &&
       std::abs(*said.roll_turns - *figures.roll_turns) > 0.001) {
-    refuse(folder, fmt::format("under control flight.csv turns by {} turns, and by summary.json it was {}",
+    refuse(folder, fmt::format("under control the rocket makes {} turns in flight.csv, but {} in summary.json",
                                text::fixed(*figures.roll_turns, 3), text::fixed(*said.roll_turns, 3)));
   }
 }

@@ -68,8 +68,8 @@ void note_phases(flight::Flight& flight, const std::string& name) {
   if (const auto anew = second_flight(flight.rows)) {
     throw text::Error{
         text::ErrorKind::bad_data,
-        fmt::format("{}: holds more than one flight: it begins anew at {:.3f} s, where the phase is {} after control; "
-                    "give each flight a table of its own",
+        fmt::format("{}: contains more than one flight: a new one begins at {:.3f} s, where the phase is {} after "
+                    "control; put each flight into a separate table",
                     name, flight.rows[*anew].time_s, core::name(flight.rows[*anew].phase))};
   }
   // Why they changed stands in no table. Nor does when, where it was in a hole.

@@ -186,7 +186,7 @@ class FoundColumns {
     std::string message = fmt::format("{}: {}", table_.name(), flight::missing_column(name, table_.columns()));
     if (!reading_.options.empty()) {
       message += fmt::format("; if it has another name: {}columns {}=NAME:UNIT", reading_.options, quantity.name);
-      message += quantity.quantity == files::Quantity::speed ? "; if it was not measured: --speed" : "";
+      message += quantity.quantity == files::Quantity::speed ? "; if it was not measured, give --speed" : "";
     }
     text::refuse(message);
   }
@@ -214,7 +214,7 @@ void read_all(const flight::Table& table, const FoundColumns& columns, Flight& f
     read_phases(table, rows, *columns.phase(), flight);
   }
   if (rows.not_used > 0) {
-    flight.notes.push_back(fmt::format("{} of {} rows are of ticks that could not be replayed; they are left out.",
+    flight.notes.push_back(fmt::format("{} of {} rows belong to ticks that could not be replayed; they are left out.",
                                        rows.not_used, table.rows()));
   }
   flight.notes.insert(flight.notes.end(), rows.notes.begin(), rows.notes.end());
@@ -224,9 +224,9 @@ void read_all(const flight::Table& table, const FoundColumns& columns, Flight& f
   for (std::size_t c = 0; c < rows.lost.size(); ++c) {
     if (rows.lost[c].words > 0) {
       flight.notes.push_back(fmt::format(
-          "{} of {} cells of {} hold {}; they are taken as not known.", rows.lost[c].words, table.rows(),
+          "{} of {} cells of {} contain {}; they are treated as unknown.", rows.lost[c].words, table.rows(),
           table.columns()[columns.found()[c].column],
-          columns.found()[c].is_flag ? "neither 0 nor 1, nor a word for it" : "something that is no number"));
+          columns.found()[c].is_flag ? "neither 0 nor 1, nor a word for them" : "text instead of a number"));
     }
   }
 }
@@ -241,7 +241,7 @@ std::string follow_kept_sources(const std::filesystem::path& log, Reading& readi
   }
   const files::Sources kept = files::read_sources(file, files::of_flight_csv);
   reading.columns = files::merged(reading.columns, kept);
-  return fmt::format("Columns as {} says, where no option says otherwise: {}.", file.filename().string(),
+  return fmt::format("Columns from {}, except where an option names them: {}.", file.filename().string(),
                      files::in_words(kept));
 }
 

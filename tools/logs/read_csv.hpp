@@ -25,7 +25,7 @@ struct Reading {
   std::string options = "--";
 };
 
-/// Makes a reading follow the columns that are kept beside a log (files/sources.hpp), but for those that it has
+/// Makes a reading follow the columns that are kept beside a log (files/sources.hpp), except those that it has
 /// already. Returns a sentence that says so, or nothing.
 [[nodiscard]] std::string follow_kept_sources(const std::filesystem::path& log, Reading& reading);
 

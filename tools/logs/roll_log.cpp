@@ -87,12 +87,12 @@ std::size_t continue_over_turns(RollLog& log) {
 }
 
 void refuse_what_only_a_table_has(const std::string& file, const Reading& reading) {
-  const char* const why = reading.truth                          ? "it contains measurements only, no true values"
+  const char* const why = reading.truth                          ? "it contains only measurements, not true values"
                           : !reading.columns.empty()             ? "its column names are fixed"
                           : reading.angles != AngleUnit::degrees ? "its angle unit is fixed"
                                                                  : nullptr;
   if (why != nullptr) {
-    throw Error{ErrorKind::bad_configuration, fmt::format("{}: is a flight log: {}", file, why)};
+    throw Error{ErrorKind::bad_configuration, fmt::format("{}: this is a flight log: {}", file, why)};
   }
 }
 
@@ -123,14 +123,14 @@ void integrate_roll_rate(RollLog& log, const Reading& reading) {
         log.roll_angle_rad[i - 1] + 0.5 * (log.roll_rate_rad_s[i - 1] + log.roll_rate_rad_s[i]) * step_s;
   }
   std::string sentence =
-      "The log has no roll angle: it is the integral of the roll rate, zero at the first sample, and drifts with the "
-      "gyro's offset";
+      "The log has no roll angle. The roll rate is integrated from zero at the first sample, so the angle drifts "
+      "with the gyro's offset";
   if (gaps > 0) {
-    sentence += fmt::format("; over {} of more than {} s the rate is taken to go straight",
+    sentence += fmt::format("; over {} of more than {} s the rate is interpolated",
                             gaps == 1 ? "a gap" : fmt::format("{} gaps", gaps), input::about(longest_gap_s));
   }
   if (!reading.options.empty()) {
-    sentence += fmt::format(". If a column has it: {}columns roll_angle=COLUMN:UNIT", reading.options);
+    sentence += fmt::format(". If a column has the roll angle, give {}columns roll_angle=COLUMN:UNIT", reading.options);
   }
   log.warnings.push_back(sentence + ".");
 }

@@ -11,7 +11,7 @@
 
 namespace fantail::logs {
 
-/// Roll motion over time, in SI and radians. Every list that is not empty is as long as time_s; what nobody knows at
+/// Roll motion over time, in SI and radians. Every list that is not empty is as long as time_s; what is unknown at
 /// any time is empty, at some times not-a-number. Roll angles that are wrapped into one turn are continued.
 struct RollLog {
   std::string name;            ///< file or folder as the person wrote it

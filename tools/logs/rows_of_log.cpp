@@ -33,8 +33,8 @@ double in_seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(t
 
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& difference) {
   throw text::Error{text::ErrorKind::bad_data,
-                    fmt::format("{}: flight.csv and flight.ftl do not show one and the same flight: {}; put those of "
-                                "each flight into a folder of its own",
+                    fmt::format("{}: flight.csv and flight.ftl do not show the same flight: {}; put the files of "
+                                "each flight into a separate folder",
                                 folder.string(), difference)};
 }
 
@@ -98,7 +98,7 @@ struct Difference {
 std::string text_of(const Difference& found, double time_s) {
   return fmt::format(
       "at {} s the {} is {} deg in flight.csv{}, and near that time {} {} deg in flight.ftl", text::fixed(time_s, 3),
-      found.signal, text::fixed(text::degrees(found.in_table_rad), 3), found.by_turns ? ", but for whole turns" : "",
+      found.signal, text::fixed(text::degrees(found.in_table_rad), 3), found.by_turns ? ", except for whole turns" : "",
       found.in_log_rad < found.in_table_rad ? "at most" : "at least", text::fixed(text::degrees(found.in_log_rad), 3));
 }
 

@@ -48,7 +48,7 @@ bool FolderLock::take(const std::filesystem::path& folder, std::chrono::millisec
   } while (std::chrono::steady_clock::now() < give_up);
   throw OutputError{folder.string() + ": another program has been writing there for " +
                     std::to_string(std::chrono::duration_cast<std::chrono::seconds>(patience).count()) +
-                    " s; nothing was written; choose another folder, or try again when it has ended"};
+                    " s; nothing was written. Choose another folder, or try again when that program has ended"};
 }
 
 void FolderLock::release() noexcept {

@@ -51,8 +51,9 @@ std::size_t read_all(const std::filesystem::path& path, InputKind kind, std::siz
     }
   }
   if (expected > most || used > most) {
-    const std::string remedy = kind == InputKind::data ? "and no more of one file is read; give the part that you need"
-                                                       : "which no such file is; is it the one that you meant?";
+    const std::string remedy = kind == InputKind::data
+                                   ? "the most that is read of one file; give the part that you need"
+                                   : "which is too large for this kind of file; check the path";
     refuse(path, fmt::format("larger than {} MiB, {}", most >> 20U, remedy));
   }
   if (file.size() != expected || (expected != 0 && used != expected)) {
@@ -84,11 +85,11 @@ InputFile::InputFile(const std::filesystem::path& path, InputKind kind)
       refuse(path, "is a folder, not a file", ErrorKind::no_such_input);
     }
     if (is_pipe_ && kind == InputKind::document) {
-      refuse(path, "is a pipe, which can be read only once; save its content as a file and give that",
+      refuse(path, "is a pipe, which can be read only once; save its content to a file and give that",
              ErrorKind::no_such_input);
     }
     if (!is_pipe_ && !S_ISREG(mode)) {
-      refuse(path, "is a device, not a file; copy what you need of it into a file", ErrorKind::no_such_input);
+      refuse(path, "is a device, not a file; copy the data you need into a file", ErrorKind::no_such_input);
     }
   } catch (...) {
     ::close(file_);
@@ -115,7 +116,7 @@ bool InputFile::has_come() {
   silent_looks_ += 1;
   if (void (*const tell)(const std::string&) = tell_of_pipes;
       tell != nullptr && silent_looks_ == silent_looks_till_told) {
-    tell(path_.string() + " is a pipe, and nothing has come out of it for 5 s; Ctrl-C ends the wait");
+    tell(path_.string() + " is a pipe that has given no data for 5 s; Ctrl-C ends the wait");
   }
   return false;
 }

@@ -89,7 +89,7 @@ class Transaction {
     struct stat info{};
     if (lstat(s.target.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode) &&
         !S_ISDIR(info.st_mode)) {
-      throw OutputError{s.target.string() + ": is a device, a pipe or a socket, and no place for a file"};
+      throw OutputError{s.target.string() + ": is a device, a pipe or a socket, so no file can be written there"};
     }
     const int fd = open(s.temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd < 0) {

@@ -59,9 +59,8 @@ std::string toml_text(std::string_view text) {
     } else if (length = printable_character(rest); length > 0) {
       out += rest.substr(0, length);
     } else {
-      throw Error{
-          ErrorKind::bad_configuration,
-          fmt::format("\"{}\" is not text in UTF-8, which a TOML file must be; rename what is called so", text)};
+      throw Error{ErrorKind::bad_configuration,
+                  fmt::format("\"{}\" is not UTF-8 text, which TOML needs; choose another name", text)};
     }
     rest.remove_prefix(length);
   }

@@ -69,8 +69,8 @@ constexpr auto margin_fields = result::fields<Stability>({
     {"taken_by_body_lift", "taken by body lift", u::m, 3, &Stability::taken_by_body_lift_m,
      "largest part of the margin that body lift takes at the angles of these swings"},
     {"without_wind", "without wind", n_m_per_rad, 3,
-     [](const Stability& s) { return known(s.without_wind_n_m_per_rad); }, "stiffness that holds the rocket without "
-                                                                           "wind"},
+     [](const Stability& s) { return known(s.without_wind_n_m_per_rad); },
+     "stiffness that holds the rocket without wind"},
     {"chi_square", "chi square", u::none, 2,
      [](const Stability& s) { return s.line && s.line->chi_square ? Cell{*s.line->chi_square} : Cell{}; },
      "chi-square of the distances from the line; null for two speeds"},

@@ -155,8 +155,8 @@ struct Outlier {
 
 /// By steps. Apart is what is farther from the median than 3.5 times the spread, which is the median distance from it
 /// over 0.6745 (modified z-score; Iglewicz and Hoaglin 1993): a few that are wrong do not widen it. None of fewer than
-/// five steps, where nobody can say which are the odd ones, of a figure in which half of them agree to the last bit,
-/// and of what is nearer than 2 % (an angle or a rate: 0.1 deg or deg/s), which nobody would look for in a tunnel.
+/// five steps, where outliers cannot be told apart, of a figure in which half of them agree to the last bit,
+/// and of what is nearer than 2 % (an angle or a rate: 0.1 deg or deg/s), which do not matter in a tunnel.
 [[nodiscard]] std::vector<Outlier> outliers(const StepTable& table);
 
 /// All steps over each other in one chart, each from its own begin and in the sense of its step; the odd ones are

@@ -19,8 +19,8 @@ namespace u = result::units;
 constexpr int steps_decimals = 8;
 
 constexpr auto step_row_fields = result::fields<StepResult>({
-    {"step", "step", u::none, 0, &StepResult::number, "number of the step, counted from 1 over all changes of the "
-                                                      "reference"},
+    {"step", "step", u::none, 0, &StepResult::number,
+     "number of the step, counted from 1 over all changes of the reference"},
     {"begin", "at", u::s, 3, [](const StepResult& r) { return Cell{r.step.begin_s}; },
      "its first sample, by the log's clock"},
     {"from", "from", u::deg, 1, [](const StepResult& r) { return Cell{r.step.from_rad}; }, "the reference before it"},

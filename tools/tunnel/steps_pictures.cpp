@@ -151,7 +151,7 @@ std::vector<result::Block> overlay(const StepTable& table) {
                          "up and steps down form two bundles, apart by twice that error."
                        : "",
                   begins ? " Step 1 begins where control began, and each other step where the one before it ended, "
-                           "so step 1 may lie apart."
+                           "so the first may lie apart."
                          : "");
   return {result::Picture{chart, caption}, result::Sentences{.all = sentences}};
 }

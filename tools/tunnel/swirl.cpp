@@ -158,8 +158,8 @@ Swirl examine_swirl(const RollSession& without, const RollSession& with, const S
   swirl.differences = subtract(swirl);
   swirl.swirl = mean_of(swirl.differences);
   if (!swirl.swirl) {
-    swirl.remarks.push_back(
-        fmt::format("The sessions have no common speed of {:g} m/s or more: the swirl is unknown.", options.from_speed_m_s));
+    swirl.remarks.push_back(fmt::format("The sessions have no common speed of {:g} m/s or more: the swirl is unknown.",
+                                        options.from_speed_m_s));
   }
   return swirl;
 }

@@ -38,8 +38,7 @@ constexpr auto offset_fields = result::fields<OffsetPoint>({
     {"independent_samples", "independent samples", u::none, 0,
      [](const OffsetPoint& p) { return Cell{p.rate_rad_s.independent_samples}; },
      "number of independent samples that the rate samples are equal to"},
-    {"canard", "canards", u::deg, 3, &OffsetPoint::canard_rad,
-     "mean canard angle; 0 if the log does not have it"},
+    {"canard", "canards", u::deg, 3, &OffsetPoint::canard_rad, "mean canard angle; 0 if the log does not have it"},
     {"offset", "offset", u::deg, 3, &OffsetPoint::offset_rad, "equivalent fin offset, corrected for the canards"},
     {"offset_standard_error", "error", u::deg, 3, &OffsetPoint::standard_error_rad, "standard error of the offset"},
 });

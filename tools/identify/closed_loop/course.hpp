@@ -55,7 +55,7 @@ struct Course {
   [[nodiscard]] std::size_t segment_end(std::size_t segment) const {
     return segment + 1 < segments() ? segment_begin(segment + 1) : record->size();
   }
-  /// Where the lagging canards stand at a sample, as far as anybody knows.
+  /// Where the lagging canards stand at a sample, as far as that is known.
   [[nodiscard]] double canard_at(std::size_t sample) const {
     return record->canard_rad.empty() ? 0.0 : record->canard_rad[sample];
   }

@@ -32,7 +32,7 @@ struct Control {
 /// Law: the flight controller's own code,
 ///   command = clamp(f kp (R - phi) + f kd (R' - p) - d + chirp),
 /// and its slopes by angle and rate: zero at a limit, where the command depends on neither. f is the factor of the gain
-/// schedule. d is what the law that flew believed to be the offset: what it took off its command is known to the bit,
+/// schedule. d is the offset estimate of the law that flew: what it subtracted from its command is known to the bit,
 /// so it drives the loop as reference and chirp do, and does not depend on the model.
 struct Command {
   double command_rad;
@@ -76,7 +76,7 @@ struct Servo {
           .mean_by_lag_s = (1.0 - decay * (1.0 + lags)) / duration_s};
 }
 
-/// The gear is where it was told to be.
+/// The gear is where it was commanded.
 inline constexpr Servo no_servo{.decay = 0.0, .mean_share = 0.0, .decay_by_lag_s = 0.0, .mean_by_lag_s = 0.0};
 
 /// Play: the canard stays where it is until the gear takes it along, half of the play away on the one side or the

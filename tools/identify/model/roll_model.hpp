@@ -31,7 +31,7 @@ struct Record {
   double law_speed_is_bound_s = std::numeric_limits<double>::infinity();
   std::vector<bool> in_control;  ///< likewise: the command is zero where false
   /// First sample of each stretch without a gap; the first is 0. Behind a gap the model starts anew from what was
-  /// measured there, because nobody knows where the canards stood meanwhile.
+  /// measured there, because the canard angles in the gap are unknown.
   std::vector<std::size_t> segment_begin{0};
   double window_begin_s = 0.0;  ///< on the log's clock
   std::string window;           ///< what the person called it: "control", "0.4:2"

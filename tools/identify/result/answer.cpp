@@ -215,7 +215,9 @@ output::Verdict verdict_of(const WindowFindings& window) {
     return {.answer = undecided, .heading = "This window does not determine both damping and torque", .sentence = said};
   }
   if (const auto doubt = misfit(window.record, result)) {
-    return {.answer = undecided, .heading = "Damping and torque are found, but the model does not fit well", .sentence = *doubt};
+    return {.answer = undecided,
+            .heading = "Damping and torque are found, but the model does not fit well",
+            .sentence = *doubt};
   }
   return {.answer = yes, .heading = "This window determines damping and torque", .sentence = said};
 }

@@ -170,8 +170,8 @@ void add_residuals(Blocks& to, const WindowFindings& window) {
 }
 
 Blocks input_pictures(const WindowFindings& window) {
-  Blocks all{Picture{disturbance_chart(window),
-                     "The disturbance as an equivalent canard angle, with its 95 % interval."}};
+  Blocks all{
+      Picture{disturbance_chart(window), "The disturbance as an equivalent canard angle, with its 95 % interval."}};
   if (const Chart canards = canard_chart(window); !canards.series.empty()) {
     all.emplace_back(Picture{canards, "The mean canard angle."});
   }

@@ -49,8 +49,8 @@ constexpr auto joint_fields = output::fields<J>({
     {"alpha_beta_correlation", "their correlation", u::none, 2, [](const J& f) { return Cell{correlation(f)}; },
      "correlation of the two"},
     {"degrees_of_freedom", "degrees of freedom", u::none, 0,
-     [](const J& f) { return Cell{f.together.degrees_of_freedom}; }, "of the Student distribution used for the "
-                                                                     "intervals"},
+     [](const J& f) { return Cell{f.together.degrees_of_freedom}; },
+     "of the Student distribution used for the intervals"},
     {"alpha_interval", "95 % of alpha", u::m2, 4, [](const J& f) { return Cell{interval_of(f.together, 0)}; },
      "95 % interval of alpha"},
     {"beta_interval", "95 % of beta", u::m, 4, [](const J& f) { return Cell{interval_of(f.together, 1)}; },
@@ -96,7 +96,7 @@ constexpr auto window_fields = output::fields<W>({
 });
 
 std::string difference_sentence(const J& f) {
-  const std::string figures = fmt::format("chi-square {}; 95 % of windows of one rocket stay below {}",
+  const std::string figures = fmt::format("chi-square {}; 95 in 100 windows of one rocket stay below {}",
                                           fixed(f.agreement.chi_square, 1), fixed(f.agreement.limit, 1));
   if (f.agreement.agree()) {
     return fmt::format("Fitted separately, the windows differ no more than their noise explains ({}).", figures);

@@ -123,9 +123,9 @@ std::string verdict(const Uncertainty& u, const RollModel& model, bool excited) 
         "roll rate",
         constant_text(model.beta_m), constant_text(*u.interval[1].low), constant_text(*u.interval[1].high));
   }
-  const std::string cause =
-      excited ? "too little excitation for the noise and length of this window"
-              : "no excitation, the effect of the canards cannot be told apart from the disturbance";
+  const std::string cause = excited
+                                ? "too little excitation for the noise and length of this window"
+                                : "no excitation, the effect of the canards cannot be told apart from the disturbance";
   const std::string who = u.alpha_identifiable ? "beta is" : u.beta_identifiable ? "alpha is" : "alpha and beta are";
   return who + " not identifiable from this window: " + cause;
 }

@@ -107,8 +107,7 @@ output::Verdict verdict_of(const V& v) {
   output::Verdict said{.answer = good   ? yes
                                  : told ? no
                                         : undecided,
-                       .heading = good ? "The model holds in all windows" : "The model is not confirmed in all "
-                                                                            "windows",
+                       .heading = good ? "The model holds in all windows" : "The model is not confirmed in all windows",
                        .sentence = ""};
   if (v.windows.size() == 1) {
     said.heading = heading(v.windows.front());
@@ -136,8 +135,7 @@ void add_window(output::Document& document, const V& v, const ValidatedWindow& w
     blocks.emplace_back(verdict(v, window));
   }
   blocks.emplace_back(output::beside({{"the model", held}, {"by itself", own}}));
-  blocks.emplace_back(
-      "\u00b1: standard deviation. By itself: alpha and beta are fitted to this window, too.");
+  blocks.emplace_back("\u00b1: standard deviation. By itself: alpha and beta are fitted to this window, too.");
   add_motion(blocks, found);
   add_residuals(blocks, found);
   blocks.emplace_back(output::Sentences{place + ".remarks", remarks(found, window.own)});
@@ -165,14 +163,15 @@ double explained_share(const model::Record& record, const model::Simulation& sim
 std::string verdict(const Validation& v, const ValidatedWindow& window) {
   const std::string difference = fmt::format("its alpha and beta differ by up to {} % from a fit to this window alone",
                                              brief(100.0 * window.largest_difference(), 2));
-  const std::string figures = fmt::format("chi-square {}; 95 % of correct models stay below {}",
+  const std::string figures = fmt::format("chi-square {}; 95 in 100 correct models stay below {}",
                                           fixed(window.agreement.chi_square, 1), fixed(window.agreement.limit, 1));
   if (!window.can_tell()) {
     return fmt::format("This window cannot decide whether the model holds: {}.", window.own.uncertainty->verdict);
   }
-  const std::string doubt =
-      v.model.covariance_is_known ? "" : " The file does not state the uncertainty of its model, which was assumed "
-                                         "to be exact.";
+  const std::string doubt = v.model.covariance_is_known
+                                ? ""
+                                : " The file does not state the uncertainty of its model, which was assumed "
+                                  "to be exact.";
   if (window.agreement.agree()) {
     return fmt::format("The model holds: {}, no more than noise explains ({}).{}", difference, figures, doubt);
   }
