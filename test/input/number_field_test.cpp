@@ -64,12 +64,12 @@ TEST(NumberField, KeepsAListAListAndEveryDigit) {
 }
 
 TEST(NumberField, IsRefusedWithWhatIsWrongWithItsName) {
-  EXPECT_EQ(refusal("mass_kg"), "\"mass_kg\" is no field; allowed: section.key, as in body.mass_kg");
+  EXPECT_EQ(refusal("mass_kg"), "\"mass_kg\" is not a field; allowed: section.key, as in body.mass_kg");
   EXPECT_EQ(refusal("bodi.mass_kg"), "unknown section bodi; did you mean body?");
   EXPECT_EQ(refusal("body.mass"), "unknown key body.mass; did you mean body.mass_kg?");
   EXPECT_EQ(refusal("flight.motion"),
-            "flight.motion is no number that can be spread; allowed: a number that is not a whole one by its kind");
-  EXPECT_NE(refusal("airframe.nozzle_position_m").find("and none is usual"), std::string::npos)
+            "flight.motion is not a number that can be spread; allowed: a number that need not be whole");
+  EXPECT_NE(refusal("airframe.nozzle_position_m").find("and there is no default"), std::string::npos)
       << refusal("airframe.nozzle_position_m");
 }
 
@@ -186,7 +186,7 @@ TEST(FileKind, AScenarioIsNoVehicleAndNoPlan) {
 TEST(MissingKey, NamesTheOneThatLooksLikeIt) {
   const ScratchFile file{"vehicel = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n", "plan.toml"};
   const Complaint refused = complaint([&] { (void)load_scenario(file.path().string(), {}); });
-  EXPECT_NE(refused.message.find("vehicle is missing (is vehicel meant to be it?)"), std::string::npos)
+  EXPECT_NE(refused.message.find("vehicle is missing (is vehicel a misspelling of it?)"), std::string::npos)
       << refused.message;
 }
 

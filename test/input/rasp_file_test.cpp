@@ -111,8 +111,8 @@ TEST_F(RaspFile, SaysThatAFileDoesNotExist) {
 }
 
 TEST_F(RaspFile, RefusesTimeThatGoesBackOrStands) {
-  expect_refused(header + "0.5 10\n0.4 9\n1.0 0\n", 3, {"0.4", "0.5", "forwards"});
-  expect_refused(header + "0.5 10\n0.5 9\n1.0 0\n", 3, {"0.5", "forwards"});
+  expect_refused(header + "0.5 10\n0.4 9\n1.0 0\n", 3, {"0.4", "0.5", "increasing"});
+  expect_refused(header + "0.5 10\n0.5 9\n1.0 0\n", 3, {"0.5", "increasing"});
   expect_refused(header + "-0.5 10\n1.0 0\n", 2, {"-0.5", "ignition"});
 }
 

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"Turbulence", "[tunnel]\nturbulence = true\n",
              ":4: tunnel.turbulence = true is not a number; allowed: 0 to 0.5"},
         Rule{"DisturbanceLengths", "[disturbance]\ntimes_s = [0, 1]\nangles_deg = [1]\n",
-             ":4: disturbance.times_s has 2 values and angles_deg has 1; allowed: as many of each"},
+             ":4: disturbance.times_s has 2 values and angles_deg has 1; allowed: the same number of each"},
         Rule{"DisturbanceOrder", "[disturbance]\ntimes_s = [0, 0]\nangles_deg = [1, 1]\n",
              ":4: disturbance.times_s must increase"},
         Rule{"DisturbanceAngle", "[disturbance]\ntimes_s = [0]\nangles_deg = [46]\n",
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"LogPeriodTooLong", "[timing]\nlog_period_s = 2\n",
              ":4: timing.log_period_s = 2 is out of range; allowed: 0.001 to 1"},
         Rule{"FanTimesWithoutSpeeds", "[tunnel]\nfan_times_s = [0, 1]\nfan_rpms = [500]\n",
-             ":4: tunnel.fan_times_s has 2 values and fan_rpms has 1; allowed: as many of each"},
+             ":4: tunnel.fan_times_s has 2 values and fan_rpms has 1; allowed: the same number of each"},
         Rule{"FanTimesOrder", "[tunnel]\nfan_times_s = [1, 0]\nfan_rpms = [500, 600]\n",
              ":4: tunnel.fan_times_s must increase"},
         Rule{"FanBackwards", "[tunnel]\nfan_times_s = [1]\nfan_rpms = [-1]\n",
@@ -175,7 +175,7 @@ TEST(TunnelAir, CannotBeSetAsThatOfAFlight) {
   for (const char* change : {"environment.density=isa", "environment.density_kg_m3=1.1"}) {
     const Complaint refused = complaint([&] { (void)load_scenario("tunnel_steps", changes({change})); });
     EXPECT_EQ(refused.fault, text::ErrorKind::bad_configuration);
-    EXPECT_NE(refused.message.find("plays no part in the tunnel; allowed: tunnel.density_kg_m3 instead"),
+    EXPECT_NE(refused.message.find("has no effect in the tunnel; allowed: tunnel.density_kg_m3 instead"),
               std::string::npos)
         << refused.message;
     EXPECT_TRUE(refused.message.starts_with(std::string{"--set "} + change)) << refused.message;

@@ -97,7 +97,7 @@ TEST(VehicleFile, DragOverTheMachNumberIsTwoListsOfOneLengthAndTheFirstRises) {
     return complaint([&] { (void)vehicle("tasha3_launch2", changes); }).message;
   };
   EXPECT_EQ(refused({"body.drag_mach=[0.3, 0.8]", "body.drag_factor=[1]"}),
-            "--set body.drag_factor=[1]: body.drag_factor has 1 values and drag_mach has 2; allowed: as many");
+            "--set body.drag_factor=[1]: body.drag_factor has 1 values and drag_mach has 2; allowed: the same number");
   EXPECT_EQ(refused({"body.drag_mach=[0.3, 0.3]", "body.drag_factor=[1, 2]"}),
             "--set body.drag_mach=[0.3, 0.3]: body.drag_mach has 0.3 after 0.3; allowed: each larger than the one "
             "before");

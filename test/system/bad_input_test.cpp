@@ -122,7 +122,7 @@ TEST(NotANumber, IsRefusedWhereverItStands) {
 TEST(ThrustCurve, ThatGoesBackInTimeIsRefused) {
   const std::string motor = replaced(shipped("motors/i150_canonical.eng"), "0.70 173", "0.04 173");
   Refusal({{"m.eng", motor}}, {"fly", "--set", "motor.file=m.eng"}, 65,
-          {"m.eng:9: time 0.04 s comes after 0.05 s; allowed: only forwards"});
+          {"m.eng:9: time 0.04 s comes after 0.05 s; allowed: increasing times"});
 }
 
 TEST(Motor, WithMorePropellantThanTheRocketIsRefused) {
@@ -137,9 +137,9 @@ TEST(Combination, ThatNoModelCanFlyIsRefusedByTheFile) {
   Refusal({}, {"fly", "--set", "servo.pulse_per_degree_us=0"}, 78, {"--set servo.pulse_per_degree_us=0", "zero"});
   Refusal({}, {"fly", "--set", "servo.pulse_per_degree_us=1e-320"}, 78, {"--set servo.pulse_per_degree_us", "zero"});
   Refusal({}, {"fly", "gimbal", "--set", "gimbal.turn_times_s=[12, 13, 20, 24, 28, 32]"}, 78,
-          {"gimbal.turn_times_s", "begins before the one ahead of it has ended"});
+          {"gimbal.turn_times_s", "begins before the previous one has ended"});
   Refusal({}, {"fly", "gimbal", "--set", "gimbal.turn_times_s=[12, 16]"}, 78,
-          {"gimbal.turn_times_s", "allowed: as many of each"});
+          {"gimbal.turn_times_s", "allowed: the same number of each"});
   Refusal({}, {"fly", "gimbal", "--set", "environment.surroundings=tunnel"}, 78,
           {"environment.surroundings must be \"gimbal\""});
   Refusal({}, {"fly", "gimbal", "--set", "gimbal.friction_n_m=-1"}, 78, {"gimbal.friction_n_m", "0 to 10"});

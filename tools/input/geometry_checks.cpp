@@ -105,12 +105,10 @@ void check_radius(const Section& section, const sim::Geometry& shape, const sim:
       largest_radius_m(shape, mass.position_m - 0.5 * mass.length_m, mass.position_m + 0.5 * mass.length_m);
   const double span_m = std::max(shape.fins ? shape.fins->span_m : 0.0, shape.canards ? shape.canards->span_m : 0.0);
   if (mass.radius_of_gyration_m > body_m + span_m + a_millimetre_m) {
-    section.refuse(
-        "radii_of_gyration_m",
-        fmt::format("= {} for \"{}\"; allowed: at most {}, the radius of the body there, {}, and the longest "
-                    "span of fins or canards",
-                    plain_number(mass.radius_of_gyration_m), mass.name, plain_number(body_m + span_m),
-                    plain_number(body_m)));
+    section.refuse("radii_of_gyration_m", fmt::format("= {} for \"{}\"; allowed: at most {}, the radius of the body "
+                                                      "there, {}, plus the longest span of fins or canards",
+                                                      plain_number(mass.radius_of_gyration_m), mass.name,
+                                                      plain_number(body_m + span_m), plain_number(body_m)));
   }
 }
 
@@ -136,7 +134,7 @@ void check_masses(const Document& document, const sim::Geometry& shape) {
   Section section{document, "masses"};
   const std::size_t count = shape.masses.size();
   if (section.texts("names", 100).size() != count) {
-    section.refuse("names", fmt::format("has {} names, and {} masses are described; allowed: one a mass",
+    section.refuse("names", fmt::format("has {} names, and {} masses are described; allowed: one per mass",
                                         section.texts("names", 100).size(), count));
   }
   for (const char* key : {"masses_kg", "positions_m"}) {
@@ -153,8 +151,8 @@ void check_masses(const Document& document, const sim::Geometry& shape) {
   for (const sim::Geometry::Mass& mass : shape.masses) {
     if (mass.position_m - 0.5 * mass.length_m < -a_millimetre_m ||
         mass.position_m + 0.5 * mass.length_m > shape.length_m + a_millimetre_m) {
-      section.refuse("positions_m", fmt::format("= {} for \"{}\", {} m long, reaches out of the rocket; allowed: what "
-                                                "keeps it within 0 and shape.length_m = {}",
+      section.refuse("positions_m", fmt::format("= {} for \"{}\", {} m long, reaches out of the rocket; allowed: a "
+                                                "position that keeps it within 0 and shape.length_m = {}",
                                                 plain_number(mass.position_m), mass.name, plain_number(mass.length_m),
                                                 plain_number(shape.length_m)));
     }
@@ -176,7 +174,7 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
     for (const auto& [name, key] : {std::pair{"fins", "position_m"}, std::pair{"canard_fins", "position_m"},
                                     std::pair{"masses", "names"}, std::pair{"design", "file"}}) {
       if (const Section section{document, name}; section.is_there()) {
-        section.refuse(key, "needs the section [shape], which says the rocket's length and diameter");
+        section.refuse(key, "needs the section [shape], which gives the rocket's length and diameter");
       }
     }
   }
@@ -195,13 +193,13 @@ void check_geometry(const Document& document, const sim::Vehicle& vehicle) {
       shape.canards->position_m < shape.fins->position_m + shape.fins->root_chord_m) {
     Section{document, "canard_fins"}.refuse(
         "position_m",
-        fmt::format("= {}: their roots lie in those of the fins; allowed: in front of or behind {} to {} m",
+        fmt::format("= {}: their roots overlap those of the fins; allowed: in front of or behind {} to {} m",
                     plain_number(shape.canards->position_m), plain_number(shape.fins->position_m),
                     plain_number(shape.fins->position_m + shape.fins->root_chord_m)));
   }
   check_masses(document, shape);
   if (Section design{document, "design"}; design.is_there() && !design.has("file")) {
-    design.refuse("file", "is missing; the section is about a design file");
+    design.refuse("file", "is missing; the section describes a design file");
   }
 }
 

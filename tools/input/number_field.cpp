@@ -95,7 +95,7 @@ Override NumberField::with(const std::vector<double>& new_values) const {
 NumberField number_field(const ScenarioFiles& files, const std::string& name) {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos || dot == 0 || dot + 1 == name.size()) {
-    refuse("\"" + name + "\" is no field; allowed: section.key, as in body.mass_kg");
+    refuse("\"" + name + "\" is not a field; allowed: section.key, as in body.mass_kg");
   }
   NumberField field{.section = name.substr(0, dot), .key = name.substr(dot + 1), .unit = {}, .values = {}};
   const Document* document = files.with_section(field.section);
@@ -115,7 +115,7 @@ NumberField number_field(const ScenarioFiles& files, const std::string& name) {
     refuse("unknown key " + name + (meant ? "; did you mean " + field.section + "." + *meant + "?" : ""));
   }
   if (!known->is_number) {
-    refuse(name + " is no number that can be spread; allowed: a number that is not a whole one by its kind");
+    refuse(name + " is not a number that can be spread; allowed: a number that need not be whole");
   }
   field.unit = known->unit;
   field.range = known->range;
@@ -125,7 +125,7 @@ NumberField number_field(const ScenarioFiles& files, const std::string& name) {
   }
   field.is_list = field.values.size() > 1 || document->root()[field.section][field.key].elements().has_value();
   if (field.values.empty()) {
-    refuse(name + " has no value in " + document->file() + ", and none is usual");
+    refuse(name + " has no value in " + document->file() + ", and there is no default");
   }
   return field;
 }

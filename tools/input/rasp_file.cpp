@@ -190,7 +190,7 @@ class RaspReader {
       case sim::PointFault::order: break;
     }
     refuse("time " + plain_number(next.time_s) + " s comes after " + plain_number(points.back().time_s) +
-           " s; allowed: only forwards");
+           " s; allowed: increasing times");
   }
 
   void add_point(const std::vector<std::string>& words, std::vector<sim::ThrustPoint>& points) const {

@@ -30,7 +30,7 @@ void check_points(const Document& document, std::string_view section_name, std::
   const std::size_t values = length(values_key);
   if (times != values) {
     section.refuse(times_key, "has " + std::to_string(times) + " values and " + std::string{values_key} + " has " +
-                                  std::to_string(values) + "; allowed: as many of each");
+                                  std::to_string(values) + "; allowed: the same number of each");
   }
   if (std::ranges::adjacent_find(points, std::ranges::greater_equal{}, &Point::time_s) != points.end()) {
     section.refuse(times_key, "must increase");
@@ -98,7 +98,7 @@ void check_motion(const Document& document, const Document& vehicle, sim::Scenar
     Section section{document, name};
     for (const char* key : keys) {
       if (section.has(key)) {
-        section.refuse(key, "plays no part on a straight line; allowed: with flight.motion = \"six_dof\"");
+        section.refuse(key, "has no effect on a straight line; allowed: with flight.motion = \"six_dof\"");
       }
     }
   };
@@ -128,7 +128,7 @@ void check_gimbal(const Document& document, const sim::Scenario& scenario) {
   const auto overlap = std::ranges::adjacent_find(
       scenario.hand_turns, [](const auto& a, const auto& b) { return b.time_s < a.time_s + a.duration_s; });
   if (overlap != scenario.hand_turns.end()) {
-    Section{document, "gimbal"}.refuse("turn_times_s", "a turn begins before the one ahead of it has ended");
+    Section{document, "gimbal"}.refuse("turn_times_s", "a turn begins before the previous one has ended");
   }
   if (scenario.gimbal_friction_n_m && !scenario.vehicle.airframe) {
     Section{document, ""}.refuse("vehicle", "has no section [airframe], which gimbal.friction_n_m needs");
@@ -147,7 +147,7 @@ void settle_density(const Document& document, sim::Scenario& scenario) {
   Section environment{document, "environment"};
   for (const char* key : {"density", "density_kg_m3"}) {
     if (environment.has(key)) {
-      environment.refuse(key, "plays no part in the tunnel; allowed: tunnel.density_kg_m3 instead");
+      environment.refuse(key, "has no effect in the tunnel; allowed: tunnel.density_kg_m3 instead");
     }
   }
   scenario.atmosphere = {.model = sim::DensityModel::constant, .constant_kg_m3 = scenario.tunnel.density_kg_m3};

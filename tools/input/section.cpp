@@ -72,7 +72,7 @@ TomlNode Section::require(std::string_view key, const std::string& allowed) {
   if (!node) {
     const std::vector<std::string> there = table_.keys();
     const auto meant = suggestion(key, there);
-    refuse(key, "is missing" + (meant ? " (is " + label(*meant) + " meant to be it?)" : "") +
+    refuse(key, "is missing" + (meant ? " (is " + label(*meant) + " a misspelling of it?)" : "") +
                     (allowed.empty() ? "" : "; allowed: " + allowed));
   }
   return node;

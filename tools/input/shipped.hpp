@@ -51,11 +51,11 @@ struct ShippedPlace {
 /// The shipped names of a kind, sorted.
 [[nodiscard]] std::vector<std::string> shipped_names(Shipped kind);
 
-/// Where the shipped files lie: the environment variable FANTAIL_DATA, else what set_data_folder() was told, else
+/// Where the shipped files lie: the environment variable FANTAIL_DATA, else the folder given to set_data_folder(), else
 /// beside an installed program, else the tree this program was built from.
 [[nodiscard]] std::filesystem::path data_folder();
 
-/// The same but for FANTAIL_DATA: where what belongs to this program and to no other lies.
+/// The same without FANTAIL_DATA: where what belongs to this program and to no other lies.
 [[nodiscard]] std::filesystem::path program_folder();
 
 /// For a library that finds itself in another program, which knows where its files are. Before any thread exists.

@@ -19,97 +19,97 @@ constexpr std::array<std::string_view, 5> nose_shapes{"cone", "ogive", "ellipsoi
 // clang-format off: one field a row reads better than one argument a line
 #define AT(expression) FANTAIL_PLACE(sim::Vehicle, expression)
 constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
-  {"body", "name", text(), must, AT(it.name), "What reports call it."},
-  {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "What in this file was assumed and not measured, a sentence each; reports repeat it."},
-  {"body", "mass_kg", number("kg", {0.1, 1000}), must, AT(it.mass_kg), "At lift-off; more than the propellant of its motor."},
+  {"body", "name", text(), must, AT(it.name), "Name of the rocket in reports."},
+  {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "Assumptions in this file that were not measured, one sentence each; reports repeat them."},
+  {"body", "mass_kg", number("kg", {0.1, 1000}), must, AT(it.mass_kg), "Mass at lift-off; more than the propellant of its motor."},
   {"body", "drag_area_m2", number("m2", {0, 1}), must, AT(it.drag_area_m2), "Drag coefficient times area."},
-  {"body", "drag_mach", list(100, number("", {0, 10})), may, AT(grown(it.drag_over_mach.mach, i)), "Mach numbers, rising, for which `drag_factor` holds; straight lines between them, and the ends held."},
-  {"body", "drag_factor", list(100, number("", {0.01, 20})), may, AT(grown(it.drag_over_mach.factor, i)), "What `drag_area_m2` is multiplied with at these Mach numbers; as many."},
+  {"body", "drag_mach", list(100, number("", {0, 10})), may, AT(grown(it.drag_over_mach.mach, i)), "Increasing Mach numbers for which `drag_factor` holds; straight lines between them, constant beyond them."},
+  {"body", "drag_factor", list(100, number("", {0.01, 20})), may, AT(grown(it.drag_over_mach.factor, i)), "Factor on `drag_area_m2` at each of these Mach numbers; as many as `drag_mach`."},
   {"body", "roll_inertia_kg_m2", number("kg m2", {1e-6, 10}), must, AT(it.roll_plant.inertia_kg_m2), "Moment of inertia about the long axis."},
 
-  {"aerodynamics", "reference_area_m2", number("m2", {1e-8, 1}), must, AT(it.roll_plant.reference_area_m2), "Area that the next two are multiplied with; matters in transients only."},
-  {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "Where the true area lies with a probability of 95 %: from and to, with `reference_area_m2` between. `predict` takes it into its spread."},
+  {"aerodynamics", "reference_area_m2", number("m2", {1e-8, 1}), must, AT(it.roll_plant.reference_area_m2), "Area by which `damping_m2` and `torque_m` are multiplied; matters in transients only."},
+  {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "Lower and upper end of the range of the true area, with a probability of 95 %; `reference_area_m2` lies between. `predict` includes it in its spread."},
   {"aerodynamics", "damping_m2", number("m2", {0, 1e4}), must, AT(it.roll_plant.damping_m2), "Roll damping, alpha."},
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
   {"aerodynamics", "compressibility", choice(compressibilities), may, AT(it.compressibility), "`prandtl_glauert`: damping, torque and normal force grow with 1 / sqrt(1 - M2), up to Mach 0.8."},
-  {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "The lift of each canard grows with its angle up to this one and stays there; 12 to 15 are usual. Without it no canard stalls."},
-  {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "From the long axis to where a canard lifts: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
-  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll. `torque_m` is then that of the canards alone: what was identified with the fins on has the wash in it."},
-  {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "From the canards back to the fins, which answer after this distance over the air speed."},
-  {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: slope of its lift over the angle, times its area, times the distance from the shaft back to where it lifts; below zero in front of the shaft. Counts with `servo.torque_n_m`."},
-  {"aerodynamics", "canard_side_area_m2", number("m2", {0, 1}), may, AT(it.canard_air.side_area_m2), "Side force of one canard over 1/2 rho v2 and its angle in radians: slope of its lift times its area. With it canards that do not stand alike push the rocket to a side, in six degrees of freedom; without it they only roll it. Needs `canard_position_m`."},
-  {"aerodynamics", "canard_position_m", number("m", {0, 30}), may, AT(it.canard_air.position_m), "From the tip of the nose to where the canards push. Needs `canard_side_area_m2`."},
+  {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "Stall angle: the lift of each canard grows up to this angle and then stays constant; 12 to 15 are usual. Without it no canard stalls."},
+  {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "Distance from the long axis to the centre of lift of a canard: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
+  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll. `torque_m` is then that of the canards alone: a value identified with the fins on already includes the wash."},
+  {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "Distance from the canards back to the fins, which respond after this distance over the air speed."},
+  {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: lift slope times area times the distance from the shaft back to the centre of lift. Below zero: the lift acts in front of the shaft. Used with `servo.torque_n_m`."},
+  {"aerodynamics", "canard_side_area_m2", number("m2", {0, 1}), may, AT(it.canard_air.side_area_m2), "Side force of one canard over 1/2 rho v2 and its angle in radians: lift slope times area. With it, canards at different angles push the rocket sideways in six degrees of freedom; without it, they only roll it. Needs `canard_position_m`."},
+  {"aerodynamics", "canard_position_m", number("m", {0, 30}), may, AT(it.canard_air.position_m), "Distance from the tip of the nose to the side force of the canards. Needs `canard_side_area_m2`."},
 
-  {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Of the body. This section is what flights in six degrees of freedom need; positions count from the tip of the nose."},
+  {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Diameter of the body. Flights in six degrees of freedom need this section; positions are measured from the tip of the nose."},
   {"airframe", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.airframe).length_m), "From the tip of the nose to the tail."},
-  {"airframe", "normal_force_slope_per_rad", number("1/rad", {0.1, 200}), must_in_its_section, AT(made(it.airframe).normal_force_slope_per_rad), "Slope of the normal force coefficient over the angle of attack, all parts, on the cross-section of the body."},
+  {"airframe", "normal_force_slope_per_rad", number("1/rad", {0.1, 200}), must_in_its_section, AT(made(it.airframe).normal_force_slope_per_rad), "Slope of the normal force coefficient over the angle of attack, for all parts, referred to the cross-section of the body."},
   {"airframe", "centre_of_pressure_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).centre_of_pressure_m), "Where that force acts; behind the centre of gravity in a stable rocket."},
-  {"airframe", "parts_spread_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).parts_spread_m), "Root mean square distance of nose, canards and fins from the centre of pressure, each weighed with its slope: it damps pitch."},
+  {"airframe", "parts_spread_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).parts_spread_m), "Root mean square distance of nose, canards and fins from the centre of pressure, each weighted with its slope: it damps pitch."},
   {"airframe", "body_lift_area_m2", number("m2", {0, 10}), may, AT(made(it.airframe).body_lift_area_m2), "Body lift at large angles: coefficient (about 1.1) times the area of the body seen from the side."},
   {"airframe", "body_lift_position_m", number("m", {0, 30}), may, AT(made(it.airframe).body_lift_position_m), "Where it acts: the centre of that area."},
-  {"airframe", "centre_of_gravity_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).at_liftoff.centre_of_gravity_m), "At lift-off."},
-  {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "After burn-out. In six degrees of freedom the propellant that has moved it must lie between nose and tail."},
-  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off; at least half of the roll inertia. In six degrees of freedom also at least what propellant and the rest make by their distance, and at most what all mass at nose and tail would."},
+  {"airframe", "centre_of_gravity_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).at_liftoff.centre_of_gravity_m), "Centre of gravity at lift-off."},
+  {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "Centre of gravity after burn-out. In six degrees of freedom, the propellant that has moved it must lie between nose and tail."},
+  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off; at least half of the roll inertia. In six degrees of freedom also at least the value for propellant and the rest as two points, and at most the value for all mass at nose and tail."},
   {"airframe", "transverse_inertia_after_burnout_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).after_burnout.transverse_inertia_kg_m2), "The same after burn-out."},
-  {"airframe", "roll_inertia_after_burnout_kg_m2", number("kg m2", {1e-6, 10}), may, AT(made(it.airframe).roll_inertia_after_burnout_kg_m2), "About the long axis; as at lift-off when absent."},
+  {"airframe", "roll_inertia_after_burnout_kg_m2", number("kg m2", {1e-6, 10}), may, AT(made(it.airframe).roll_inertia_after_burnout_kg_m2), "Roll inertia after burn-out; as at lift-off when absent."},
   {"airframe", "nozzle_position_m", number("m", {0, 30}), may, AT(made(it.airframe).nozzle_position_m), "Where the exhaust leaves; at the tail when absent."},
-  {"airframe", "assumed", list(100, text()), may, AT(grown(it.airframe_assumed, i)), "What in this section was assumed and not measured, a sentence each; reports of such flights repeat it."},
+  {"airframe", "assumed", list(100, text()), may, AT(grown(it.airframe_assumed, i)), "Assumptions in this section that were not measured, one sentence each; reports of flights in six degrees of freedom repeat them."},
 
-  {"recovery", "drag_area_m2", number("m2", {0, 100}), may, AT(made(it.recovery).drag_area_m2), "Drag coefficient times area of the parachute, which opens when the rocket first sinks. In six degrees of freedom only, as all of this section."},
-  {"recovery", "delay_s", number("s", {0, 60}), may, AT(made(it.recovery).delay_s), "From then until it begins to open."},
-  {"recovery", "opening_time_s", number("s", {0.05, 10}), may, AT(made(it.recovery).opening_time_s), "From then until it is full."},
-  {"recovery", "position_m", number("m", {0, 30}), may, AT(made(it.recovery).position_m), "Where its line holds the rocket, from the tip of the nose."},
+  {"recovery", "drag_area_m2", number("m2", {0, 100}), may, AT(made(it.recovery).drag_area_m2), "Drag coefficient times area of the parachute, which opens when the rocket first descends. For six degrees of freedom only, like all of this section."},
+  {"recovery", "delay_s", number("s", {0, 60}), may, AT(made(it.recovery).delay_s), "Time from then until it begins to open."},
+  {"recovery", "opening_time_s", number("s", {0.05, 10}), may, AT(made(it.recovery).opening_time_s), "Time from then until it is fully open."},
+  {"recovery", "position_m", number("m", {0, 30}), may, AT(made(it.recovery).position_m), "Where its line is attached, from the tip of the nose."},
 
-  {"shape", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.geometry).diameter_m), "Of nose and body. The sections from here to `masses` describe the rocket from outside; `fantail airframe` computes from them, no flight does."},
+  {"shape", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.geometry).diameter_m), "Diameter of nose and body. The sections from here to `masses` describe shape and masses; `fantail airframe` and `campaign hardover` compute from them, other flights do not."},
   {"shape", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.geometry).length_m), "From the tip of the nose to the tail."},
   {"shape", "nose", choice(nose_shapes), must_in_its_section, AT(made(it.geometry).nose_shape), "The shape of the nose cone."},
-  {"shape", "nose_length_m", number("m", {0.005, 10}), must_in_its_section, AT(made(it.geometry).nose_length_m), "Its length."},
+  {"shape", "nose_length_m", number("m", {0.005, 10}), must_in_its_section, AT(made(it.geometry).nose_length_m), "Length of the nose cone."},
   {"shape", "transition_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).transition).position_m), "Where a change of diameter begins; behind it the body goes on with the new one. A boat tail ends at the tail."},
-  {"shape", "transition_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).transition).length_m), "How long it is; above 0."},
+  {"shape", "transition_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).transition).length_m), "Length of the transition; above 0."},
   {"shape", "transition_diameter_m", number("m", {0, 2}), may, AT(made(made(it.geometry).transition).aft_diameter_m), "The diameter behind it; above 0."},
-  {"shape", "assumed", list(100, text()), may, AT(grown(it.geometry_assumed, i)), "What in these sections was assumed and not measured, a sentence each."},
+  {"shape", "assumed", list(100, text()), may, AT(grown(it.geometry_assumed, i)), "Assumptions in these sections that were not measured, one sentence each."},
 // Fins and canards are described by the same words.
 // NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
 #define FIN_SET(section, set) \
   {section, "position_m", number("m", {0, 30}), must_in_its_section, AT(made(made(it.geometry).set).position_m), "Where the leading edge meets the body, from the tip of the nose."}, \
-  {section, "root_chord_m", number("m", {0.001, 5}), must_in_its_section, AT(made(made(it.geometry).set).root_chord_m), "Along the body."}, \
-  {section, "tip_chord_m", number("m", {0, 5}), must_in_its_section, AT(made(made(it.geometry).set).tip_chord_m), "At the tip; 0: a triangle."}, \
+  {section, "root_chord_m", number("m", {0.001, 5}), must_in_its_section, AT(made(made(it.geometry).set).root_chord_m), "Chord at the root, along the body."}, \
+  {section, "tip_chord_m", number("m", {0, 5}), must_in_its_section, AT(made(made(it.geometry).set).tip_chord_m), "Chord at the tip; 0: a triangle."}, \
   {section, "span_m", number("m", {0.001, 2}), must_in_its_section, AT(made(made(it.geometry).set).span_m), "From the surface of the body to the tip."}, \
   {section, "sweep_m", number("m", {-2, 5}), may, AT(made(made(it.geometry).set).sweep_m), "How far the leading edge of the tip is behind that of the root; below zero: ahead of it."}, \
-  {section, "thickness_m", number("m", {0.0001, 0.2}), may, AT(made(made(it.geometry).set).thickness_m), "Of the plate."}
+  {section, "thickness_m", number("m", {0.0001, 0.2}), may, AT(made(made(it.geometry).set).thickness_m), "Thickness of the plate."}
 // NOLINTEND(bugprone-macro-parentheses)
   FIN_SET("fins", fins),
-  {"fins", "count", integer({}, {3, 8}), may, AT(made(made(it.geometry).fins).count), "Evenly around the body; two would hold it in one plane only."},
-  {"fins", "cant_deg", number(deg, {-10, 10}), may, AT(made(made(it.geometry).fins).cant_rad), "All fins turned alike: positive rolls the rocket as positive canards do."},
+  {"fins", "count", integer({}, {3, 8}), may, AT(made(made(it.geometry).fins).count), "Number of fins, evenly around the body; two would stabilise it in one plane only."},
+  {"fins", "cant_deg", number(deg, {-10, 10}), may, AT(made(made(it.geometry).fins).cant_rad), "Cant of all fins: positive rolls the rocket in the same direction as positive canards."},
   FIN_SET("canard_fins", canards),
-  {"canard_fins", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "The shaft, behind the leading edge at the root."},
+  {"canard_fins", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "Distance of the shaft behind the leading edge at the root."},
 
   {"masses", "names", list(100, text()), may, AT(grown(made(it.geometry).masses, i).name), "The parts of the rocket without its propellant."},
-  {"masses", "masses_kg", list(100, number("kg", {0, 1000})), may, AT(grown(made(it.geometry).masses, i).mass_kg), "What each weighs; as many as `names`, as all lists of this section."},
+  {"masses", "masses_kg", list(100, number("kg", {0, 1000})), may, AT(grown(made(it.geometry).masses, i).mass_kg), "Mass of each; as many as `names`, like all lists of this section."},
   {"masses", "positions_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).position_m), "Where the middle of each is, from the tip of the nose."},
-  {"masses", "lengths_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).length_m), "How long each is; 0: a point."},
-  {"masses", "radii_of_gyration_m", list(100, number("m", {0, 2})), may, AT(grown(made(it.geometry).masses, i).radius_of_gyration_m), "About the long axis: the radius of a thin tube, 0.707 times that of a full rod. At most the radius of the body there and the longest span of fins or canards, where one of these is described and [design] is not there."},
-  {"masses", "propellant_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).propellant).position_m), "Where the middle of the propellant is; how much there is says the motor."},
-  {"masses", "propellant_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).propellant).length_m), "How long it is."},
-  {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Likewise about the long axis; at most the radius of the body there."},
+  {"masses", "lengths_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).length_m), "Length of each; 0: a point."},
+  {"masses", "radii_of_gyration_m", list(100, number("m", {0, 2})), may, AT(grown(made(it.geometry).masses, i).radius_of_gyration_m), "Radius of gyration of each about the long axis: the radius for a thin tube, 0.707 times the radius for a solid rod. With [fins] or [canard_fins], and without [design]: at most the radius of the body there plus the longest span of fins or canards."},
+  {"masses", "propellant_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).propellant).position_m), "Where the middle of the propellant is; its mass comes from the motor."},
+  {"masses", "propellant_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).propellant).length_m), "Length of the propellant."},
+  {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Its radius of gyration about the long axis; at most the radius of the body there."},
 
-  {"design", "file", text(), may, AT(made(made(it.geometry).design).file), "The design file that `fantail new` has read, which must be named here; `fantail airframe` compares this section with the vehicle. Delete it when the rocket has been weighed and balanced."},
-  {"design", "flight", text(), may, AT(made(made(it.geometry).design).flight), "The simulated flight in that file whose numbers follow; absent: it stores none with this motor."},
-  {"design", "mass_kg", number("kg", {0.001, 1000}), may, AT(made(made(it.geometry).design).mass_kg), "Its mass at lift-off. More than 2 % away from `body.mass_kg` is doubted."},
-  {"design", "centre_of_gravity_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_gravity_m), "Its centre of gravity at lift-off. More than 0.2 calibres away is doubted, as with the next three."},
-  {"design", "centre_of_pressure_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_pressure_m), "Its centre of pressure in slow flight."},
-  {"design", "angle_of_attack_deg", number(deg, {0, 10}), may, AT(made(made(it.geometry).design).angle_of_attack_rad), "The angle of attack of that centre of pressure; the body's lift at this angle is counted."},
-  {"design", "margin_calibres", number("", {-100, 100}), may, AT(made(made(it.geometry).design).margin_calibres), "Its static margin under thrust, where it stores no centres."},
-  {"design", "left_out", list(100, text()), may, AT(grown(made(made(it.geometry).design).left_out, i)), "The parts of the design that were not read, or not as they are."},
+  {"design", "file", text(), may, AT(made(made(it.geometry).design).file), "The design file that `fantail new` has read; required in this section. `fantail airframe` compares the section with the vehicle. Delete the section when the rocket has been weighed and balanced."},
+  {"design", "flight", text(), may, AT(made(made(it.geometry).design).flight), "The simulated flight in that file whose numbers follow; absent: the file has none with this motor."},
+  {"design", "mass_kg", number("kg", {0.001, 1000}), may, AT(made(made(it.geometry).design).mass_kg), "Mass of the design at lift-off. A warning is given if it differs by more than 2 % from `body.mass_kg`."},
+  {"design", "centre_of_gravity_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_gravity_m), "Centre of gravity of the design at lift-off. A warning is given if it differs by more than 0.2 calibres, as with the next three."},
+  {"design", "centre_of_pressure_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_pressure_m), "Centre of pressure of the design in slow flight."},
+  {"design", "angle_of_attack_deg", number(deg, {0, 10}), may, AT(made(made(it.geometry).design).angle_of_attack_rad), "The angle of attack of that centre of pressure; the body's lift at this angle is included."},
+  {"design", "margin_calibres", number("", {-100, 100}), may, AT(made(made(it.geometry).design).margin_calibres), "Static margin of the design under thrust, if the file has no centres."},
+  {"design", "left_out", list(100, text()), may, AT(grown(made(made(it.geometry).design).left_out, i)), "Parts of the design that were not read, or were read with changes."},
 
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
-  {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "What the thrust of the curve is multiplied with, for as long and from as much propellant: no two motors are alike."},
+  {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "Factor on the thrust of the curve, with the same burn time and propellant mass: no two motors are alike."},
 
   {"servo", "lag_s", number("s", {0.0005, 1}), may, AT(it.servo.lag_s), "Time constant with which the gear follows the command."},
-  {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "From the pulse that is taken over until the servo acts on it."},
-  {"servo", "frame_rate_hz", number(hz_of_period, {40, 1000}), may, AT(it.servo.frame_period_s), "How often the servo takes a pulse over."},
-  {"servo", "rate_limit_deg_s", number(deg_s, {1, 1e5}), may, AT(it.servo.rate_limit_rad_s), "Fastest turn of the shaft."},
-  {"servo", "torque_n_m", number("N m", {0.005, 100}), may, AT(it.servo.torque_n_m), "Stall torque at the shaft: against a load the servo turns with the rate limit times 1 - load / torque, and it holds no more. Counts with `aerodynamics.canard_hinge_moment_m3`; without it no load slows the servo."},
+  {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "Delay from the pulse that the servo takes until it acts on it."},
+  {"servo", "frame_rate_hz", number(hz_of_period, {40, 1000}), may, AT(it.servo.frame_period_s), "How often the servo takes a new pulse."},
+  {"servo", "rate_limit_deg_s", number(deg_s, {1, 1e5}), may, AT(it.servo.rate_limit_rad_s), "Largest rate of the shaft."},
+  {"servo", "torque_n_m", number("N m", {0.005, 100}), may, AT(it.servo.torque_n_m), "Stall torque at the shaft: against a load, the servo turns at the rate limit times 1 - load / torque; it cannot hold a larger load. Used with `aerodynamics.canard_hinge_moment_m3`; without it no load slows the servo."},
   {"servo", "stop_deg", number(deg, {1, 90}), may, AT(it.servo.stop_rad), "Mechanical stop of the shaft, either way."},
   {"servo", "backlash_deg", number(deg, {0, 5}), may, AT(it.servo.backlash_rad), "Whole width of the play between gear and shaft."},
   {"servo", "pulse_centre_us", number("us", {500, 2500}), may, AT(it.servo.pulse_centre_us), "Pulse that commands the centre."},
@@ -118,7 +118,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"servo", "centre_spread_deg", number(deg, {0, 2}), may, AT(it.servo_spread.centre_rad), "The true centre of each servo is off by up to this, drawn from the seed; at most `stop_deg`."},
 
   {"canard_mounting", "trim_deg", four(number(deg, {-5, 5})), may, AT(it.canards[i].trim_rad), "Shaft angle at which the canard makes no roll moment."},
-  {"canard_mounting", "encoder_zero_deg", four(number(deg, {-180, 180})), may, AT(it.canards[i].encoder_zero_rad), "What the encoder reads at shaft angle zero."},
+  {"canard_mounting", "encoder_zero_deg", four(number(deg, {-180, 180})), may, AT(it.canards[i].encoder_zero_rad), "Reading of the encoder at shaft angle zero."},
   {"canard_mounting", "direction", four(choice(directions)), may, AT(it.canards[i].reversed), "`reversed`: a positive shaft angle rolls the rocket negatively."},
 
 // Both IMUs are described by the same words, and so are all inertial sensors.
@@ -127,34 +127,34 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "rate_noise_deg_s", number(deg_s, {0, 100}), may, AT(sensor.rate_noise_rad_s), "Standard deviation of each sample of the rates, white."}, \
   {section, "rate_bias_deg_s", number(deg_s, {-50, 50}), may, AT(sensor.rate_bias_rad_s), "Added to every rate."}, \
   {section, "rate_scale_error", number("", {-0.1, 0.1}), may, AT(feels.rate_scale_error), "Share by which it reads every rate too large."}, \
-  {section, "rate_per_g_deg_s", number(deg_s_per_g, {-10, 10}), may, AT(feels.rate_per_specific_force_s_m), "g-sensitivity of the gyro: rate that it shows for each g along the same axis."}, \
+  {section, "rate_per_g_deg_s", number(deg_s_per_g, {-10, 10}), may, AT(feels.rate_per_specific_force_s_m), "g-sensitivity of the gyro: rate that it reads for each g along the same axis."}, \
   {section, "rate_drift_deg_s_per_min", number(deg_s_per_min, {-60, 60}), may, AT(feels.rate_drift_rad_s2), "Drift of every rate's bias from power-up on, as it warms."}, \
-  {section, "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(sensor.full_scale_rad_s), "Largest rate that it can show."}
+  {section, "full_scale_deg_s", number(deg_s, {50, 4000}), may, AT(sensor.full_scale_rad_s), "Largest rate that it can measure."}
 #define INERTIAL(section, sensor, feels) \
   {section, "specific_force_noise_m_s2", number("m/s2", {0, 50}), may, AT(sensor.specific_force_noise_m_s2), "Standard deviation of each sample of the specific force, white."}, \
   {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
-  {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can show."}, \
+  {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can measure."}, \
   {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about an axis across the rocket that is drawn from the seed."}, \
-  {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "From measured to delivered."}, \
-  {section, "to_nose", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.to_nose), "Which of its axes points to the nose, in truth; what the avionics believes stands in its plan."}, \
-  {section, "along_y", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.along_y), "And which along the rocket's y; the third follows."}, \
-  {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "From the tip of the nose; at the centre of gravity when absent. Counts where the centre of gravity is known: in six degrees of freedom."}, \
-  {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "From the long axis, towards the rocket's y: it feels the spin."}, \
+  {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "Delay from measurement to delivery."}, \
+  {section, "to_nose", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.to_nose), "Which of its axes truly points to the nose; the avionics use the axis in the plan."}, \
+  {section, "along_y", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.along_y), "Which of its axes truly points along the rocket's y; the third follows."}, \
+  {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "Position from the tip of the nose; at the centre of gravity when absent. Used where the centre of gravity is known: in six degrees of freedom."}, \
+  {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "Distance from the long axis, towards the rocket's y: there it measures the effect of spin."}, \
   {section, "specific_force_scale_error", number("", {-0.1, 0.1}), may, AT(feels.specific_force_scale_error), "Share by which it reads every specific force too large."}
 // NOLINTEND(bugprone-macro-parentheses)
   GYRO("imu", it.imu, it.imu_feels),
   INERTIAL("imu", it.imu, it.imu_feels),
-  {"second_imu", "fitted", choice(no_or_yes), may, AT(it.second_imu_is_fitted), "There is one. The avionics reads it where the plan says `sensors.gyros = \"two_agree\"`."},
+  {"second_imu", "fitted", choice(no_or_yes), may, AT(it.second_imu_is_fitted), "Whether there is a second IMU. The avionics read it if the plan has `sensors.gyros = \"two_agree\"`."},
   GYRO("second_imu", it.second_imu, it.second_imu_feels),
   INERTIAL("second_imu", it.second_imu, it.second_imu_feels),
   INERTIAL("accelerometer", it.accelerometer, it.accelerometer_feels),
 
-  {"vibration", "specific_force_m_s2", number("m/s2", {0, 500}), may, AT(it.vibration.specific_force_m_s2), "How all sensors are shaken, alike, while the motor burns, wherever they sit: standard deviation along each axis, band-limited."},
-  {"vibration", "rate_deg_s", number(deg_s, {0, 1000}), may, AT(it.vibration.rate_rad_s), "Likewise about each axis."},
-  {"vibration", "frequency_hz", number("Hz", {1, 450}), may, AT(it.vibration.frequency_hz), "The middle of its band, which is a fifth as wide."},
+  {"vibration", "specific_force_m_s2", number("m/s2", {0, 500}), may, AT(it.vibration.specific_force_m_s2), "Vibration of all sensors while the motor burns, the same at every position: standard deviation along each axis, band-limited."},
+  {"vibration", "rate_deg_s", number(deg_s, {0, 1000}), may, AT(it.vibration.rate_rad_s), "The same for the rate about each axis."},
+  {"vibration", "frequency_hz", number("Hz", {1, 450}), may, AT(it.vibration.frequency_hz), "Middle frequency of its band; the width is a fifth of it."},
 
   {"encoder", "noise_counts", number("counts", {0, 1000}), may, AT(it.encoder.noise_counts), "Standard deviation of each reading; 16384 counts are a turn."},
-  {"encoder", "resolution_bits", integer({"bits"}, {4, 14}), may, AT(it.encoder.resolution_bits), "What a turn is divided into."},
+  {"encoder", "resolution_bits", integer({"bits"}, {4, 14}), may, AT(it.encoder.resolution_bits), "Resolution of a full turn."},
 
   {"canard_tolerances", "reach_deg", number(deg, tolerated_deg), may, AT(it.canard_tolerances.reach_rad), "At a limit: encoder against command."},
   {"canard_tolerances", "tracking_deg", number(deg, tolerated_deg), may, AT(it.canard_tolerances.tracking_rad), "During a slow ramp: encoder against command, servo lag taken off."},

@@ -55,7 +55,7 @@ void read_motor(const Document& document, sim::Vehicle& vehicle) {
   }
   if (curve.impulse_n_s() > most_speed_m_s * empty_kg) {
     motor.refuse("file", "gives " + about(curve.impulse_n_s()) + " N s to " + about(empty_kg) +
-                             " kg; allowed: what makes at most " + about(most_speed_m_s) + " m/s");
+                             " kg; allowed: an impulse that gives at most " + about(most_speed_m_s) + " m/s");
   }
 }
 
@@ -65,7 +65,7 @@ void check_reference_area(const Document& document, const sim::Vehicle& vehicle)
   if (!range.empty() && (range.size() != 2 || !(range[0] < area_m2 && area_m2 < range[1]))) {
     Section{document, "aerodynamics"}.refuse("reference_area_range_m2",
                                              "must be two areas, one below and one above reference_area_m2 = " +
-                                                 plain_number(area_m2) + ", or [] where nobody knows");
+                                                 plain_number(area_m2) + ", or [] if it is unknown");
   }
 }
 
@@ -74,7 +74,7 @@ void check_drag(const Document& document, const sim::Vehicle& vehicle) {
   const Section body{document, "body"};
   if (drag.mach.size() != drag.factor.size()) {
     body.refuse("drag_factor", "has " + std::to_string(drag.factor.size()) + " values and drag_mach has " +
-                                   std::to_string(drag.mach.size()) + "; allowed: as many");
+                                   std::to_string(drag.mach.size()) + "; allowed: the same number");
   }
   for (std::size_t i = 1; i < drag.mach.size(); ++i) {
     if (!(drag.mach[i] > drag.mach[i - 1])) {
