@@ -133,7 +133,7 @@ TEST_F(ACampaign, IsNotFlownAgainFromAScenarioThatHasChanged) {
     FAIL() << "it was taken";
   } catch (const text::Error& error) {
     EXPECT_NE(std::string{error.what()}.find(
-                  "this campaign cannot be flown again: scenario has another content there than now (SHA-256 "),
+                  "this campaign cannot be flown again: scenario has different contents there and now (SHA-256 "),
               std::string::npos)
         << error.what();
   }
@@ -257,7 +257,7 @@ TEST_F(ACampaign, OfNoRunsOrWithoutASpreadIsRefused) {
   EXPECT_EQ(refusal("none"), "0 runs; allowed: 1 or more");
   asked.runs = 1;
   asked.scenario = "tasha3_launch1";
-  EXPECT_NE(refusal("none").find("says of nothing how it is spread"), std::string::npos) << refusal("none");
+  EXPECT_NE(refusal("none").find("has no [[spread]] table"), std::string::npos) << refusal("none");
 }
 
 class ARefusedDraw : public ACampaign {

@@ -70,8 +70,8 @@ TEST_F(Shards, AreNotPutOverAnotherCampaign) {
 }
 
 TEST_F(Shards, ThatAreMissingOrThereTwiceAreNamed) {
-  EXPECT_EQ(refusal({part(2)}), "of 3 shards these are missing: 1, 3");
-  EXPECT_EQ(refusal({}), "no shard is named; allowed: the folders of all of them");
+  EXPECT_EQ(refusal({part(2)}), "3 shards in all; missing: 1, 3");
+  EXPECT_EQ(refusal({}), "no shard is named; allowed: the folders of all shards");
   fs::copy(part(2), folder / "again");
   EXPECT_EQ(refusal({part(1), part(2), part(3), folder / "again"}),
             "shard 2 is there twice: " + part(2).string() + " and " + (folder / "again").string());
@@ -84,7 +84,7 @@ TEST_F(Shards, OfAnotherCampaignAreRefusedByWhatDiffers) {
   fly({.number = 2, .of = 3}, folder / "other", 6);
   EXPECT_EQ(refusal({part(1), folder / "other", part(3)}),
             part(1).string() + " and " + (folder / "other").string() +
-                " are of different campaigns: seed is 5 in the first and 6 in the other");
+                " belong to different campaigns: seed is 5 in the first and 6 in the other");
   fly({.number = 2, .of = 2}, folder / "halves", 5);
   EXPECT_EQ(refusal({part(1), folder / "halves"}),
             part(1).string() + " is one of 3 shards, and " + (folder / "halves").string() + " is one of 2");

@@ -227,7 +227,7 @@ TEST(ShownEventOfACampaign, HasTheAnswerThatWasCounted) {
       EXPECT_NE(text.find("the canards move"), std::string::npos) << text;
       EXPECT_NE(text.find("range of the"), std::string::npos) << text;
       EXPECT_LT(text.find("control may begin"), text.find("% of the gate")) << text;
-      EXPECT_NE(shown.verdict.find("no launch"), std::string::npos) << shown.verdict;
+      EXPECT_NE(shown.verdict.find("not a launch"), std::string::npos) << shown.verdict;
       const std::string page = result::html(document);
       EXPECT_LT(page.find(shown.verdict.substr(0, shown.verdict.find(". "))), page.find("<svg"));
       for (const char* const line :

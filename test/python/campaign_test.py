@@ -47,7 +47,7 @@ def test_shards_that_are_merged_are_the_whole(tmp_path):
     assert fantail.merge_campaign(folders, tmp_path / "merged") == 66
     merged = fantail.campaign("tasha3_launch2", runs=66, out=tmp_path / "merged")
     assert merged.summary["runs"] == 66
-    with pytest.raises(ValueError, match="of 2 shards these are missing: 2"):
+    with pytest.raises(ValueError, match="2 shards in all; missing: 2"):
         fantail.merge_campaign(folders[:1], tmp_path / "half")
 
 

@@ -141,7 +141,7 @@ TEST_F(StoredParts, OfAnEarlierVersionOrBesideOtherResultsAreRefused) {
     fs::create_directories(folder_);
     std::ofstream{folder_ / name} << "{}\n";
     EXPECT_EQ(refusal(place()), folder_.string() + ": choose another folder with --out, or remove this one; it holds " +
-                                    name + " of an earlier version of Fantail, which this one cannot go on from");
+                                    name + " of an earlier version of Fantail, which this version cannot continue");
     EXPECT_FALSE(fs::exists(folder_ / "parts"));
     fs::remove_all(folder_);
   }
@@ -156,8 +156,10 @@ TEST_F(StoredParts, WhoseIdentityFantailHasNotWrittenAreRefusedAndNothingOfItIsP
   fs::create_directories(folder_ / "parts");
   std::ofstream{folder_ / "parts/identity.json"} << "\x1b[31m\xff\x01 something\n";
   const std::string said = refusal(place(), text::ErrorKind::bad_data);
-  EXPECT_NE(said.find("identity.json: choose another folder with --out, or remove this one; Fantail has not written"),
-            std::string::npos)
+  EXPECT_NE(
+      said.find(
+          "identity.json: choose another folder with --out, or remove this one; this file was not written by Fantail"),
+      std::string::npos)
       << said;
   EXPECT_EQ(said.find('\x1b'), std::string::npos);
 }
@@ -179,9 +181,10 @@ TEST_F(StoredParts, ForWhichTheDiskHasNoRoomAreNotThereAndThoseBeforeStay) {
 
 TEST_F(StoredParts, AreThoseOfOneProgramAtATime) {
   const Folder first{place()};
-  EXPECT_EQ(refusal(place()),
-            folder_.string() +
-                ": another campaign is at work in this folder; wait for its end, or take another folder with --out");
+  EXPECT_EQ(
+      refusal(place()),
+      folder_.string() +
+          ": another campaign is running in this folder; wait until it ends, or choose another folder with --out");
 }
 
 TEST_F(StoredParts, OfTwoThatBeginAtOnceInANewFolderOneIsRefused) {

@@ -132,10 +132,10 @@ TEST(Campaign, OfWordsThatMakeNoSenseIsRefused) {
   const Refusal undecided{{}, {"campaign", "--until-decided"}, 64, {"--until-decided", "--at-least"}};
   const Refusal shard{{}, {"campaign", "--shard", "3/2"}, 64, {"\"3/2\" is not a shard; allowed: NUMBER/OF"}};
   const Refusal shards{{}, {"campaign", "--runs", "10", "--shard", "1/2"}, 78, {"of at most 1"}};
-  const Refusal certain{{}, {"campaign", "tasha3_launch1"}, 78, {"says of nothing how it is spread"}};
+  const Refusal certain{{}, {"campaign", "tasha3_launch1"}, 78, {"has no [[spread]] table"}};
   const Refusal early{
       {}, {"campaign", "--runs", "100", "--until-within", "5", "--shard", "1/2"}, 78, {"stop early only as a whole"}};
-  const Refusal sobol{{}, {"campaign", "--sampling", "sobol"}, 64, {"\"sobol\"; allowed: independent", "have left"}};
+  const Refusal sobol{{}, {"campaign", "--sampling", "sobol"}, 64, {"\"sobol\"; allowed: independent", "were removed"}};
   const Refusal alone{{}, {"fly", "--run", "3"}, 64, {"--campaign"}};
   const Refusal nowhere{{}, {"fly", "--campaign", "nowhere", "--run", "3"}, 66, {"nowhere"}};
   const Refusal changed{{}, {"fly", "--campaign", ".", "--run", "3", "--seed", "3"}, 64, {"repeats a run unchanged"}};

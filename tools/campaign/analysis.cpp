@@ -89,13 +89,13 @@ Sample sample_of(const FlownCampaign& flown, std::size_t figure) {
 std::string too_little(const Sample& sample, std::size_t figure) {
   const std::size_t fewest = std::max(fewest_influence_runs, 10 * sample.quantities.size());
   if (sample.result.size() < fewest) {
-    return fmt::format("The {} is known of {} run{}, and it takes {} to tell what it depends on.",
+    return fmt::format("The {} is known for {} run{}; {} are needed to show its dependence on the drawn quantities.",
                        column_words(figure_columns[figure]).words, sample.result.size(),
                        sample.result.size() == 1 ? "" : "s", fewest);
   }
   if (sample.quantities.empty() || !varies(sample.result)) {
     return fmt::format("{} is the same in all runs.", sample.quantities.empty()
-                                                          ? "What is drawn"
+                                                          ? "Every drawn quantity"
                                                           : "The " + column_words(figure_columns[figure]).words);
   }
   return {};

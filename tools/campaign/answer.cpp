@@ -25,7 +25,7 @@ constexpr auto column_fields = result::fields<Column>({
      [](const Column& c) { return Cell{Named{c.name, column_words(c.name).with_unit()}}; },
      "its column in runs.csv.gz; it ends with the unit of the row"},
     {"runs", "runs", u::none, 0, [](const Column& c) { return Cell{std::uint64_t{c.values.size()}}; },
-     "runs that have it"},
+     "runs that have this figure"},
     {"mean", "mean", u::none, 0, [](const Column& c) { return Cell{c.quantiles.mean}; }, "mean of these runs",
      Worse::neither, five_digits},
     {"least", "least", u::none, 0, &Column::least, "least value", Worse::neither, five_digits},
@@ -45,7 +45,7 @@ struct Outcome {
 };
 constexpr auto outcome_fields = result::fields<Outcome>({
     {"outcome", "outcome", u::none, 0, [](const Outcome& o) { return Cell{outcome_words(o.name)}; },
-     "the verdict of a flight report in a word"},
+     "verdict of the flight report in one word"},
     {"runs", "runs", u::none, 0, &Outcome::runs, "runs with it"},
     {"share", "share", u::percent, 1, &Outcome::share, "their share of all runs", Worse::neither, percent},
 });
@@ -61,13 +61,13 @@ constexpr auto worst_fields = result::fields<WorstRun>({
     {"run", "run", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->run}; }, "its number"},
     {"seed", "seed", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->seed}; }, "seed of its random streams"},
     {"outcome", "outcome", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->outcome}; },
-     "the verdict of its flight report in a word"},
-    {"value", "figure", u::none, 0, &WorstRun::value,
-     "the figure of the question, of an outcome the largest hold error", Worse::neither, five_digits},
+     "verdict of its flight report in one word"},
+    {"value", "figure", u::none, 0, &WorstRun::value, "figure of the question; for an outcome, the largest hold error",
+     Worse::neither, five_digits},
     {"note", "note", u::none, 0, [](const WorstRun& w) { return words_or_none(w.flown->note); },
-     "why there is no outcome of a flight"},
+     "reason why there is no outcome of a flight"},
     {"folder", "folder", u::none, 0, [](const WorstRun& w) { return words_or_none(w.folder); },
-     "where its flight report is; null for a run that was not flown"},
+     "folder of its flight report; null for a run that was not flown"},
 });
 
 constexpr std::string_view name(Judgement judgement) {
@@ -77,24 +77,24 @@ constexpr std::string_view name(Judgement judgement) {
 using R = Report;
 constexpr auto report_fields = result::fields<R>({
     {"question", "what is counted", u::none, 0, [](const R& r) { return Cell{r.analysis.question.text()}; },
-     "what a run must come to"},
-    {"required", "asked for", u::share, 1,
+     "condition that a run must meet"},
+    {"required", "required", u::share, 1,
      [](const R& r) { return r.analysis.required ? Cell{*r.analysis.required} : Cell{}; },
-     "the share that is asked for; null: none"},
+     "the required share; null: none"},
     {"judgement", "judgement", u::none, 0,
      [](const R& r) {
        return r.analysis.judgement ? Cell{result::Judged{answer_of(r), std::string{name(*r.analysis.judgement)}}}
                                    : Cell{};
      },
-     "met, not_met or undecided, of the share alone; null: none is asked for"},
+     "met, not_met or undecided, for the share alone; null: none is required"},
     {"runs", "runs", u::none, 0, [](const R& r) { return Cell{std::uint64_t{r.flown.runs.size()}}; }, "runs flown"},
     {"runs_asked", "runs at most", u::none, 0, [](const R& r) { return Cell{r.campaign.runs}; }, "runs asked for"},
     {"runs_outside_model", "runs outside the model", u::none, 0,
      [](const R& r) { return Cell{std::uint64_t{runs_outside_the_model(r)}}; },
-     "runs in which the roll model does not hold"},
+     "runs in which the roll model is not valid"},
     {"runs_drawn_again", "runs drawn again", u::none, 0,
      [](const R& r) { return Cell{std::uint64_t{r.analysis.drawn_again}}; },
-     "runs of which a draw left what its field allows"},
+     "runs with a draw outside the range of its field"},
 });
 
 Json share_of(const Analysis& a) {
@@ -171,7 +171,7 @@ std::vector<result::Block> worst(const Report& report) {
                          .about = fmt::format(": {}{}{}{}", outcome_words(run.outcome), value,
                                               run.note.empty() ? "" : "; ", run.note)});
   }
-  return {links, "Any run again, with its flight report: " + report.run_command + " RUN"};
+  return {links, "To fly any run again, with its flight report: " + report.run_command + " RUN"};
 }
 
 std::vector<std::string> changes_of(const Campaign& campaign) {
@@ -220,15 +220,15 @@ result::Document answer(const Report& report) {
           .sections = {{"Roll angle of the runs", roll(report), files},
                        {"Outcomes", outcomes(report)},
                        {"Figures of the runs", distributions(a, figures)},
-                       {"What matters", influences(report)},
+                       {"Influences", influences(report)},
                        {"Slope of each figure", {slopes_of_each_figure(a)}, files},
                        {"The worst runs", worst(report)},
-                       {"What was drawn", {shown(quantities)}, files},
+                       {"Drawn quantities", {shown(quantities)}, files},
                        {.heading = "How the share settled",
                         .blocks = {result::Picture{convergence_chart(report)}},
                         .folded = "The share over the number of runs"},
-                       {"How far this can be trusted", {result::Sentences{"remarks", remarks(report)}}},
-                       {"Again", {report.command}},
+                       {"Limits of this result", {result::Sentences{"remarks", remarks(report)}}},
+                       {"Repeat", {report.command}},
                        {"For programs",
                         {result::figures("", report, report_fields), result::Data{"share", share_of(a)}, figures,
                          quantities, result::Data{"influences", influences_for_programs(a)},

@@ -27,12 +27,12 @@ void check(const Campaign& campaign) {
   const std::uint64_t parts = (campaign.runs + runs_of_a_part - 1) / runs_of_a_part;
   if (shard.number < 1 || shard.number > shard.of || shard.of > parts) {
     refuse(
-        fmt::format("shard {} of {}; allowed: 1 to as many as there are, and of at most {}, because {} "
-                    "runs are flown by {} together",
+        fmt::format("shard {} of {}; allowed: 1 to the number of shards, and of at most {}, because {} runs are flown "
+                    "in groups of {}",
                     shard.number, shard.of, parts, campaign.runs, runs_of_a_part));
   }
   if (campaign.stop && shard.of > 1) {
-    refuse("a campaign can stop early only as a whole: the bounds that it stops by hold for its runs in their order");
+    refuse("a campaign can stop early only as a whole: its stopping bounds hold for the runs in their order");
   }
 }
 
@@ -86,8 +86,9 @@ FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path
     return flown;
   }
   if (const auto file = folder / runs_name; std::filesystem::exists(file)) {
-    flown.remark = (before.runs ? file.string() + ": has not the runs that its stop rule asks for" : before.remark) +
-                   "; its runs have been flown again";
+    flown.remark =
+        (before.runs ? file.string() + ": does not have the runs that its stop rule requires" : before.remark) +
+        "; its runs have been flown again";
   }
   flown.runs.resize(own_runs.count);
   const auto rows_of = [&](const runs::Part& part) {

@@ -49,7 +49,7 @@ page::Chart convergence_chart(const Report& report) {
                     .series = {share},
                     .areas = {bounds}};
   if (a.required) {
-    chart.levels.push_back({.value = 100.0 * *a.required, .label = "asked for", .role = Role::limit});
+    chart.levels.push_back({.value = 100.0 * *a.required, .label = "required", .role = Role::limit});
   }
   return chart;
 }
@@ -68,7 +68,7 @@ page::Chart histogram(const Column& column) {
   }
   outline.x.insert(outline.x.begin(), column.least);
   outline.y.insert(outline.y.begin(), 0.0);
-  return {.label = "How many of the runs have which " + column_words(column.name).words,
+  return {.label = "Number of runs by " + column_words(column.name).words,
           .x_label = column_words(column.name).with_unit(),
           .y_label = "runs",
           .width = page::half_page,
@@ -101,7 +101,7 @@ std::string tornado_svg(const Report& report, double width) {
   const double bottom = top + row * static_cast<double>(bars.size());
   page::SvgPlot plot;
   plot.place({left, top, width - 12.0, bottom}, x, {0.0, 1.0});
-  plot.begin("chart", "How much each quantity moves the " + column_words(figure_columns[figure]).words, width,
+  plot.begin("chart", "Effect of each quantity on the " + column_words(figure_columns[figure]).words, width,
              bottom + page::tick_row + page::label_row + 7.0);
   plot.outline("frame");
   plot.x_axis(page::even_ticks(x, (width - left) / 90.0), "slope, standard deviations");

@@ -117,7 +117,7 @@ Draw Drawer::draw(std::uint64_t run) const {
         refuse(spread, run, *left, "outside = \"truncate\" draws again instead");
       }
       if (++draws > most_draws) {
-        refuse(spread, run, *left, "so a thousand times in a row: nearly all of the law is outside");
+        refuse(spread, run, *left, "a thousand draws in a row were outside: so is nearly all of the law");
       }
       for (double& coordinate : unit) {
         coordinate = open_unit(random.bits());

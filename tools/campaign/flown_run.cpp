@@ -39,7 +39,7 @@ void take_figures(FlownRun& flown, const JudgedFlight& judged) {
   for (std::size_t i = 0; i < flown.figures.size(); ++i) {
     if (flown.figures[i] && !std::isfinite(*flown.figures[i])) {
       flown.outcome = "not_finite";
-      flown.note += fmt::format("{}{} is no number", flown.note.empty() ? "" : "; ", figure_columns[i]);
+      flown.note += fmt::format("{}{} is not a number", flown.note.empty() ? "" : "; ", figure_columns[i]);
       flown.figures[i].reset();
     }
   }
@@ -53,7 +53,7 @@ std::uint64_t whole(const flight::Table& table, std::size_t row, std::size_t col
   const auto value = text::whole_number(table.cell(row, column));
   if (!value) {
     refuse(table, row,
-           table.columns()[column] + " = " + flight::in_quotes(table.cell(row, column)) + " is no whole number");
+           table.columns()[column] + " = " + flight::in_quotes(table.cell(row, column)) + " is not a whole number");
   }
   return *value;
 }
@@ -194,7 +194,7 @@ std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Sprea
     run.drawn_again = whole(table, row, again);
     run.outcome = table.cell(row, again + 1);
     if (!is_outcome(run.outcome)) {
-      refuse(table, row, "outcome = " + flight::in_quotes(run.outcome) + " is none");
+      refuse(table, row, "outcome = " + flight::in_quotes(run.outcome) + " is not an outcome");
     }
     for (std::size_t i = 0; i < run.figures.size(); ++i) {
       const std::size_t column = again + 2 + i;

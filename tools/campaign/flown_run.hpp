@@ -22,7 +22,7 @@ namespace fantail::campaign {
 /// What a flight report says of a flight, of which no row was kept.
 struct JudgedFlight {
   flight::Flight flight;    ///< without rows
-  report::Figures figures;  ///< but for Figures::side_deflection
+  report::Figures figures;  ///< except Figures::side_deflection
   report::Verdict verdict;
 };
 

@@ -19,14 +19,12 @@ std::string about_slopes(const Analysis& analysis) {
   const bool all_known =
       std::ranges::all_of(analysis.influences, [figure](const auto& of) { return of.slopes[figure].has_value(); });
   return fmt::format(
-      "Straight lines of all quantities together explain {} % of the variance. Slopes do not show curves, thresholds, "
-      "or "
-      "effects of two quantities together.{}",
+      "A linear fit of all quantities together explains {} % of the variance. Slopes do not show curves, thresholds, "
+      "or combined effects of two quantities.{}",
       text::fixed(100.0 * std::max(0.0, analysis.explained), 0),
-      all_known
-          ? ""
-          : " A slope is not known where the quantity does not vary, where quantities depend wholly on each other, "
-            "or where one run alone decides.");
+      all_known ? ""
+                : " A slope is not known if the quantity does not vary, if quantities depend wholly on each other, or "
+                  "if one run alone decides.");
 }
 
 Cell slope_cell(const std::optional<Estimate>& slope) {
@@ -50,12 +48,13 @@ std::vector<result::Block> influences(const Report& report) {
     slopes.rows.push_back({result::Named{of.name, column_words(of.name).words}, slope_cell(of.slopes[figure])});
   }
   std::vector<result::Block> all{
-      fmt::format("What the {} depends on, by {} runs, with 95 % intervals.",
+      fmt::format("How the {} depends on each drawn quantity, from {} runs, with 95 % intervals.",
                   column_words(figure_columns[figure]).words, a.influence_runs),
       result::Drawing{tornado_svg(report, page::full_page), tornado_svg(report, page::half_page),
                       "The line at the end of each bar is its 95 % interval."},
       slopes,
-      "Slope: by how many of its standard deviations the figure moves with one of the quantity's, the others held. " +
+      "Slope: change of the figure, in its standard deviations, per standard deviation of the quantity, with the "
+      "others held. " +
           about_slopes(a)};
   for (std::size_t i = 0; i < std::min<std::size_t>(2, a.influences.size()); ++i) {
     all.emplace_back(result::Picture{scatter(report, a.influences[i].name)});

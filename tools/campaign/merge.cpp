@@ -39,7 +39,7 @@ std::uint64_t number_of(const Part& part, std::string_view name) {
       return *number;
     }
   }
-  refuse(ErrorKind::bad_data, fmt::format("{}: says no {}", (part.folder / identity_name).string(), name));
+  refuse(ErrorKind::bad_data, fmt::format("{}: has no {}", (part.folder / identity_name).string(), name));
 }
 
 Part read_part(const fs::path& folder) {
@@ -63,14 +63,14 @@ Part read_part(const fs::path& folder) {
     }
     break;
   }
-  refuse(ErrorKind::bad_data, (folder / identity_name).string() + ": says of no shard which it is");
+  refuse(ErrorKind::bad_data, (folder / identity_name).string() + ": does not name its shard");
 }
 
 void require_same(const Part& first, const Part& other) {
   if (const std::string differs = runs::difference(first.identity, "in the first", other.identity, "in the other");
       !differs.empty()) {
-    refuse(ErrorKind::bad_configuration, fmt::format("{} and {} are of different campaigns: {}", first.folder.string(),
-                                                     other.folder.string(), differs));
+    refuse(ErrorKind::bad_configuration, fmt::format("{} and {} belong to different campaigns: {}",
+                                                     first.folder.string(), other.folder.string(), differs));
   }
   if (first.shard.of != other.shard.of) {
     refuse(ErrorKind::bad_configuration,
@@ -94,7 +94,7 @@ std::map<std::uint64_t, Part> all_parts(std::span<const fs::path> folders) {
     }
   }
   if (parts.empty()) {
-    refuse(ErrorKind::bad_configuration, "no shard is named; allowed: the folders of all of them");
+    refuse(ErrorKind::bad_configuration, "no shard is named; allowed: the folders of all shards");
   }
   const std::uint64_t of = parts.begin()->second.shard.of;
   std::string missing;
@@ -104,7 +104,7 @@ std::map<std::uint64_t, Part> all_parts(std::span<const fs::path> folders) {
     }
   }
   if (!missing.empty()) {
-    refuse(ErrorKind::bad_configuration, fmt::format("of {} shards these are missing: {}", of, missing));
+    refuse(ErrorKind::bad_configuration, fmt::format("{} shards in all; missing: {}", of, missing));
   }
   return parts;
 }

@@ -49,7 +49,7 @@ Campaign campaign_in(const std::filesystem::path& folder, const std::string& ver
     if (const auto number = text::whole_number(said(name))) {
       return *number;
     }
-    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {} is no whole number", file, name)};
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {} is not a whole number", file, name)};
   };
   if (const std::string objection = objection_to_sampling(said("sampling")); !objection.empty()) {
     throw text::Error{text::ErrorKind::bad_data, file + ": " + objection};

@@ -46,7 +46,7 @@ struct Report {
 /// What was left out or went wrong, a sentence each.
 [[nodiscard]] std::vector<std::string> remarks(const Report& report);
 
-/// What the figure of the question depends on, with pictures; or why nobody knows.
+/// What the figure of the question depends on, with pictures; or why that is unknown.
 [[nodiscard]] std::vector<result::Block> influences(const Report& report);
 /// Of every figure, its slope by each quantity.
 [[nodiscard]] result::Table slopes_of_each_figure(const Analysis& analysis);

@@ -75,7 +75,7 @@ Identity read_identity(const fs::path& folder) {
   try {
     return runs::parse_identity(file_content(file));
   } catch (const json::Error& error) {
-    throw text::Error{text::ErrorKind::bad_data, file.string() + ": is not what a campaign writes: " + error.what()};
+    throw text::Error{text::ErrorKind::bad_data, file.string() + ": was not written by a campaign: " + error.what()};
   }
 }
 

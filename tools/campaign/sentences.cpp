@@ -37,7 +37,7 @@ std::string judged(const Report& report) {
   const char* words = *a.judgement == Judgement::met       ? ": met. "
                       : *a.judgement == Judgement::not_met ? ": not met. "
                                                            : ", which is within the interval: not decided. ";
-  return fmt::format("Asked for is at least {} %{}", text::brief(100.0 * *a.required, 3), words);
+  return fmt::format("At least {} % is required{}", text::brief(100.0 * *a.required, 3), words);
 }
 
 void add_count(std::vector<std::string>& all, const Report& report, std::string_view outcome, const char* words) {
@@ -64,8 +64,8 @@ std::string outside_the_model(const Report& report) {
 
 std::string interval_sentence(const Report& report) {
   if (report.analysis.by_sequence) {
-    return "The interval holds however often somebody looked before the campaign stopped (Robbins' confidence "
-           "sequence); it is wider than one for a number of runs that was fixed beforehand.";
+    return "The interval holds however often the share was checked before the campaign stopped (Robbins' confidence "
+           "sequence). It is wider than an interval for a fixed number of runs.";
   }
   return "The interval is Wilson's for independent runs.";
 }
@@ -105,7 +105,7 @@ std::string headline(const Report& report) {
 
 std::vector<std::string> remarks(const Report& report) {
   std::vector<std::string> all{
-      "The share is that of the spreads in the scenario's file: it is as true of the rocket as they are.",
+      "The share follows from the spreads in the scenario's file: it is only as accurate as they are.",
       interval_sentence(report)};
   const Campaign& campaign = report.campaign;
   const std::size_t flown = report.flown.runs.size();
@@ -117,10 +117,11 @@ std::vector<std::string> remarks(const Report& report) {
                               runs(campaign.runs), campaign.stop->words()));
   }
   if (report.analysis.drawn_again > 0) {
-    all.push_back(fmt::format("In {} a draw left what its field allows and was drawn again: the law is truncated.",
-                              runs(report.analysis.drawn_again)));
+    all.push_back(
+        fmt::format("In {} a draw was outside the range of its field and was drawn again: the law is truncated.",
+                    runs(report.analysis.drawn_again)));
   }
-  add_count(all, report, "refused", "drew values that do not go together and were not flown");
+  add_count(all, report, "refused", "drew incompatible values and could not be flown");
   add_count(all, report, "not_finite", "gave a figure that is not a number");
   return all;
 }

@@ -30,12 +30,11 @@ input::ScenarioFiles files_of(const Campaign& campaign) {
 Drawer drawer_of(const Campaign& campaign, const std::vector<Spread>& spreads) { return {spreads, campaign.seed}; }
 
 std::string objection_to_sampling(const std::string& word) {
-  return word == "independent"
-             ? ""
-             : fmt::format(
-                   "sampling = \"{}\"; allowed: independent (Latin hypercube and Sobol points have left: neither the "
-                   "interval nor the stop rule could show what they won)",
-                   word);
+  return word == "independent" ? ""
+                               : fmt::format(
+                                     "sampling = \"{}\"; allowed: independent (Latin hypercube and Sobol points were "
+                                     "removed: neither the interval nor the stop rule could show their benefit)",
+                                     word);
 }
 
 std::string lines_of(const std::vector<input::Override>& changes) {
@@ -84,12 +83,11 @@ Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files
 std::vector<Spread> spreads_of(const Campaign& campaign, const input::ScenarioFiles& files) {
   std::vector<Spread> spreads = read_spreads(files);
   if (spreads.empty()) {
-    throw text::Error{
-        text::ErrorKind::bad_configuration,
-        files.scenario().file() +
-            ": says of nothing how it is spread; needed: one table [[spread]] or more, each a field, a law "
-            "and what the law asks for, as field = \"body.roll_inertia_kg_m2\", law = \"normal\", effect = "
-            "\"factor\", standard_deviation = 0.03, a line each (man fantail.toml)"};
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      files.scenario().file() +
+                          ": has no [[spread]] table; add one or more, each with a field, a law and the values of the "
+                          "law, for example field = \"body.roll_inertia_kg_m2\", law = \"normal\", effect = "
+                          "\"factor\", standard_deviation = 0.03, one per line (man fantail.toml)"};
   }
   for (const input::Override& change : campaign.changes) {
     for (const Spread& spread : spreads) {
@@ -98,7 +96,7 @@ std::vector<Spread> spreads_of(const Campaign& campaign, const input::ScenarioFi
       });
       if (is_drawn && spread.ignores_the_file()) {
         throw text::Error{text::ErrorKind::bad_configuration,
-                          fmt::format("{}.{} = {} changes nothing: {} draws what stands in its place", change.section,
+                          fmt::format("{}.{} = {} changes nothing: {} draws a value that replaces it", change.section,
                                       change.key, change.value, spread.where)};
       }
     }

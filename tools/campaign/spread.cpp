@@ -39,7 +39,7 @@ void require_effect(Section& section, const input::ScenarioFiles& files, const S
   if (std::ranges::find(only_in_six_dof, field.section) != only_in_six_dof.end() &&
       files.scenario().root()["flight"]["motion"].text().value_or("straight") != "six_dof") {
     section.refuse("field",
-                   field.name() + " plays no part on a straight line; allowed: with flight.motion = \"six_dof\"");
+                   field.name() + " has no effect on a straight line; allowed: with flight.motion = \"six_dof\"");
   }
   if (spread.effect == Effect::factor && std::ranges::all_of(field.values, [](double value) { return value == 0.0; })) {
     section.refuse("effect",
@@ -50,7 +50,7 @@ void require_effect(Section& section, const input::ScenarioFiles& files, const S
 void read_fields(Section& section, const input::ScenarioFiles& files, Spread& spread) {
   const bool several = section.has("fields");
   if (several == section.has("field")) {
-    section.refuse("field", several ? "and fields are both there; allowed: one of them"
+    section.refuse("field", several ? "and fields are both given; allowed: one of them"
                                     : "is missing; allowed: section.key, or several of them as a list in fields");
   }
   const auto names = several ? section.texts("fields", most_fields) : std::vector{section.text("field")};
@@ -112,8 +112,7 @@ std::vector<double> root_of(Section& section, const std::vector<double>& correla
       }
       if (i == j && !(left > 0.0)) {
         section.refuse("correlations",
-                       "cannot be those of any quantities: they contradict each other, or one quantity "
-                       "would follow exactly from others");
+                       "are impossible: they contradict each other, or one quantity would follow exactly from others");
       }
       root[place(i, j)] = i == j ? std::sqrt(left) : left / root[place(j, j)];
     }

@@ -26,22 +26,23 @@ std::uint64_t missed(const Sum& launches) { return launches.events - launches.de
 
 constexpr auto rule_fields = result::fields<Sums>({
     {"judged", "judged", u::none, 0, [](const Sums& s) { return Cell{s.rule->judged}; },
-     "whether a false actuation of it is a failure"},
-    {"events", "events", u::none, 0, [](const Sums& s) { return Cell{s.events.events}; }, "events that are no launch"},
-    {"launches_imagined", "launches imagined", u::none, 0, [](const Sums& s) { return Cell{s.events.detected}; },
-     "events in which it believed in a launch"},
+     "whether a false actuation by this rule is a failure"},
+    {"events", "events", u::none, 0, [](const Sums& s) { return Cell{s.events.events}; },
+     "events that are not launches"},
+    {"launches_imagined", "false launches", u::none, 0, [](const Sums& s) { return Cell{s.events.detected}; },
+     "events in which it detected a launch"},
     {"false_actuations", "false actuations", u::none, 0, [](const Sums& s) { return Cell{s.events.controlling}; },
      "events in which its canards could move"},
     {"false_actuations_at_most", "at most", u::percent, 2,
      [](const Sums& s) { return at_most(s.events.controlling, s.events); }, "95 % bound of their share"},
-    {"events_both_well", "events, both well", u::none, 0, [](const Sums& s) { return Cell{s.well.events}; },
-     "events with both accelerometers well"},
-    {"false_actuations_both_well", "false actuations, both well", u::none, 0,
+    {"events_both_well", "events, both healthy", u::none, 0, [](const Sums& s) { return Cell{s.well.events}; },
+     "events with both accelerometers healthy"},
+    {"false_actuations_both_well", "false actuations, both healthy", u::none, 0,
      [](const Sums& s) { return Cell{s.well.controlling}; }, "those of them in which its canards could move"},
     {"false_actuations_both_well_at_most", "at most", u::percent, 2,
      [](const Sums& s) { return at_most(s.well.controlling, s.well); }, "95 % bound of their share"},
     {"launches", "launches", u::none, 0, [](const Sums& s) { return Cell{s.launches.events}; },
-     "launches with both accelerometers well"},
+     "launches with both accelerometers healthy"},
     {"launches_missed", "missed", u::none, 0, [](const Sums& s) { return Cell{missed(s.launches)}; },
      "those of them that it missed"},
     {"launches_missed_at_most", "at most", u::percent, 2,
@@ -62,7 +63,7 @@ constexpr auto row_fields = result::fields<Row>({
     {"events", "events", u::none, 0, [](const Row& r) { return Cell{r.count->events}; },
      "events of the kind, or launches"},
     {"detected", "detected", u::none, 0, [](const Row& r) { return Cell{r.count->detected}; },
-     "those in which it believed in a launch"},
+     "those in which it detected a launch"},
     {"controlling", "controlling", u::none, 0, [](const Row& r) { return Cell{r.count->controlling}; },
      "those in which its canards could move"},
 });
@@ -73,7 +74,7 @@ constexpr auto launch_fields = result::fields<Row>({
      [](const Row& r) { return Cell{upper_bound_95(r.count->events - r.count->detected, r.count->events)}; },
      "95 % bound of their share"},
     {"inside_guide", "in guide", u::none, 0, [](const Row& r) { return Cell{r.count->inside_guide}; },
-     "launches whose control began inside of the guide"},
+     "launches in which control began inside the guide"},
 });
 constexpr auto event_fields = result::fields<Row>({
     {"detected_at_most", "at most", u::percent, 2,
@@ -83,7 +84,8 @@ constexpr auto event_fields = result::fields<Row>({
      [](const Row& r) { return Cell{upper_bound_95(r.count->controlling, r.count->events)}; },
      "95 % bound of the share in which its canards could move"},
     {"largest_share_of_gate", "nearest to the gate", u::percent, 0,
-     [](const Row& r) { return Cell{r.count->worst.value}; }, "how near an event came to the gate; 1: it opens"},
+     [](const Row& r) { return Cell{r.count->worst.value}; },
+     "how near an event came to opening the gate; at 1 it opens"},
 });
 
 template <typename Of>
@@ -185,8 +187,7 @@ json::Value rules(const Report& report) {
 }
 
 std::vector<result::Block> asked(const std::vector<Requirement>& requirements) {
-  result::Table table{
-      .columns = {{.key = "verdict", .label = "verdict"}, {.key = "sentence", .label = "what was asked"}}};
+  result::Table table{.columns = {{.key = "verdict", .label = "verdict"}, {.key = "sentence", .label = "requirement"}}};
   json::Value all = json::Value::array();
   for (const Requirement& one : requirements) {
     table.rows.push_back({result::Judged{answer_of(one.verdict), name(one.verdict)}, one.sentence});
@@ -203,10 +204,10 @@ std::vector<result::Section> of_rule(const Report& report, std::size_t rule) {
                                     launches};
   if (!launches.rows.empty()) {
     blocks.emplace_back(
-        "Latency: from the thrust's first crossing of the threshold, of 50 and 99 % of the launches. Control start: "
-        "after ignition, likewise. Way: the true one along the guide at control start, and error what the estimate has "
-        "more than that; of 1, 50 and 99 %. In guide: control starts while the rocket truly is in it. Tilt error: "
-        "estimated less true tilt at detection, of 50 and 99 %.");
+        "Latency: from the first time the thrust crosses the threshold, for 50 and 99 % of the launches. Control "
+        "start: after ignition, for the same shares. Distance: true distance along the guide at control start; error: "
+        "estimated less true distance; both for 1, 50 and 99 %. In guide: control starts while the rocket is truly in "
+        "the guide. Tilt error: estimated less true tilt at detection, for 50 and 99 %.");
   }
   blocks.emplace_back(Sentences{.all = about_launches(report, rule)});
   return {{of.name() + (of.judged ? "" : " (shown, not judged)"), blocks},
@@ -219,7 +220,7 @@ std::vector<result::Section> sections(const Report& report, const std::vector<Re
   using enum result::Readers;
   std::vector<result::Section> list;
   if (const std::string bounds = bounds_svg(report, page::full_page); !bounds.empty()) {
-    list.push_back({"Events that are no launch, both accelerometers well",
+    list.push_back({"Events that are not launches, both accelerometers healthy",
                     {result::Drawing{bounds, bounds_svg(report, page::half_page)}},
                     files});
   }
@@ -227,11 +228,11 @@ std::vector<result::Section> sections(const Report& report, const std::vector<Re
     std::ranges::move(of_rule(report, rule), std::back_inserter(list));
   }
   list.push_back({"All events and launches", {result::Sentences{.all = sum_lines(report)}}});
-  list.push_back({"What was asked", asked(requirements)});
+  list.push_back({"Requirements", asked(requirements)});
   list.push_back({"Known limits, not judged", {result::Sentences{"known_limits", known_limits(report)}}});
   for (const Kind kind : {Kind::launch, Kind::launch_at_2_g}) {
     if (report.results.of_kind[index(kind)]) {
-      list.push_back({fmt::format("How late: {}", info(kind).name), distributions(report, kind), files});
+      list.push_back({fmt::format("Delay: {}", info(kind).name), distributions(report, kind), files});
     }
   }
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
@@ -257,8 +258,8 @@ std::vector<result::Listed> listed_fields() {
 result::Document answer(const Report& report) {
   const std::vector<Requirement> asked = requirements(report);
   const Verdict came = verdict(asked);
-  return {.kind = "campaign of detections",
-          .title = "Imagined and missed launches",
+  return {.kind = "detection campaign",
+          .title = "False and missed launches",
           .subtitle = fmt::format("{} events and launches, seed {}; shares \"at most\" are 95 % bounds (Clopper and "
                                   "Pearson, one-sided)",
                                   report.campaign.total(), report.campaign.seed),

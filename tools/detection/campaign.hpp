@@ -44,7 +44,7 @@ struct Campaign {
 struct Results {
   std::array<std::optional<Tally>, kinds> of_kind{};
   std::uint64_t played = 0;   ///< in this call; the others were stored
-  std::uint64_t damaged = 0;  ///< stored parts that could not be believed, and were played again
+  std::uint64_t damaged = 0;  ///< damaged stored parts, which were played again
   double processor_s = 0.0;   ///< what the played ones took, on all threads together
 };
 
@@ -52,10 +52,10 @@ struct Results {
 /// how often it was interrupted: `folder` keeps finished chunks, and the same campaign goes on from there; so does one
 /// with more events or other kinds. Without a folder nothing is kept.
 ///
-/// `look` is told how many events are done, those of unfinished chunks too, on the caller's thread; what it throws ends
-/// all after the present event and comes out of here, and finished chunks stay. Throws text::Error (bad_configuration)
-/// for a folder with a campaign of another seed, other rules, other models or another program, or of another kind;
-/// text::OutputError.
+/// `look` is called with how many events are done, those of unfinished chunks too, on the caller's thread; what it
+/// throws ends all after the present event and comes out of here, and finished chunks stay. Throws text::Error
+/// (bad_configuration) for a folder with a campaign of another seed, other rules, other models or another program, or
+/// of another kind; text::OutputError.
 [[nodiscard]] Results play(const Campaign& campaign, const std::optional<std::filesystem::path>& folder,
                            const std::string& program, unsigned threads,
                            const std::function<void(std::uint64_t done)>& look);

@@ -148,7 +148,7 @@ std::string bounds_svg(const Report& report, double width) {
   for (const page::Tick& tick : ticks) {
     plot.add("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", plot.x(tick.value), top, bottom);
   }
-  plot.x_axis(ticks, "moves a canard / %: counted (dot) up to its 95 % bound; none seen: below the arrow");
+  plot.x_axis(ticks, "moves a canard / %: dot: counted, bar: up to its 95 % bound; none seen: below the arrow");
   draw_legend(plot, report, width);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     draw_row(plot, report, rows[i], top + row * static_cast<double>(i) + 0.5 * gap);
@@ -158,11 +158,11 @@ std::string bounds_svg(const Report& report, double width) {
 
 std::vector<result::Block> distributions(const Report& report, Kind kind) {
   page::Chart latency{.label = "Share of the launches detected within a time",
-                      .x_label = "after the thrust's first crossing / s",
+                      .x_label = "time after the thrust crosses the threshold / s",
                       .y_label = "detected / %",
                       .width = page::half_page};
-  page::Chart way{.label = "Share of the launches whose control has started within a way",
-                  .x_label = "true way along the guide / m",
+  page::Chart way{.label = "Share of the launches in which control has started within a distance",
+                  .x_label = "true distance along the guide / m",
                   .y_label = "in control / %",
                   .width = page::half_page};
   std::vector<double> latencies;

@@ -60,15 +60,15 @@ enum class Condition : std::uint8_t {
   well,
   dead,       ///< from a moment on it delivers nothing
   frozen,     ///< from a moment on it repeats its last sample, until the board's watch over its counts notices
-  stuck,      ///< from a moment on it stands where it is, but for its noise, so that no watch notices
+  stuck,      ///< from a moment on it stands where it is, except for its noise, so that no watch notices
   saturated,  ///< from a moment on it stands at the positive end of its range
 };
 inline constexpr std::size_t conditions = 5;
 inline constexpr std::array<std::string_view, conditions> condition_names{"well", "one dead", "one frozen", "one stuck",
                                                                           "one saturated"};
 
-/// Follows from the number, so that any number of events has its share of each: every second one has both well, but of
-/// a launch with one bad none has, and of the other launches all have.
+/// Follows from the number, so that any number of events has its share of each: every second one has both well; no
+/// launch with one bad has, and all other launches have.
 [[nodiscard]] constexpr Condition condition_of(Kind kind, std::uint64_t event) {
   if (is_launch(kind) && kind != Kind::launch_one_bad) {
     return Condition::well;

@@ -14,7 +14,7 @@ namespace fantail::detection {
 inline constexpr std::array<float, 2> accelerometer_range_m_s2{16.0F * core::standard_gravity_m_s2,
                                                                32.0F * core::standard_gravity_m_s2};
 
-/// How many steps an accelerometer that repeats its sample is believed: the limits of the board's two drivers.
+/// How many steps an accelerometer that repeats its sample is still used: the limits of the board's two drivers.
 inline constexpr std::array<std::size_t, 2> frozen_unnoticed{20, 110};
 
 /// What is wrong with the sensors of one event. Biases are the same through all of it.
@@ -35,7 +35,7 @@ struct Turned {
 
 inline constexpr float force_noise_m_s2 = 0.3F;  ///< of each accelerometer, as the shipped vehicles have it
 
-/// What both accelerometers say along the axis, with noise, zeros, ends of range and the fault, and which way is up.
+/// What both accelerometers read along the axis, with noise, zeros, ends of range and the fault, and which way is up.
 struct Readings {
   SensorErrors errors;
   std::array<float, Motion::most> felt_m_s2;  ///< specific force along the axis
@@ -52,7 +52,7 @@ struct Readings {
 void begin_readings(Kind kind, std::uint64_t event, const Motion& motion, sim::Random& random, Readings& readings);
 void finish_readings(const Motion& motion, sim::Random& random, Readings& readings);
 
-/// The whole of what the flight law is given, tick by tick. Before the event the rocket has stood still for as long as
+/// All inputs of the flight law, tick by tick. Before the event the rocket has stood still for as long as
 /// the estimator's average takes; to save time these ticks are 4 ms apart, which is no gap to any plan.
 class InputMaker {
  public:
@@ -63,8 +63,8 @@ class InputMaker {
   /// `random`: Streams::others of this event. The rest outlives it.
   InputMaker(const Motion& motion, const Readings& readings, sim::Random random);
 
-  /// The pad ticks in their order; with the last comes the arm command, so that nothing before the event is listened
-  /// to.
+  /// The pad ticks in their order; with the last comes the arm command, so that nothing before the event
+  /// counts.
   [[nodiscard]] const core::Inputs& pad(int tick);
   /// The steps of the event in their order.
   [[nodiscard]] const core::Inputs& step(std::size_t step);

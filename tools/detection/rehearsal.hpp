@@ -18,7 +18,7 @@ namespace fantail::detection {
 
 /// What one rule made of one event. Steps are milliseconds from the beginning of the event.
 struct Answer {
-  /// The first time that it believed in a launch; of a flight that comes down, after the flight.
+  /// The first time that it detected a launch; of a flight that comes down, after the flight.
   std::optional<std::size_t> detected{};
   std::optional<std::size_t> controlling{};  ///< from here on the canards may move
   /// How far a detection came towards the gate of height and speed: at 1 it opens. Of the two the smaller share.

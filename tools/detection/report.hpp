@@ -118,7 +118,7 @@ struct ShownEvent {
   bool is_bad = false;    ///< a judged rule moves a canard without a launch, or misses one with both well
   std::vector<std::string> sentences{};  ///< what happens in it and what each rule makes of it
   std::vector<result::Picture>
-      pictures{};  ///< what the accelerometers read, and speed and way that each rule believed in
+      pictures{};  ///< what the accelerometers read, and the speed and distance that each rule estimated
 };
 [[nodiscard]] ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event);
 [[nodiscard]] result::Document event_answer(const Campaign& campaign, Kind kind, std::uint64_t event,

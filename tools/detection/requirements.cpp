@@ -29,15 +29,15 @@ std::string of_worst_kind(const Report& report, std::size_t rule) {
     return {};
   }
   const Count& count = report.results.of_kind[index(*kind)]->of_rule[rule][0];
-  return fmt::format("; of the worst kind alone, {}, {} in {}", info(*kind).name,
-                     with_bound(count.controlling, count.events), count.events);
+  return fmt::format("; worst kind alone: {}, {} in {}", info(*kind).name, with_bound(count.controlling, count.events),
+                     count.events);
 }
 
 Requirement no_false_actuation(const Report& report, std::size_t rule) {
   const std::string name = report.campaign.rules[rule].name();
   const Sum events = well_events_of(report.results, rule);
   if (events.events == 0) {
-    return {.sentence = name + ": no event that is no launch was played with both accelerometers well"};
+    return {.sentence = name + ": no event other than launches was played with both accelerometers healthy"};
   }
   const bool is_asked = report.false_at_most.has_value();
   // Nothing in a handful of events says nothing.
@@ -45,31 +45,31 @@ Requirement no_false_actuation(const Report& report, std::size_t rule) {
   const double bound = upper_bound_95(events.controlling, events.events);
   if (events.controlling == 0 && !is_asked && bound > says_nothing) {
     return {.sentence =
-                fmt::format("{}: false actuations {} in {} events with both accelerometers well: too few to judge",
+                fmt::format("{}: false actuations {} in {} events with both accelerometers healthy: too few to judge",
                             name, with_bound(0, events.events), events.events)};
   }
   const bool is_met = is_asked ? bound <= *report.false_at_most : events.controlling == 0;
   return {.verdict = is_met ? Verdict::met : Verdict::not_met,
-          .sentence = fmt::format(
-              "{}: false actuations {} in {} events with both accelerometers well{}{}", name,
-              with_bound(events.controlling, events.events), events.events,
-              is_asked ? ", and at most " + percent(*report.false_at_most) + " of all kinds together asked for" : "",
-              of_worst_kind(report, rule))};
+          .sentence =
+              fmt::format("{}: false actuations {} in {} events with both accelerometers healthy{}{}", name,
+                          with_bound(events.controlling, events.events), events.events,
+                          is_asked ? "; required: at most " + percent(*report.false_at_most) + " over all kinds" : "",
+                          of_worst_kind(report, rule))};
 }
 
 Requirement launches_missed(const Report& report, std::size_t rule) {
   const std::string name = report.campaign.rules[rule].name();
   const Sum launches = launches_of(report.results, rule);
   if (launches.events == 0) {
-    return {.sentence = name + ": no launch was played with both accelerometers well"};
+    return {.sentence = name + ": no launch was played with both accelerometers healthy"};
   }
   const std::uint64_t missed = launches.events - launches.detected;
   const bool is_met = upper_bound_95(missed, launches.events) <= *report.at_most;
   const bool may_be = static_cast<double>(missed) <= *report.at_most * static_cast<double>(launches.events);
   return {.verdict = is_met ? Verdict::met : Verdict::not_met,
-          .sentence = fmt::format("{}: missed {} of {} launches, and at most {} asked for{}", name,
+          .sentence = fmt::format("{}: missed {} of {} launches; required: at most {}{}", name,
                                   with_bound(missed, launches.events), launches.events, percent(*report.at_most),
-                                  !is_met && may_be ? "; more launches may show it" : "")};
+                                  !is_met && may_be ? "; more launches may show that it is met" : "")};
 }
 
 /// Of flights that come down, one accelerometer bad.
@@ -206,7 +206,7 @@ std::vector<std::string> known_limits(const Report& report) {
     const Sum flights = bad_flights_of(report.results, i);
     if (flights.controlling > 0) {
       sentences.push_back(fmt::format(
-          "{}: false actuations {} in {} recoveries with one accelerometer bad, after a flight that was not controlled",
+          "{}: false actuations {} in {} recoveries with one bad accelerometer, after an uncontrolled flight",
           rule.name(), with_bound(flights.controlling, flights.events), flights.events));
     }
     Sum bad = bad_events_of(report.results, i);
@@ -215,11 +215,10 @@ std::vector<std::string> known_limits(const Report& report) {
     if (bad.controlling > 0) {
       const bool is_one = rule.plan.launch_detection.accelerometers == core::AccelerometerRule::one;
       sentences.push_back(fmt::format(
-          "{}: false actuations {} in {} events with one accelerometer bad: {}", rule.name(),
+          "{}: false actuations {} in {} events with one bad accelerometer: {}", rule.name(),
           with_bound(bad.controlling, bad.events), bad.events,
-          is_one
-              ? "it believes one accelerometer, whatever that says"
-              : "one that stands still agrees for moments with one that is shaken, and looks like thrust meanwhile"));
+          is_one ? "it relies on one accelerometer alone"
+                 : "a reading that stands still briefly agrees with one that is shaken, and then looks like thrust"));
     }
   }
   return sentences;
@@ -237,31 +236,31 @@ result::Answer answer_of(Verdict verdict) {
 
 std::string what_was_judged(const Report& report, Verdict verdict) {
   if (std::ranges::none_of(report.campaign.rules, &Rule::judged)) {
-    return "No plan was played that is judged.";
+    return "No plan that is judged was played.";
   }
   if (verdict == Verdict::not_met) {
-    return "At least one judged plan did what it must not, or was played too seldom to show that it does not.";
+    return "At least one judged plan failed a requirement, or was played too rarely to show that it meets it.";
   }
   const std::size_t kinds_of_event = static_cast<std::size_t>(
       std::ranges::count_if(report.campaign.kinds, [](Kind kind) { return !is_launch(kind); }));
   const auto judged = std::ranges::find_if(report.campaign.rules, &Rule::judged) - report.campaign.rules.begin();
   const std::uint64_t events = well_events_of(report.results, static_cast<std::size_t>(judged)).events;
   std::string text = events == 0
-                         ? std::string{"No event that is no launch was played with both accelerometers well."}
-                         : fmt::format("{} events of {} kinds that are no launch, both accelerometers well: {}.",
+                         ? std::string{"No event other than launches was played with both accelerometers healthy."}
+                         : fmt::format("{} events of {} kinds that are not launches, both accelerometers healthy: {}.",
                                        events, kinds_of_event,
-                                       report.false_at_most > 0.0 ? "no more false actuations than asked for"
+                                       report.false_at_most > 0.0 ? "no more false actuations than permitted"
                                                                   : "no judged plan moved a canard");
   if (const std::optional<Kind> kind = worst_kind_of(report, static_cast<std::size_t>(judged))) {
     const Count& count = report.results.of_kind[index(*kind)]->of_rule[static_cast<std::size_t>(judged)][0];
     const Sum all = well_events_of(report.results, static_cast<std::size_t>(judged));
     text +=
-        fmt::format(" {}: of the worst kind, {}, {} of {}; of all kinds together {}.",
+        fmt::format(" {}: the worst kind is {}, {} of {}; all kinds together: {}.",
                     report.campaign.rules[static_cast<std::size_t>(judged)].name(), info(*kind).name,
                     with_bound(count.controlling, count.events), count.events, with_bound(all.controlling, all.events));
   }
   if (report.at_most && verdict == Verdict::met) {
-    text += " No more launches missed than asked for.";
+    text += " No more launches were missed than permitted.";
   }
   return text;
 }

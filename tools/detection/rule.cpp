@@ -71,9 +71,8 @@ std::vector<Rule> rules_of(std::span<const std::string> plans) {
     rule.judged = rule.judged &&
                   (!plans.empty() || rule.plan.launch_detection.accelerometers == core::AccelerometerRule::two_agree);
     if (rule.plan.run.start != core::Start::launch) {
-      throw text::Error{
-          text::ErrorKind::bad_configuration,
-          fmt::format("{}: run.start is tunnel; a campaign of detections needs a plan with launch", name)};
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("{}: run.start is tunnel; allowed: a plan that starts with launch", name)};
     }
     const auto same = std::ranges::find_if(rules, [&](const Rule& other) {
       return other.judged == rule.judged && identity_of(other) == identity_of(rule);

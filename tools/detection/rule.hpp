@@ -24,9 +24,9 @@ inline constexpr const char* published_launch_2 = "published_launch2";
 
 /// The rules of these plans (shipped names, files, or the one above), each once: plans whose launch detection, guide,
 /// motion, sensors and start are the same are one rule. Without names: all shipped launch plans and the one above, and
-/// judged are those that ask two accelerometers; the others are shown beside them. A plan that is named is judged, but
-/// for the one above.
-/// Throws text::Error: for a name or a file that is none, and for a plan that does not start by launch detection.
+/// judged are those that ask two accelerometers; the others are shown beside them. A plan that is named is judged,
+/// except the one above. Throws text::Error: for a name or a file that is none, and for a plan that does not start by
+/// launch detection.
 [[nodiscard]] std::vector<Rule> rules_of(std::span<const std::string> plans);
 
 /// What makes a rule this one and no other, as text.

@@ -66,7 +66,7 @@ void judge(ShownEvent& shown, Kind kind, const std::vector<Rule>& rules, const s
                                     : fmt::format("Detected by {}; missed by {}.", names_of(do_it), names_of(do_not));
     return;
   }
-  const char* const what = is_flight(kind) ? "This is the end of a flight" : "This is no launch";
+  const char* const what = is_flight(kind) ? "This is the end of a flight" : "This is not a launch";
   if (do_it.empty() || (do_not.empty() && fly_it.empty())) {
     shown.verdict = do_it.empty() ? fmt::format("{}, and no plan moves a canard.", what)
                                   : fmt::format("{}, and every plan moves the canards.", what);
@@ -75,7 +75,7 @@ void judge(ShownEvent& shown, Kind kind, const std::vector<Rule>& rules, const s
                                 do_not.empty() ? "" : "; not by " + names_of(do_not));
   }
   if (!fly_it.empty()) {
-    shown.verdict += fmt::format(" Its launch is detected and controlled, as it should be, by {}.", names_of(fly_it));
+    shown.verdict += fmt::format(" Its launch is correctly detected and controlled by {}.", names_of(fly_it));
   }
 }
 
@@ -102,8 +102,7 @@ page::Chart readings_chart(const Rehearsal& rehearsal, const std::vector<Rule>& 
 
 std::string said(const Rule& rule, const Answer& answer, bool launch) {
   if (answer.flown) {
-    return fmt::format("{}: detects and controls this flight, as it should; what comes after is not played",
-                       rule.name());
+    return fmt::format("{}: correctly detects and controls this flight; the recovery is not played", rule.name());
   }
   if (!answer.detected) {
     return fmt::format("{}: no launch detected", rule.name());
@@ -119,7 +118,7 @@ std::string said(const Rule& rule, const Answer& answer, bool launch) {
     return text;
   }
   if (answer.nearness >= Answer::held_back) {
-    return text + ", no control: it is beyond the gate, but the accelerometers disagree";
+    return text + ", no control: the gate is open, but the accelerometers disagree";
   }
   return text +
          fmt::format(", no control: {} % of the gate", text::fixed(100.0 * static_cast<double>(answer.nearness), 0));
@@ -143,8 +142,9 @@ std::string parts_line(const Motion& motion) {
 ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) {
   Rehearsal rehearsal{campaign.rules};
   page::Chart speed{
-      .label = "Speed along the guide as each rule believes it", .x_label = "time / s", .y_label = "speed / m/s"};
-  page::Chart way{.label = "Way along the guide as each rule believes it", .x_label = "time / s", .y_label = "way / m"};
+      .label = "Speed along the guide as each rule estimates it", .x_label = "time / s", .y_label = "speed / m/s"};
+  page::Chart way{
+      .label = "Distance along the guide as each rule estimates it", .x_label = "time / s", .y_label = "distance / m"};
   for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
     const page::Series series{.name = campaign.rules[rule].name(), .role = roles[rule % roles.size()]};
     speed.series.push_back(series);
@@ -169,13 +169,12 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
     say(parts_line(rehearsal.motion()));
   }
   say(errors.condition == Condition::well
-          ? "both accelerometers well"
+          ? "both accelerometers healthy"
           : fmt::format("{}: the {} accelerometer, from {} s",
                         condition_names[static_cast<std::size_t>(errors.condition)],
                         errors.bad == 0 ? "first" : "second", text::fixed(seconds(errors.onset), 3)));
-  say("gate: control may begin where the way along the guide, as believed, is beyond the guide and a clearance, and "
-      "the "
-      "speed, as believed, is at the least that the plan asks for; the share of it is the smaller of the two");
+  say("gate: control may begin when the estimated distance along the guide exceeds the guide and a clearance, and the "
+      "estimated speed reaches the minimum of the plan; the share of the gate is the smaller of the two");
   page::Chart readings = readings_chart(rehearsal, campaign.rules);
   for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
     say(said(campaign.rules[rule], answers[rule], is_launch(kind)));
@@ -194,17 +193,17 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
 
 result::Document event_answer(const Campaign& campaign, Kind kind, std::uint64_t event, const result::Made& made) {
   const ShownEvent shown = show_event(campaign, kind, event);
-  return {
-      .kind = "campaign of detections",
-      .title = fmt::format("{} {}", info(kind).name, event),
-      .subtitle = command_of(campaign, kind, event),
-      .verdict = {.answer = shown.is_bad ? result::Answer::no : result::Answer::none,
-                  .heading = "What came of it",
-                  .sentence = shown.verdict},
-      .facts = {{"kind", "", info(kind).name}, {"event", "", event}, {"seed", "", campaign.seed}},
-      .sections = {{"What happens", {result::Sentences{"what_happens", shown.sentences}}},
-                   {"Force, speed and way", std::vector<result::Block>(shown.pictures.begin(), shown.pictures.end())}},
-      .made = made};
+  return {.kind = "detection campaign",
+          .title = fmt::format("{} {}", info(kind).name, event),
+          .subtitle = command_of(campaign, kind, event),
+          .verdict = {.answer = shown.is_bad ? result::Answer::no : result::Answer::none,
+                      .heading = "Result",
+                      .sentence = shown.verdict},
+          .facts = {{"kind", "", info(kind).name}, {"event", "", event}, {"seed", "", campaign.seed}},
+          .sections = {{"What happens", {result::Sentences{"what_happens", shown.sentences}}},
+                       {"Force, speed and distance",
+                        std::vector<result::Block>(shown.pictures.begin(), shown.pictures.end())}},
+          .made = made};
 }
 
 std::optional<result::Section> worst_event(const Report& report, std::size_t rule) {

@@ -62,7 +62,7 @@ std::string time_still_sentence(const Count& count) {
                         count.missed_by_still_s.times(still_s), count.tilted_by_still_s.times(still_s), all);
   }
   return text.empty() ? text
-                      : fmt::format("by whole seconds still, missed and tilt off by more than {} deg: {}.",
+                      : fmt::format("by whole seconds at rest, missed and tilt off by more than {} deg: {}.",
                                     tilted_ddeg / 10, text);
 }
 
@@ -89,8 +89,8 @@ std::string command_of(const Campaign& campaign, Kind kind, std::uint64_t event)
 }
 
 result::Table events_table(const Report& report, std::size_t rule) {
-  result::Table table{.columns = {titled("event"), titled("events"), titled("launch imagined"),
-                                  titled("false actuations"), titled("with one accelerometer bad")}};
+  result::Table table{.columns = {titled("event"), titled("events"), titled("false launches"),
+                                  titled("false actuations"), titled("with one bad accelerometer")}};
   for (const Kind kind : report.campaign.kinds) {
     if (is_launch(kind)) {
       continue;
@@ -103,16 +103,15 @@ result::Table events_table(const Report& report, std::size_t rule) {
                           Digits{fmt::format("{} ({} %)", well.detected, text::fixed(100.0 * imagined, 2))},
                           bad_if_any(well.controlling, well.events, report.campaign.rules[rule].judged),
                           bad.events == 0 ? "none"
-                                          : fmt::format("of {}: imagined {}, false actuations {}", bad.events,
+                                          : fmt::format("of {}: false launches {}, false actuations {}", bad.events,
                                                         bad.detected, with_bound(bad.controlling, bad.events))});
   }
   return table;
 }
 
 result::Table events_by_condition(const Report& report, std::size_t rule) {
-  result::Table table{.columns = {titled("event"), titled("accelerometers"), titled("events"),
-                                  titled("launch imagined"), titled("false actuations"),
-                                  titled("nearest to the gate")}};
+  result::Table table{.columns = {titled("event"), titled("accelerometers"), titled("events"), titled("false launches"),
+                                  titled("false actuations"), titled("nearest to the gate")}};
   for (const Kind kind : report.campaign.kinds) {
     for (std::size_t condition = 0; condition < conditions && !is_launch(kind); ++condition) {
       const Count& count = count_of(report, kind, rule, condition);
@@ -120,7 +119,7 @@ result::Table events_by_condition(const Report& report, std::size_t rule) {
         table.rows.push_back(
             {std::string{info(kind).name}, std::string{condition_names[condition]},
              Digits{.text = fmt::format("{}", count.events),
-                    .below = count.flown > 0 ? fmt::format("{} more controlled as they should be", count.flown) : ""},
+                    .below = count.flown > 0 ? fmt::format("{} more correctly controlled", count.flown) : ""},
              Digits{with_bound(count.detected, count.events)},
              bad_if_any(count.controlling, count.events, report.campaign.rules[rule].judged && condition == 0),
              Digits{.text = text::fixed(100.0 * count.worst.value, 0) + " %",
@@ -144,13 +143,13 @@ std::vector<std::string> about_flights(const Report& report, std::size_t rule) {
       by_part.add(count.control_by_part);
     }
     all.push_back(
-        fmt::format("{}: not counted, because this plan controls them as it should: {}.", info(kind).name, flown));
+        fmt::format("{}: not counted, because this plan controls them correctly: {}.", info(kind).name, flown));
     std::string starts;
     for (const auto& [part, times] : by_part.counts()) {
       starts += fmt::format("{}{} {}", starts.empty() ? "" : ", ", part_names[static_cast<std::size_t>(part)], times);
     }
     if (!starts.empty()) {
-      all.push_back(fmt::format("False actuations by part, accelerometers well or not: {}.", starts));
+      all.push_back(fmt::format("False actuations by part, accelerometers healthy or not: {}.", starts));
     }
   }
   return all;
@@ -159,7 +158,8 @@ std::vector<std::string> about_flights(const Report& report, std::size_t rule) {
 result::Table launches_table(const Report& report, std::size_t rule) {
   result::Table table{.columns = {titled("launch"), titled("accelerometers"), titled("launches"), titled("missed"),
                                   titled("never controlled"), titled("latency, ms"), titled("control start, ms"),
-                                  titled("way, m"), titled("error, m"), titled("in guide"), titled("tilt error, deg")}};
+                                  titled("distance, m"), titled("error, m"), titled("in guide"),
+                                  titled("tilt error, deg")}};
   for (const Kind kind : report.campaign.kinds) {
     for (std::size_t condition = 0; condition < conditions && is_launch(kind); ++condition) {
       const Count& count = count_of(report, kind, rule, condition);
@@ -203,7 +203,7 @@ std::vector<std::string> sum_lines(const Report& report) {
     const Sum bad = bad_events_of(report.results, rule);
     const Sum launches = launches_of(report.results, rule);
     all.push_back(
-        fmt::format("{}: {} events, false actuations {}; {} with one accelerometer bad, false actuations {}; {} "
+        fmt::format("{}: {} events, false actuations {}; {} with one bad accelerometer, false actuations {}; {} "
                     "launches, missed {}",
                     report.campaign.rules[rule].name(), well.events, with_bound(well.controlling, well.events),
                     bad.events, with_bound(bad.controlling, bad.events), launches.events,

@@ -56,7 +56,7 @@ struct Worst {
 /// What one rule made of the events of one kind whose accelerometers were in one condition.
 struct Count {
   std::uint64_t events = 0;
-  std::uint64_t detected = 0;     ///< believed in a launch
+  std::uint64_t detected = 0;     ///< detected a launch
   std::uint64_t controlling = 0;  ///< the canards could move
   Worst worst{};
 

@@ -52,11 +52,11 @@ std::string objection_to_kind(const std::string& text) {
   for (const detection::KindInfo& kind : detection::kind_table) {
     names.push_back(kind.name);
   }
-  return fmt::format("\"{}\" is no kind of event; there are: {}", text, fmt::join(names, ", "));
+  return fmt::format("\"{}\" is not a kind of event; allowed: {}", text, fmt::join(names, ", "));
 }
 
 std::string objection_to_whole_number(const std::string& text) {
-  return text::whole_number(text) ? "" : '"' + text + "\" is no whole number from 0 to 18446744073709551615";
+  return text::whole_number(text) ? "" : '"' + text + "\" is not a whole number from 0 to 18446744073709551615";
 }
 
 detection::Campaign asked_for(const DetectionOptions& options) {
@@ -123,23 +123,21 @@ void detect(const DetectionOptions& options) {
   report.campaign.drop_empty_kinds();
   if (report.campaign.kinds.empty()) {
     throw UsageError{
-        "there is nothing to play; allowed: --events or --launches of 1 or more, for a --kind that is asked for"};
+        "there is nothing to play; allowed: --events or --launches of 1 or more, for a --kind that was chosen"};
   }
   if (options.at_most_percent) {
     report.at_most = *options.at_most_percent / 100.0;
     if (!detection::judges_launches(report.campaign)) {
       throw UsageError{
-          "--at-most is asked of launches with both accelerometers well, by a plan that is judged, and none is to be "
-          "played; allowed: --kind launch, launch_at_2_g or stirred_launch, --launches of 1 or more, and another plan "
-          "than "
-          "published_launch2"};
+          "--at-most needs launches with both accelerometers healthy and a plan that is judged; allowed: --kind "
+          "launch, launch_at_2_g or stirred_launch, --launches of 1 or more, and another plan than published_launch2"};
     }
   }
   if (options.false_at_most_percent) {
     report.false_at_most = *options.false_at_most_percent / 100.0;
     if (!detection::judges_events(report.campaign)) {
       throw UsageError{
-          "--false-at-most is asked of events that are no launch, by a plan that is judged, and none is to be played"};
+          "--false-at-most needs events that are not launches and a plan that is judged; none would be played"};
     }
   }
   report.made = made_with({}, report.campaign.seed, options.asked.changes);
@@ -167,11 +165,10 @@ void detect(const DetectionOptions& options) {
 
 void fill_detection(const Verb& verb) {
   auto options = std::make_shared<DetectionOptions>();
-  verb.option(
-          "--plan", options->plans,
-          "A shipped plan, a plan file, or published_launch2; may be given again [all shipped launch plans, and the "
-          "second launch's rule as printed; of these, judged are those that ask two accelerometers]. One that is named "
-          "is judged, but for published_launch2")
+  verb.option("--plan", options->plans,
+              "A shipped plan, a plan file, or published_launch2; may be given again [all shipped launch plans and "
+              "published_launch2, the rule of the second launch as printed]. Without this option, only plans that use "
+              "two accelerometers are judged. A named plan is always judged, except published_launch2")
       .offers(shipped(input::Shipped::plan))
       .one_word_each_time()
       .changes_result();
@@ -180,28 +177,29 @@ void fill_detection(const Verb& verb) {
       .one_word_each_time()
       .check(objection_to_kind)
       .changes_result();
-  auto events = verb.option("--events", options->events, "How many of each kind that is no launch");
+  auto events = verb.option("--events", options->events, "Number of events of each kind that is not a launch");
   events.range(0.0, 1e9).show_default();
-  auto launches = verb.option("--launches", options->launches, "How many of each kind that is a launch");
+  auto launches = verb.option("--launches", options->launches, "Number of events of each kind of launch");
   launches.range(0.0, 1e9).show_default();
   verb.flag("--both-well", options->both_well,
-            "Only events in which both accelerometers are well; else in every second one of two is bad")
+            "Only events with both accelerometers healthy; without it, every second event has one bad accelerometer")
       .changes_result();
-  verb.option("--seed", options->seed, "Of all that is drawn [1]").check(objection_to_whole_number).changes_result();
+  verb.option("--seed", options->seed, "Seed of everything that is drawn [1]")
+      .check(objection_to_whole_number)
+      .changes_result();
   auto event = verb.option("--event", options->event, "Show this one event of --kind again, instead of a campaign");
   event.check(objection_to_whole_number).value_name("NUMBER");
   event.excludes(events).excludes(launches);
-  verb.option(
-          "--at-most", options->at_most_percent,
-          "Ask that no more launches are missed than so many per cent, both accelerometers well, by the 95 % bound; "
-          "else exit code 1")
+  verb.option("--at-most", options->at_most_percent,
+              "Require that at most this share of launches is missed, by the 95 % bound, with both accelerometers "
+              "healthy; otherwise exit code 1")
       .range(0.0, 100.0)
       .value_name("PERCENT")
       .excludes(event);
   verb.section("Results");
   verb.option("--false-at-most", options->false_at_most_percent,
-              "Let so many per cent of the events that are no launch, of all kinds together, move a canard, both "
-              "accelerometers well, by the 95 % bound, which is never 0 [none of those that are played]")
+              "Permit this share of all events that are not launches to move a canard, with both accelerometers "
+              "healthy. It is compared with the 95 % bound, which is never 0 [no played event may move a canard]")
       .range(0.0, 100.0)
       .value_name("PERCENT")
       .excludes(event);
@@ -210,19 +208,18 @@ void fill_detection(const Verb& verb) {
               "Folder for detection.html, summary.json and the parts [out/campaign/detection, with what was changed in "
               "the name]")
       .offers(folders);
-  verb.flag("--json", options->json, "Print summary.json instead of the text; of one event, what it came to");
+  verb.flag("--json", options->json, "Print summary.json instead of the text; with --event, its result");
   verb.examples(
-      "Armed, and in hands, dropped, on the road, shaken, beside another launch, or down again after a flight that it "
-      "did not detect: how often does it believe that it flies, and how often do its canards move? Of launches: how "
-      "many are missed, how late, how high, and how wrong is the tilt?\n"
-      "A campaign that was interrupted goes on when the same command is given again, also with more events.\n"
-      "Exit code 0: no judged plan moved a canard in an event that was no launch, both accelerometers well, and what "
-      "was "
-      "asked for is met; else 1. What comes of one bad accelerometer is shown.\n"
+      "Plays what can happen to an armed rocket: handling, drops, transport, shaking, a launch nearby, the recovery "
+      "after an undetected flight. Shows how often it detects a false launch and how often its canards move. For "
+      "launches: how many are missed, and the errors of time, height and tilt.\n"
+      "To continue an interrupted campaign, repeat the command; --events may be larger.\n"
+      "Exit code 1: with both accelerometers healthy, a judged plan moved canards without a launch, or missed "
+      "launches, more often than permitted; else 0. Results with one bad accelerometer are shown but not judged.\n"
       "Examples:\n"
       "  fantail campaign detection --plan tasha3_launch2 --events 100000\n"
       "  fantail campaign detection --kind launch --launches 100000 --at-most 0.1\n"
-      "  fantail campaign detection --kind shaking --event 1234        what happened in it, with a picture");
+      "  fantail campaign detection --kind shaking --event 1234        one event in detail, with a picture");
   verb.action([options, verb] {
     options->asked = verb.asked();
     detect(*options);

@@ -129,9 +129,10 @@ void fill_faults(const Verb& verb) {
   auto options = std::make_shared<FaultsOptions>();
   add_scenario_options(verb, options->scenario);
   verb.section("Which faults");
-  auto device = verb.option("--device", options->device, "Only the faults of this device, as --list has them [all]");
+  auto device =
+      verb.option("--device", options->device, "Only the faults of this device; --list shows the names [all]");
   device.value_name("NAME").changes_result();
-  auto fault = verb.option("--fault", options->fault, "Only this fault, likewise [all]");
+  auto fault = verb.option("--fault", options->fault, "Only this fault; --list shows the names [all]");
   fault.value_name("NAME").changes_result();
   auto phase = verb.option("--phase", options->phase, "Only faults that begin in this phase [all]");
   phase.one_of({"pad", "armed", "launched", "controlling", "after_control"}).changes_result();
@@ -140,18 +141,17 @@ void fill_faults(const Verb& verb) {
       .range(1, 10000)
       .show_default()
       .changes_result();
-  auto every =
-      verb.option("--every", options->every,
-                  "Of these onsets each so-manieth, but at least three in each phase, or all where it has fewer");
+  auto every = verb.option("--every", options->every,
+                           "Use only one onset in this many, but at least three in each phase, or all if it has fewer");
   every.range(1, 100000).show_default().changes_result();
   verb.flag("--whole", options->whole, "Every onset: --every 1").excludes(every);
-  verb.option("--seeds", options->seeds, "Fly each onset with so many seeds")
+  verb.option("--seeds", options->seeds, "Number of seeds with which each onset is flown")
       .range(1, 10000)
       .show_default()
       .changes_result();
-  auto cell = verb.option("--cell", options->cell, "Fly one run again: of this cell, DEVICE/FAULT/PHASE");
+  auto cell = verb.option("--cell", options->cell, "Fly one run of this cell again: DEVICE/FAULT/PHASE");
   cell.value_name("CELL").excludes(device).excludes(fault).excludes(phase);
-  verb.option("--run", options->run, "Its number, as the page says").range(0, 1e9).needs(cell);
+  verb.option("--run", options->run, "Number of that run, as the page shows it").range(0, 1e9).needs(cell);
   add_threads_option(verb, options->threads);
   verb.section("Results");
   verb.option(
@@ -159,16 +159,17 @@ void fill_faults(const Verb& verb) {
           "Folder for faults.html, summary.json, the parts and the worst flights [out/faults/SCENARIO, with what was "
           "changed in the name]")
       .offers(folders);
-  auto json = verb.flag("--json", options->json, "Print summary.json instead of the text; of one run, what it came to");
-  auto list = verb.flag("--list", options->list, "Say which devices and faults there are, and fly nothing");
+  auto json =
+      verb.flag("--json", options->json, "Print summary.json instead of the text; with --cell, the result of the run");
+  auto list = verb.flag("--list", options->list, "List devices and faults, and fly nothing");
   list.excludes(json).excludes(device).excludes(fault).excludes(phase).excludes(cell);
   verb.examples(
-      "A campaign that was interrupted goes on when the same command is given again.\n"
-      "Exit code 0: no cell, and no run alone, is red but for a known limit; 1: one is.\n"
+      "To continue an interrupted campaign, repeat the command.\n"
+      "Exit code 1: a cell, or the run of --cell, is red and no known limit explains it; else 0.\n"
       "Examples:\n"
       "  fantail campaign faults tasha3_launch2              each device, fault and phase, some onsets of each\n"
       "  fantail campaign faults tasha3_launch2 --device imu --phase controlling --whole\n"
-      "                                                      every 10 ms of control, whatever the IMU does\n"
+      "                                                      every IMU fault at every 10 ms of control\n"
       "  fantail campaign faults tasha3_launch2 --cell imu/dead/controlling --run 7\n"
       "                                                      one of its runs again, with a flight report");
   verb.action([options] {

@@ -75,7 +75,8 @@ void fill_hardover(const Verb& verb) {
   auto options = std::make_shared<HardoverOptions>();
   add_scenario_options(verb, options->scenario);
   verb.option("--failure", options->failure,
-              "How the canard fails: runs to a stop for good (both are flown), or hears cut pulses for 20 ms")
+              "How the canard fails: it runs to a stop for good (both stops are flown), or its pulses are cut short "
+              "for 20 ms")
       .one_of({"hard_over", "cut_pulses"})
       .show_default()
       .changes_result();
@@ -85,7 +86,7 @@ void fill_hardover(const Verb& verb) {
       .show_default()
       .belongs_to_command();
   verb.option("--coupler", options->study.coupler_m,
-              "Where the bending moment is wanted, from the tip of the nose in metres; within the rocket")
+              "Station of the bending moment: distance from the tip of the nose in metres, within the rocket")
       .range(0.0, 30.0)
       .value_name("M")
       .belongs_to_command();
@@ -94,11 +95,11 @@ void fill_hardover(const Verb& verb) {
       .offers(folders);
   verb.flag("--json", options->json, "Print hardover.json instead of the text");
   verb.examples(
-      "Flies in six degrees of freedom, whatever the scenario says. A study that was interrupted goes on when the same "
-      "command is given again.\n"
+      "All flights are in six degrees of freedom, whatever the scenario says. To continue an interrupted study, repeat "
+      "the command.\n"
       "Examples:\n"
       "  fantail campaign hardover tasha3_launch2 --coupler 0.62\n"
-      "                                       for the safety officer: force, bending moment, way, apogee\n"
+      "                                       for the safety officer: force, bending moment, path, apogee\n"
       "  fantail campaign hardover tasha3_launch2 --set wind.speed_m_s=6 --step 0.1\n"
       "                                       the same in wind, with more instants\n"
       "  fantail campaign hardover my_rocket.toml --json");

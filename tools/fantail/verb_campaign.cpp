@@ -121,7 +121,7 @@ result::Document answer_of_shard(const campaign::Shard& shard, std::size_t runs,
           .subtitle = fmt::format("{} runs in {}", runs, file),
           .verdict = {.answer = result::Answer::none,
                       .heading = "Flown",
-                      .sentence = "The question is answered when all shards are merged."},
+                      .sentence = "Merge all shards to answer the question."},
           .facts = {{"shard", "", shard.number}, {"of", "", shard.of}, {"runs", "", runs}, {"file", "", file}},
           .made = made};
 }
@@ -162,7 +162,7 @@ void merge(const MergeOptions& options) {
   const std::uint64_t runs = campaign::merge(shards, options.out);
   chapters.end();
   show("{} shards, {} runs: {}\n", shards.size(), runs, (fs::path{options.out} / campaign::runs_name).string());
-  show("No answer yet: give the shards' command without --shard and with --out {}; no run is flown again.\n",
+  show("No answer yet: repeat the command of the shards without --shard and with --out {}; no run is flown again.\n",
        text::shell_word(options.out));
 }
 
@@ -171,12 +171,11 @@ void fill_merge(const Verb& verb) {
   verb.option("SHARDS", options->shards, "The folders of all shards of one campaign, in any order")
       .offers(folders)
       .required();
-  verb.option("--out", options->out, "Folder for the whole: the same bytes as of the campaign flown as one")
+  verb.option("--out", options->out, "Folder for the whole campaign: the same bytes as if it was flown in one piece")
       .offers(folders)
       .required();
   verb.examples(
-      "Then the same command as of the shards, without --shard and with --out of the whole, flies nothing and writes "
-      "the "
+      "Then repeat the command of the shards without --shard and with the same --out: it flies nothing and writes the "
       "page.\n"
       "Examples:\n"
       "  fantail campaign merge shard_1 shard_2 --out whole\n"
@@ -187,28 +186,29 @@ void fill_merge(const Verb& verb) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<CampaignOptions>();
   add_scenario_options(verb, options->scenario);
-  verb.option("--runs", options->runs, "How many flights at most").range(1.0, 1e8).show_default().changes_result();
-  verb.option("--sampling", options->sampling, "Every run for itself, independent of the others; there is no other way")
+  verb.option("--runs", options->runs, "Largest number of flights").range(1.0, 1e8).show_default().changes_result();
+  verb.option("--sampling", options->sampling, "Every run is drawn independently; there is no other choice")
       .check(campaign::objection_to_sampling)
       .value_name("independent");
   verb.section("Question and when to stop");
   verb.option("--share", options->question,
-              "What is counted: outcome=WORD, or a figure with >= or <= and a number, apogee_m>=900")
+              "Which runs are counted: outcome=WORD, or a figure with >= or <= and a number, as in apogee_m>=900")
       .check(objection_to_question)
       .value_name("QUESTION")
       .show_default();
   auto at_least =
       verb.option("--at-least", options->at_least_percent,
-                  "Ask for this share in per cent; exit code 1 unless the whole interval is at or above it");
+                  "Require this share in per cent; exit code 1 unless the whole interval is at or above it");
   at_least.range(0.0, 100.0).value_name("PERCENT");
   verb.option("--until-within", options->until_within_percent,
-              "Stop as soon as the share is known to so many per cent either way")
+              "Stop as soon as the share is known to within this many per cent, up or down")
       .range(0.1, 50.0)
       .value_name("PERCENT");
-  verb.flag("--until-decided", options->until_decided, "Stop as soon as the interval is all above or below --at-least")
+  verb.flag("--until-decided", options->until_decided,
+            "Stop as soon as the whole interval is above or below --at-least")
       .needs(at_least);
   verb.section("Machines and processors");
-  verb.option("--shard", options->shard, "Fly one part of so many, each for a machine of its own; see campaign merge")
+  verb.option("--shard", options->shard, "Fly one part of OF parts, one part per machine; see campaign merge")
       .check(objection_to_shard)
       .value_name("NUMBER/OF")
       .changes_result();
@@ -220,19 +220,20 @@ void fill(const Verb& verb) {
       .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text");
   verb.examples(
-      "A campaign that was interrupted goes on when the same command is given again.\n"
-      "Exit code 0: flown, and what was asked for is met; 1: it is not met, or not decided. A shard ends with 0 when "
-      "it is flown.\n"
+      "To continue an interrupted campaign, repeat the command.\n"
+      "Exit code 0: flown, and the requirement is met; 1: it is not met, or not decided. A shard ends with 0 when it "
+      "is flown.\n"
       "Examples:\n"
       "  fantail campaign tasha3_launch2 --runs 10000        how often does it hold its roll, and what decides it?\n"
       "  fantail campaign tasha3_launch2 --share 'apogee_m>=420' --at-least 20 --until-decided\n"
       "                                                      as many flights as it takes to say yes or no\n"
       "  fantail campaign my_rocket.toml --runs 100000 --shard 3/8 --out shard_3\n"
       "                                                      one of eight machines' share of the work");
-  fill_faults(verb.verb("faults", "Break every device in every phase of the flight, and see whether it stays safe"));
+  fill_faults(
+      verb.verb("faults", "Break every device in every phase of the flight, and check whether the rocket stays safe"));
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
-  fill_hardover(verb.verb("hardover", "What one canard that fails does to the flight"));
-  fill_detection(verb.verb("detection", "How often an armed rocket believes that it flies, or misses its launch"));
+  fill_hardover(verb.verb("hardover", "Effect of one failed canard on the flight"));
+  fill_detection(verb.verb("detection", "How often an armed rocket detects a false launch, or misses its launch"));
   verb.action([options] { fly_campaign(*options); });
 }
 

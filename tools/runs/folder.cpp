@@ -45,7 +45,7 @@ void refuse_earlier_version(const fs::path& folder) {
     if (is_there(folder / name)) {
       throw text::Error{
           text::ErrorKind::bad_configuration,
-          fmt::format("{}: {}; it holds {} of an earlier version of Fantail, which this one cannot go on from",
+          fmt::format("{}: {}; it holds {} of an earlier version of Fantail, which this version cannot continue",
                       folder.string(), what_to_do, name)};
     }
   }
@@ -55,7 +55,7 @@ Identity read_identity(const fs::path& file) {
   try {
     return parse_identity(text::read_input(file));
   } catch (const json::Error& error) {
-    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {}; Fantail has not written this file: {}",
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: {}; this file was not written by Fantail: {}",
                                                              file.string(), what_to_do, error.what())};
   }
 }
@@ -77,7 +77,7 @@ std::string difference(const Identity& one, std::string_view where, const Identi
     if (name != "file" && (same == one.end() || same->second != value)) {
       constexpr std::array hashed{"scenario", "plan", "vehicle", "motor", "tables"};
       if (same != one.end() && std::ranges::find(hashed, name) != hashed.end()) {
-        return fmt::format("{} has another content {} than {} (SHA-256 {:.8} and {:.8})", name, where, where_other,
+        return fmt::format("{} has different contents {} and {} (SHA-256 {:.8} and {:.8})", name, where, where_other,
                            same->second, value);
       }
       const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
@@ -121,10 +121,10 @@ Folder::Lock::Lock(const fs::path& folder) {
     }
     if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       close(file_);
-      throw text::Error{text::ErrorKind::bad_configuration,
-                        folder.parent_path().string() +
-                            ": another campaign is at work in this folder; wait for its "
-                            "end, or take another folder with --out"};
+      throw text::Error{
+          text::ErrorKind::bad_configuration,
+          folder.parent_path().string() +
+              ": another campaign is running in this folder; wait until it ends, or choose another folder with --out"};
     }
     struct stat held{};
     struct stat named{};
@@ -133,7 +133,7 @@ Folder::Lock::Lock(const fs::path& folder) {
     }
     close(file_);
   }
-  throw text::OutputError{folder.string() + ": is removed again and again"};
+  throw text::OutputError{folder.string() + ": another process keeps removing this folder"};
 }
 
 Folder::Lock::~Lock() { close(file_); }
@@ -144,7 +144,7 @@ Folder::Folder(const Place& place)
     refuse_earlier_version(place.folder);
   }
   if (!place.not_beside.empty() && is_there(place.folder / place.not_beside)) {
-    refuse_another(place.folder, "the results that " + place.not_beside + " is of");
+    refuse_another(place.folder, "the results that " + place.not_beside + " describes");
   }
   lock_.emplace(parts_);
   const fs::path file = parts_ / identity_name;
@@ -185,7 +185,7 @@ std::optional<std::string> Folder::stored(const std::string& part) const {
   const fs::path file = file_of(part);
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
-    throw text::OutputError{file.string() + ": is a folder, and no place for a file"};
+    throw text::OutputError{file.string() + ": is a folder, not a file"};
   }
   std::optional<std::string> content = text::read_if_there(file);
   if (!content) {

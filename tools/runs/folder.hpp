@@ -59,7 +59,7 @@ class Folder {
   void store(const std::string& part, std::string_view content) const;
   /// All of them: when they have become a result.
   void remove() const;
-  /// How many were there and could not be believed.
+  /// How many were there and damaged.
   [[nodiscard]] std::uint64_t damaged() const { return damaged_; }
 
  private:

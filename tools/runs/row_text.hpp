@@ -102,7 +102,7 @@ class RowText {
     is_well_ = is_well_ && error == std::errc{} && length < left_.size() && left_[length] == ' ';
     left_.remove_prefix(is_well_ ? length + 1 : left_.size());
   }
-  /// Of things that take a character each, at least: what has no room for them is not believed.
+  /// Of things that take a character each, at least: what has no room for them is refused.
   std::size_t count(std::size_t size) {
     number(size);
     is_well_ = is_well_ && (!reads_ || size <= left_.size());

@@ -110,7 +110,7 @@ struct Summary {
   std::size_t parts = 0;      ///< from the first on that were wanted
   std::uint64_t flights = 0;  ///< of them
   std::uint64_t flown = 0;    ///< in this call; the others were stored
-  std::uint64_t damaged = 0;  ///< stored parts that could not be believed, and were flown again
+  std::uint64_t damaged = 0;  ///< damaged stored parts, which were flown again
 };
 
 /// Flies every part that `folder` does not hold yet, on several threads, and stores it there; null: nothing is kept.
