@@ -143,7 +143,7 @@ TEST(FaultOnsets, OfAPhaseWithoutThreeStepsAreAllOfThemAndThePageSaysNoMore) {
     std::istringstream page{result::html(answer(result))};
     for (std::string piece; std::getline(page, piece, '<');) {
       const std::vector<std::string> all = figures(piece);
-      if (piece.find("onset each") != std::string::npos && !std::ranges::search(all, numbers).empty()) {
+      if (piece.find("onset every") != std::string::npos && !std::ranges::search(all, numbers).empty()) {
         return true;
       }
     }

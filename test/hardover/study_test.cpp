@@ -157,7 +157,7 @@ TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichSt
   }
   EXPECT_EQ(sentences, 1U) << verdict;
   EXPECT_LT(verdict.size(), 230U) << verdict;
-  for (const char* const part : {"Way turned: ", "Rolled away: ", "Apogee moved: ", "stop at +25 deg",
+  for (const char* const part : {"Path deflection: ", "Roll change: ", "Apogee shift: ", "stop at +25 deg",
                                  "stop at \u221225 deg", "bending moment"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
@@ -170,7 +170,7 @@ TEST(Hardover, SaysThatItsRowsClearNoRange) {
   const Study found = study({}, {.step_s = 9.0, .coupler_m = {}, .threads = 2});
   const std::vector<std::string> not_in_it = answer(found).verdict.not_in_it;
   ASSERT_EQ(not_in_it.size(), 1U);
-  for (const char* const word : {"sound rocket", "guide", "wind", "clear no range", "parachute"}) {
+  for (const char* const word : {"healthy rocket", "guide", "wind", "do not clear a range", "parachute"}) {
     EXPECT_NE(not_in_it[0].find(word), std::string::npos) << word;
   }
   EXPECT_NE(text_of(found).find(not_in_it[0]), std::string::npos) << text_of(found);

@@ -44,14 +44,14 @@ TEST(CampaignFaults, OneRunAgainWritesTheSameReportAndSaysWhatTheFailedServoMayD
   const Outcome outcome = fantail({"campaign", "faults", "tasha3_launch2", "--every", "1000", "--cell",
                                    "servo/hardover_back/launched", "--run", run, "--out", folder / "again"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << "a known limit, as the whole campaign says";
-  EXPECT_NE(outcome.out.find("the canard that fails may stand anywhere up to its mechanical stop"), std::string::npos)
+  EXPECT_NE(outcome.out.find("the failed canard may stand anywhere up to its mechanical stop"), std::string::npos)
       << outcome.out;
   const std::string flight = "/servo.hardover_back.launched_run_" + run + "/flight.csv";
   EXPECT_EQ(content(folder / ("again" + flight)), content(folder / ("all" + flight)));
 }
 
 TEST(CampaignFaults, OfADeviceThatTheRocketFliesWithoutIsRefusedAsARunAloneIs) {
-  const std::string why = "second_imu: the rocket does not fly on a second IMU";
+  const std::string why = "second_imu: the rocket does not use a second IMU";
   Refusal({}, faults_of("second_imu", "pad", "x"), 78, {why});
   Refusal({}, {"campaign", "faults", "tasha3_launch2", "--cell", "second_imu/dead/pad", "--out", "x"}, 78, {why});
 }

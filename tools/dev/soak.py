@@ -48,7 +48,7 @@ STEPS = [
      DETECTION + "launches --kind launch --kind launch_at_2_g --events 0 --launches {n} --at-most {missed}", {}, DETECTION_READS[2:]),
     ("faults", "Every device broken in every phase of a launch", "campaign", 1,
      "{host}/fantail campaign faults tasha3_launch2 --every {every} --threads 1 --out build/soak/out_faults", {},
-     [("flights", r"(\d+) flights in \d+ cells\."), ("cells red for a known limit", r"for a limit that is known: (\d+) cells?")]),
+     [("flights", r"(\d+) flights in \d+ cells\."), ("cells red for a known limit", r"because of a known limit: (\d+) cells?")]),
     ("proofs", "Every proof, with its seeded bugs", "run", 1,
      "build/prove-venv/bin/python -B test/proof/prove.py build/prove-venv/esbmc build/soak/proofs {proofs}", {},
      [("properties", r"(\d+ of \d+) properties"), ("seeded bugs refuted", r"(\d+ of \d+) seeded bugs")]),

@@ -24,15 +24,15 @@ result::Cell cells_of(const Result& result) {
 constexpr auto result_fields = result::fields<Result>({
     {"flights", "flights", u::none, 0, &Result::flights, "flights with a fault"},
     {"green", "safe", u::none, 0, cells_of<Colour::green>, "cells that are safe in every flight"},
-    {"red", "red", u::none, 0, cells_of<Colour::red>, "cells that are not safe, for no limit that is known"},
+    {"red", "red", u::none, 0, cells_of<Colour::red>, "cells that are not safe and that no known limit explains"},
     {"known_limits", "known limits", u::none, 0, cells_of<Colour::known_limit>,
-     "cells that are not safe, for a limit that is known"},
-    {"limits_without_need", "limits without need", u::none, 0, cells_of<Colour::limit_without_need>,
+     "cells that are not safe because of a known limit"},
+    {"limits_without_need", "limits not needed", u::none, 0, cells_of<Colour::limit_without_need>,
      "cells that are safe, though a limit is listed"},
     {"not_judged", "not judged", u::none, 0, cells_of<Colour::not_judged>,
-     "cells of which nothing is asked but what holds for every flight"},
+     "cells that are checked only against the rules for every flight"},
     {"not_applicable", "not applicable", u::none, 0, cells_of<Colour::not_applicable>,
-     "cells that this rocket cannot have"},
+     "cells that do not apply to this rocket"},
 });
 
 using C = CellResult;
@@ -45,34 +45,34 @@ constexpr auto cell_fields = result::fields<C>({
      "how it fails"},
     {"phase", "phase", u::none, 0, [](const C& c) { return result::Cell{std::string{name(c.cell.phase)}}; },
      "phase in which the fault begins"},
-    {"safe", "safe is", u::none, 0, [](const C& c) { return result::Cell{c.cell.safe()}; },
-     "what was stated beforehand"},
+    {"safe", "safe outcome", u::none, 0, [](const C& c) { return result::Cell{c.cell.safe()}; },
+     "what counts as safe, stated beforehand"},
     {"result", "result", u::none, 0, [](const C& c) { return result::Cell{std::string{name(c.colour)}}; },
-     "what the cell came to"},
-    {"flights", "flights", u::none, 0, &C::flights, "its flights"},
-    {"red", "red flights", u::none, 0, &C::red, "those that are not safe"},
+     "verdict on the cell"},
+    {"flights", "flights", u::none, 0, &C::flights, "number of flights"},
+    {"red", "red flights", u::none, 0, &C::red, "flights that are not safe"},
 });
 
 constexpr auto run_fields = result::fields<Run>({
     {"run", "run", u::none, 0, &Run::number, "number of the run in its cell"},
     {"begin", "fault begins", u::s, 3, [](const Run& r) { return result::Cell{1e-3 * r.begin_ms}; },
      "when the fault begins, after ignition"},
-    {"apart", "apart", deg, 1, &Run::apart_deg,
+    {"apart", "roll difference", deg, 1, &Run::apart_deg,
      "largest difference from the roll of the same flight without the fault"},
     {"trim_after", "commands at trim after", u::s, 3, &Run::trim_after_s,
-     "time from then to the last command off trim; 0: none was"},
+     "time from the start of the fault to the last command off trim; 0: none"},
     {"stands_after", "canards at trim after", u::s, 3, &Run::stands_after_s,
-     "time from then until the last shaft that obeys truly stood at trim"},
+     "time from the start of the fault until the last working shaft was at trim"},
 });
 
 constexpr auto alone_fields = result::fields<Alone>({
     {"cell", "cell", u::none, 0, [](const Alone& a) { return result::Cell{a.judged.cell.name()}; },
      "device, fault and phase"},
-    {"safe", "safe is", u::none, 0, [](const Alone& a) { return result::Cell{a.judged.cell.safe()}; },
-     "what was stated beforehand"},
+    {"safe", "safe outcome", u::none, 0, [](const Alone& a) { return result::Cell{a.judged.cell.safe()}; },
+     "what counts as safe, stated beforehand"},
     {"result", "result", u::none, 0, [](const Alone& a) { return result::Cell{std::string{name(a.judged.colour)}}; },
-     "what the run came to"},
-    {"was", "it was", u::none, 0, [](const Alone& a) { return result::Cell{a.findings.what_it_was()}; },
+     "verdict on the run"},
+    {"was", "outcome", u::none, 0, [](const Alone& a) { return result::Cell{a.findings.what_it_was()}; },
      "what happened"},
 });
 
@@ -110,12 +110,12 @@ std::string onsets_of(const Campaign& campaign) {
   const std::string closer =
       campaign.every == 1
           ? ""
-          : fmt::format(", or closer so that there are at least three, but not closer than {} ms", campaign.step_ms);
-  return fmt::format("in each phase an onset each {} ms{}; {}", campaign.step_ms * campaign.every, closer, seeds);
+          : fmt::format(", or closer together to give at least three, but not closer than {} ms", campaign.step_ms);
+  return fmt::format("in each phase one onset every {} ms{}; {}", campaign.step_ms * campaign.every, closer, seeds);
 }
 
 std::string meaning_of_phases() {
-  std::string all = "What it came to, its number of flights, and its worst flight. Phases: ";
+  std::string all = "Each cell shows its verdict, its number of flights and its worst flight. Phases: ";
   for (std::size_t i = 0; i < phases; ++i) {
     const auto phase = static_cast<Phase>(i);
     all += fmt::format("{}{}: {}", i == 0 ? "" : "; ", name(phase), meaning(phase));
@@ -152,8 +152,8 @@ std::vector<result::Section> sections(const Result& result) {
   if (const std::vector<std::size_t> first = worst_cells(result); !first.empty()) {
     const CellResult& cell = result.cells[first.front()];
     worst.emplace_back(
-        "The worst flight of each of the worst faults, with its flight report. Any other again, with its report, by "
-        "its cell and run, as here the first of these: " +
+        "The worst flight of each of the worst faults, with its flight report. To fly any run again, give its cell and "
+        "run; for the first of these: " +
         run_command(result.campaign, cell.cell, cell.worst->number));
   }
   std::vector<result::Section> list{
@@ -163,14 +163,14 @@ std::vector<result::Section> sections(const Result& result) {
        files},
       {"The worst flights", worst},
       {"Not green", open.rows.empty() ? std::vector<result::Block>{"None."} : std::vector<result::Block>{open}},
-      {"Why, and what to do", {reasons(result)}, files},
+      {"Reasons and remedies", {reasons(result)}, files},
       {"Cell by cell", {meaning_of_phases()}, files}};
   for (const std::string_view device : device_names()) {
     list.push_back({std::string{device}, matrix(result, device), files});
   }
   list.push_back({"How it is judged", {result::Sentences{.all = how()}}, files});
-  list.push_back({"What is safe, stated beforehand", {stated(result)}, files});
-  list.push_back({"Again", {command_of(result.campaign)}});
+  list.push_back({"Safe outcomes, stated beforehand", {stated(result)}, files});
+  list.push_back({"Repeat", {command_of(result.campaign)}});
   list.push_back(
       {"For programs", {result::figures("", result, result_fields), result::Data{"cells", cells}}, programs});
   return list;
@@ -185,28 +185,28 @@ std::vector<result::Listed> listed_fields() {
 }
 
 result::Document answer(const Result& result, const result::Made& made) {
-  return {
-      .kind = "campaign of faults",
-      .title = result.scenario,
-      .subtitle = fmt::format("{}, plan {}; {}", result.vehicle, result.plan, onsets_of(result.campaign)),
-      .verdict = {.answer = answer_of(result),
-                  .heading = has_red(result)                ? "Red"
-                             : has_red_limit(result)        ? "Known limits"
-                             : !result.beyond_model.empty() ? "Outside the model"
-                                                            : "No red cell",
-                  .sentence = headline(result),
-                  .not_in_it = {"An outcome that was stated beforehand, as the page has it at its end; control that "
-                                "is over is one of them, and the rocket then rolls freely. It does not say that "
-                                "nobody is hurt, nor where the rocket comes down, and all of it is a model on a PC."},
-                  .not_in_it_heading = "Safe is here:"},
-      .facts = {{"scenario", "", result.scenario},
-                {"vehicle", "", result.vehicle},
-                {"plan", "", result.plan},
-                {"outside_model", "", json::text_or_null(result.beyond_model)},
-                {"version", "", made.version},
-                {"command", "", command_of(result.campaign)}},
-      .sections = sections(result),
-      .made = made};
+  return {.kind = "fault campaign",
+          .title = result.scenario,
+          .subtitle = fmt::format("{}, plan {}; {}", result.vehicle, result.plan, onsets_of(result.campaign)),
+          .verdict =
+              {.answer = answer_of(result),
+               .heading = has_red(result)                ? "Red"
+                          : has_red_limit(result)        ? "Known limits"
+                          : !result.beyond_model.empty() ? "Outside the model"
+                                                         : "No red cell",
+               .sentence = headline(result),
+               .not_in_it = {"An outcome that was stated beforehand; the page lists them at its end. In some of them "
+                             "control has ended and the rocket rolls freely. A safe cell does not rule out injury, and "
+                             "it does not cover where the rocket lands. All results come from a model on a PC."},
+               .not_in_it_heading = "Safe means here:"},
+          .facts = {{"scenario", "", result.scenario},
+                    {"vehicle", "", result.vehicle},
+                    {"plan", "", result.plan},
+                    {"outside_model", "", json::text_or_null(result.beyond_model)},
+                    {"version", "", made.version},
+                    {"command", "", command_of(result.campaign)}},
+          .sections = sections(result),
+          .made = made};
 }
 
 result::Document answer(const Campaign& campaign, const Alone& alone, const std::string& report,
@@ -229,8 +229,8 @@ result::Document answer(const Campaign& campaign, const Alone& alone, const std:
                     {"seed", "", alone.run.seed},
                     {"command", "", run_command(campaign, judged.cell, alone.run.number)},
                     {"report", "report", report}},
-          .sections = {{"Safe is", {judged.cell.safe()}},
-                       {"It was", {run}},
+          .sections = {{"Safe outcome", {judged.cell.safe()}},
+                       {"This run", {run}},
                        {"A known limit", limit},
                        {"For programs", {result::figures("", alone, alone_fields)}, result::Readers::programs}},
           .made = made};

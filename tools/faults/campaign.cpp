@@ -36,7 +36,7 @@ campaign::Campaign words_of(const Campaign& campaign) {
 sim::Scenario scenario_of(const Campaign& campaign) {
   sim::Scenario scenario = campaign::files_of(words_of(campaign)).read();
   if (scenario.surroundings != sim::Surroundings::flight) {
-    refuse(scenario.name + ": is no launch; allowed: a scenario that flies");
+    refuse(scenario.name + ": is not a launch; allowed: a scenario that flies");
   }
   scenario.seed = campaign.seed;
   scenario.changed_values = campaign.changes.size();
@@ -45,7 +45,7 @@ sim::Scenario scenario_of(const Campaign& campaign) {
 
 void check(const Campaign& campaign) {
   if (campaign.step_ms < 1 || campaign.every < 1 || campaign.seeds < 1) {
-    refuse("step, every and seeds; allowed: 1 or more");
+    refuse("step, every or seeds is below 1; allowed: 1 or more");
   }
 }
 
@@ -108,10 +108,10 @@ Prepared prepare(const Campaign& campaign, unsigned threads, const std::function
   // By the first seed, before the others are flown.
   const std::uint64_t of_one = extent_of(campaign, fly_twins(scenario, 1)).flights;
   if (of_one > most_flights / campaign.seeds) {
-    refuse(
-        fmt::format("these are about {} flights; allowed: {}; take fewer seeds, a larger --every or --step-ms, or one "
-                    "device, fault or phase",
-                    of_one * campaign.seeds, most_flights));
+    refuse(fmt::format(
+        "this campaign has about {} flights; allowed: {}; take fewer seeds, a larger --every or --step-ms, or one "
+        "device, fault or phase",
+        of_one * campaign.seeds, most_flights));
   }
   Twins twins = fly_twins(scenario, campaign.seeds, threads, look);
   const Extent extent = extent_of(campaign, twins);

@@ -25,7 +25,7 @@ struct Campaign {
   std::string fault{};                     ///< likewise
   std::string phase{};                     ///< likewise
   int step_ms = 10;                        ///< between two onsets, 1 or more
-  int every = 50;                          ///< of those only each so-manieth
+  int every = 50;                          ///< of those only one in so many, 1 or more
   std::size_t seeds = 1;                   ///< 1 or more; each flies every onset
 };
 
@@ -95,8 +95,7 @@ struct CellResult {
   std::string figure{};  ///< of the worst, a clause
   std::string report{};  ///< folder of its flight report, beside the page; empty: none
   const KnownLimit* limit = nullptr;
-  std::string
-      of_rocket{};  ///< whether the rocket that was flown does what the limit asks for; empty: nobody computes it
+  std::string of_rocket{};  ///< whether the rocket that was flown does what the limit asks for; empty: not computed
 };
 
 struct Result {
@@ -106,7 +105,7 @@ struct Result {
   std::string plan;
   std::vector<CellResult> cells;  ///< a row of the table after the other, phase by phase
   std::uint64_t flights = 0;
-  std::uint64_t damaged = 0;   ///< stored parts that could not be believed, and were flown again
+  std::uint64_t damaged = 0;   ///< stored parts that were damaged, and were flown again
   std::string beyond_model{};  ///< how far its flight without a fault is beyond the roll model; empty: not
 };
 

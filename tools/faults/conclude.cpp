@@ -30,12 +30,12 @@ std::string figure_of(const Run& run) {
     case Outcome::no_control: return "no control";
     case Outcome::over:
       return fmt::format("at trim after {:.3f} s, canards after {:.3f} s", run.trim_after_s, run.stands_after_s);
-    case Outcome::anything: return fmt::format("{:.1f} deg apart, of which nothing is asked", run.apart_deg);
+    case Outcome::anything: return fmt::format("roll {:.1f} deg off, not judged", run.apart_deg);
     case Outcome::holds:
     case Outcome::recovers:
     case Outcome::goes_on: break;
   }
-  return fmt::format("{:.1f} deg apart", run.apart_deg);
+  return fmt::format("roll {:.1f} deg off", run.apart_deg);
 }
 
 }  // namespace

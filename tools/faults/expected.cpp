@@ -14,13 +14,13 @@ std::string clause(Outcome outcome, const Expected& e) {
     case Outcome::no_control: return "no control";
     case Outcome::holds: return fmt::format("held within {:g} deg", e.within_deg);
     case Outcome::recovers:
-      return fmt::format("held within {:g} deg from {:g} s after the fault on, and within {:g} deg before",
+      return fmt::format("held within {:g} deg from {:g} s after the end of the fault, and within {:g} deg before",
                          e.within_deg, e.settle_s, e.meanwhile_deg);
     case Outcome::goes_on: return fmt::format("held within {:g} deg", e.meanwhile_deg);
-    case Outcome::over: return fmt::format("control over and canards at trim within {:g} s", e.trim_s);
+    case Outcome::over: return fmt::format("control ended and canards at trim within {:g} s", e.trim_s);
     case Outcome::anything: break;
   }
-  return "whatever the air makes of it, within the limits";
+  return "any roll, within the limits";
 }
 
 }  // namespace

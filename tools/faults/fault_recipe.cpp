@@ -38,8 +38,7 @@ std::vector<std::string_view> device_names() {
 std::string why_not(const FaultRow& row, const sim::Scenario& scenario) {
   const bool is_fitted =
       scenario.vehicle.second_imu_is_fitted && scenario.plan.sensors.gyros == core::GyroRule::two_agree;
-  return row.recipe.fault.device == sim::Device::second_imu && !is_fitted ? "the rocket does not fly on a second IMU"
-                                                                          : "";
+  return row.recipe.fault.device == sim::Device::second_imu && !is_fitted ? "the rocket does not use a second IMU" : "";
 }
 
 double end_of(const Recipe& recipe, double begin_s) {
@@ -50,7 +49,7 @@ double end_of(const Recipe& recipe, double begin_s) {
 }
 
 std::string FaultRow::shaft_sentence() const {
-  return std::string{recipe.all_canards ? "the canards may stand " : "the canard that fails may stand "}.append(
+  return std::string{recipe.all_canards ? "the canards may stand " : "the failed canard may stand "}.append(
       faults::meaning(shaft));
 }
 

@@ -109,7 +109,7 @@ struct FaultRow {
   Shaft shaft = Shaft::obeys;  ///< of each canard whose servo fails, while it does
 
   [[nodiscard]] const Expected& expect(Phase phase) const { return expected[static_cast<std::size_t>(phase)]; }
-  /// "the canard that fails may stand anywhere within its limit, at trim or not".
+  /// "the failed canard may stand anywhere within its limit, at trim or not".
   [[nodiscard]] std::string shaft_sentence() const;
 };
 

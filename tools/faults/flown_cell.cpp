@@ -78,18 +78,20 @@ Twin fly_twin(sim::Scenario scenario, std::uint64_t seed, const Limits& limits) 
   Twin twin;
   fly(scenario, [&twin](const Moment& moment) { twin.add(moment); });
   if (!twin.control_begin) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("{}: with seed {} it comes to no control without any of the faults, so there is "
-                                  "nothing to compare a flight with",
-                                  scenario.name, seed)};
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format(
+            "{}: with seed {}, control never begins even without a fault, so there is no flight to compare with",
+            scenario.name, seed)};
   }
   constexpr FaultTime no_fault{.begin_s = 3600.0, .end_s = 3600.0};
   Judge judge{limits, twin, no_fault, 0.0};
   fly(scenario, [&judge](const Moment& moment) { judge.add(moment); });
   if (const Findings alone = judge.findings(); !alone.breach.empty()) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("{}: with seed {} and none of the faults it breaks what holds for every flight: {}",
-                                  scenario.name, seed, alone.what_it_was())};
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("{}: with seed {} and none of the faults, the flight breaks a rule for every flight: {}",
+                    scenario.name, seed, alone.what_it_was())};
   }
   return twin;
 }
@@ -112,7 +114,7 @@ Cell cell_of(const std::string& name) {
     }
   }
   throw text::Error{text::ErrorKind::usage,
-                    fmt::format("\"{}\" is no cell; allowed: DEVICE/FAULT/PHASE as on the page, such as {}", name,
+                    fmt::format("\"{}\" is not a cell; allowed: DEVICE/FAULT/PHASE as on the page, such as {}", name,
                                 Cell{.row = fault_table().data(), .phase = Phase::controlling}.name())};
 }
 

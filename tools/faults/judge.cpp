@@ -52,7 +52,7 @@ void Twin::add(const Moment& moment) {
 
 void Judge::add(const Moment& moment) {
   if (moment.ticked && !moment.completed) {
-    breach(moment, "a tick that did not come to its end");
+    breach(moment, "a tick did not complete");
   }
   look_at_commands(moment);
   look_at_shafts(moment);
@@ -116,7 +116,7 @@ void Judge::look_at_shafts(const Moment& moment) {
     }
     const double allowed_rad = own.off_rad[i] + (shaft == Shaft::jolts ? jolt_rad : 0.0);
     if (!(std::abs(angle_rad) <= limits_.limit_rad[i] + allowed_rad)) {
-      breach(moment, fmt::format("canard {} truly stands at {:.3f} deg; its limit is {:.3f}", i + 1, angle_rad / degree,
+      breach(moment, fmt::format("canard {} is truly at {:.3f} deg; its limit is {:.3f}", i + 1, angle_rad / degree,
                                  limits_.limit_rad[i] / degree));
     }
     if (may_be_off) {
@@ -124,7 +124,7 @@ void Judge::look_at_shafts(const Moment& moment) {
     }
     const double travel_s = own.travel_s * (shaft == Shaft::late ? late_times : 1.0);
     if (rests_from_s_ && moment.time_s > *rests_from_s_ + travel_s && !(off_rad <= allowed_rad)) {
-      breach(moment, fmt::format("canard {} truly stands {:.3f} deg off its trim in {}", i + 1, off_rad / degree,
+      breach(moment, fmt::format("canard {} is truly {:.3f} deg off its trim in {}", i + 1, off_rad / degree,
                                  word(moment.phase)));
     }
     if (in_safe && !(off_rad <= least_rad[i] + 2.0 * allowed_rad + encoder_rad)) {
@@ -221,8 +221,9 @@ std::string Findings::what_it_was() const {
   if (!controlled) {
     return "no control";
   }
-  return fmt::format("{}, {:.1f} deg apart; off trim until {:.3f} s after it began, canards until {:.3f} s",
-                     lasted ? "control went on" : "control ended early", apart_deg, trim_after_s, stands_after_s);
+  return fmt::format(
+      "{}, roll {:.1f} deg off; commands off trim until {:.3f} s after the fault began, canards until {:.3f} s",
+      lasted ? "control continued" : "control ended early", apart_deg, trim_after_s, stands_after_s);
 }
 
 }  // namespace fantail::faults

@@ -13,7 +13,7 @@
 #include "faults/shaft.hpp"
 
 // Judges a flight with a fault by what truly was: roll angle, canard shafts and pulses as the world has them, and the
-// phase. Shares nothing with the flight report, and asks nothing of what the avionics believes.
+// phase. Shares nothing with the flight report, and uses no estimate of the avionics.
 namespace fantail::faults {
 
 /// One millisecond of a flight.

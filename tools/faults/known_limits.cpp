@@ -22,44 +22,46 @@ constexpr int after_self_test_ms = 250;  // of the pad
 constexpr int for_garbage_ms = 500;      // random pulses may pass for a healthy canard's for longer
 
 constexpr std::string_view believed =
-    "one gyro that is wrong, and says nothing of it, is believed: there is nothing to hold it against";
-constexpr std::string_view fit_a_second = "fly on two gyros: second_imu.fitted, and sensors.gyros = \"two_agree\"";
+    "a wrong gyro that reports no error cannot be detected with one gyro: there is no second one to compare it with";
+constexpr std::string_view fit_a_second = "fly with two gyros: second_imu.fitted, and sensors.gyros = \"two_agree\"";
 constexpr std::string_view wrong_force =
-    "the accelerometer of the IMU is integrated alone: one that is wrong and says nothing makes launch, speed and "
-    "height wrong; control begins late or ends before apogee, at trim";
+    "only the accelerometer of the IMU is integrated. If it is wrong and reports no error, launch, speed and height "
+    "are wrong. Control begins late or ends before apogee, at trim";
 constexpr std::string_view launch_is_late =
-    "while the two accelerometers do not agree no launch is detected; when they do, roll angle, height and speed begin "
-    "there, control comes late and ends before apogee";
+    "no launch is detected while the two accelerometers disagree. Roll angle, height and speed start when they agree, "
+    "so control begins late and ends before apogee";
 constexpr std::string_view look_at_bus =
-    "do not launch with an accelerometer or IMU fault on the bus; after a flight look at the time of detection";
+    "do not launch with an accelerometer or IMU fault reported on the bus; after a flight, check the time of detection";
 constexpr std::string_view too_far =
-    "one canard far off takes more roll moment than the other three have within their limit";
+    "one canard far off makes more roll moment than the other three can balance within their limit";
 constexpr std::string_view untested =
-    "one canard far off takes more roll moment than the other three have; in the moment before arming the "
-    "self-test has already seen it move";
+    "one canard far off makes more roll moment than the other three can balance. Just before arming, the self-test has "
+    "already tested this canard";
 constexpr std::string_view stop_near =
-    "let the linkage stop a canard a little beyond the plan limit, and keep 4 times the fin offset plus that stop "
+    "limit each canard with a stop in the linkage just beyond the plan limit, and keep 4 times the fin offset plus "
+    "that stop "
     "below 3 times the plan limit";
 
 constexpr std::string_view turned =
-    "the failed canard turns the rocket before the other three have answered; they have the moment, and bring it back";
-constexpr std::string_view nearer = "let the linkage stop a canard a little beyond the plan limit: it then turns less";
+    "the failed canard rolls the rocket before the other three respond; they have enough moment and bring it back";
+constexpr std::string_view nearer =
+    "limit each canard with a stop in the linkage just beyond the plan limit: a failed one then rolls the rocket less";
 
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
-    {broken(Device::imu, Behaviour::stuck), launched, one_gyro, "counts that come again as new ones are found by the driver of the board (docs/device_faults.md in the sources), and the simulator has none", fit_a_second},
+    {broken(Device::imu, Behaviour::stuck), launched, one_gyro, "the driver of the board detects counts that repeat as new ones (docs/device_faults.md in the sources); the simulator has no such driver", fit_a_second},
     {broken(Device::imu, Behaviour::garbage), launched, one_gyro, believed, fit_a_second},
     {spike(Device::imu), armed, one_gyro, believed, fit_a_second},
     {offset(Device::imu, 100.0), armed, one_gyro, believed, fit_a_second},
-    {offset(Device::imu, 15.0), armed, false, "a rate that is wrong by less than two gyros may differ (gyro_disagreement_deg_s) is followed by the roll angle", "make gyro_disagreement_deg_s as small as both gyros allow, and let bench axes turn the rocket before the flight"},
-    {slow_samples(Device::imu), launched, one_gyro, "samples 10 ms apart are each a silence: canards wait at trim nearly all the time, nothing holds the roll, and control does not end", fit_a_second},
+    {offset(Device::imu, 15.0), armed, false, "the roll angle follows a rate error below the permitted difference of two gyros (gyro_disagreement_deg_s)", "make gyro_disagreement_deg_s as small as both gyros allow, and run fantail bench axes before the flight"},
+    {slow_samples(Device::imu), launched, one_gyro, "each gap of 10 ms counts as a silent sensor: the canards wait at trim nearly all the time, the roll is not held, and control does not end", fit_a_second},
     {broken(Device::imu, Behaviour::stuck), launched, false, wrong_force, look_at_bus},
     {spike(Device::imu), armed, false, wrong_force, look_at_bus},
     {silent_for(2.0, Device::imu), before_launch, false, launch_is_late, look_at_bus},
     {spike(Device::accelerometer), at(Phase::pad) | before_launch, false, launch_is_late, look_at_bus},
     {broken(Device::accelerometer, Behaviour::stuck), at(Phase::launched), false, launch_is_late, look_at_bus},
     {silent_for(2.0, Device::accelerometer), before_launch, false, launch_is_late, look_at_bus},
-    {silent_for(0.045, Device::processor), at(Phase::launched), false, "a gap while a launch is being detected begins the detection anew: roll angle, height and speed begin a tenth of a second late, and control ends before apogee, at trim", "do not launch with a board that misses ticks: it counts them on the bus as overruns; after a flight look at the time of detection"},
+    {silent_for(0.045, Device::processor), at(Phase::launched), false, "a gap during launch detection restarts the detection. Roll angle, height and speed start a tenth of a second late, and control ends before apogee, at trim", "do not launch with a board that misses ticks: it reports them on the bus as overruns. After a flight, check the time of detection"},
     {hardover, armed, false, too_far, stop_near, 0, Excuse::three_lack},
     {hardover, armed, false, turned, nearer, 0, Excuse::comes_back},
     {hardover_back, armed, false, too_far, stop_near, 0, Excuse::three_lack},

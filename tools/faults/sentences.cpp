@@ -80,8 +80,8 @@ std::string headline(const Result& result) {
   return fmt::format("{}{} flights in {} cells.{}{}{}{}{}{}", flight::outside_model(result.beyond_model),
                      result.flights, flown, red == 0 ? " No cell is RED." : "",
                      line("RED", red, worst_of(result, Colour::red)),
-                     line("Not safe, for a limit that is known", limits, worst_of(result, Colour::known_limit)),
-                     line("Not judged beyond what holds for every flight", not_judged),
+                     line("Not safe because of a known limit", limits, worst_of(result, Colour::known_limit)),
+                     line("Checked only against the rules for every flight", not_judged),
                      line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe));
 }
 

@@ -24,9 +24,9 @@ double misunderstood_rad(const core::CanardPlan& canard, const sim::ServoParamet
 
 std::string_view meaning(Shaft shaft) {
   switch (shaft) {
-    case Shaft::obeys: return "where its pulse asks it to";
-    case Shaft::late: return "where its pulse asks it to, in five times the usual time";
-    case Shaft::jolts: return "up to 4 deg off where its pulse asks it to";
+    case Shaft::obeys: return "where its pulse commands it";
+    case Shaft::late: return "where its pulse commands it, in five times the usual time";
+    case Shaft::jolts: return "up to 4 deg from where its pulse commands it";
     case Shaft::stays_short: return "anywhere within its limit, at trim or not";
     case Shaft::runs_away: break;
   }

@@ -32,7 +32,7 @@ struct ShaftLimits {
   std::array<double, core::canard_count> off_rad{};
   double travel_s = 0.0;
 };
-/// By the play and the spread of the servos, and by what the plan believes of their pulses and they do not do. Of a
+/// By the play and the spread of the servos, and by the difference between the plan's pulses and theirs. Of a
 /// canard that a fault of the scenario itself breaks nothing can be asked: infinite.
 [[nodiscard]] ShaftLimits shaft_limits(const sim::Scenario& scenario);
 

@@ -47,9 +47,9 @@ std::string flown_with_nearest_stop(const Cell& cell, const Run& run, const Twin
   try {
     const Twins twin_of_it = fly_twins(scenario, 1);
     const Findings found = fly_run(twin_of_it, cell, {.seed = 0, .begin_ms = run.begin_ms}, run.number);
-    return fmt::format("Flown again with a stop at {} deg, the worst flight is {:.1f} deg apart instead of {:.1f}: {}",
-                       shown(stop_rad), found.apart_deg, run.apart_deg,
-                       found.outcome(cell.expected()) ? "safe" : "still not safe");
+    return fmt::format(
+        "Flown again with a stop at {} deg, the worst flight has {:.1f} deg of roll difference instead of {:.1f}: {}",
+        shown(stop_rad), found.apart_deg, run.apart_deg, found.outcome(cell.expected()) ? "safe" : "still not safe");
   } catch (const text::Error&) {
     return {};  // with this stop the rocket does not fly without the fault either
   }
@@ -67,9 +67,8 @@ double StopRule::nearest_rad() const { return limit_rad_ + text::radians(0.5); }
 
 std::string StopRule::sentence() const {
   if (stop_rad_ < limit_rad_) {
-    return fmt::format(
-        "The rocket that was flown breaks this rule: its stop of {} deg is inside its plan limit of {} deg",
-        shown(stop_rad_), shown(limit_rad_));
+    return fmt::format("This rocket breaks the rule: its stop of {} deg is inside its plan limit of {} deg",
+                       shown(stop_rad_), shown(limit_rad_));
   }
   const std::string stop = acts_as_rad_ < stop_rad_ ? fmt::format("{} deg of stall", shown(acts_as_rad_))
                                                     : fmt::format("{} deg of stop", shown(stop_rad_));
@@ -77,11 +76,11 @@ std::string StopRule::sentence() const {
       fmt::format("4 x {} deg of fin offset + {} is {} deg, and 3 x {} deg of plan limit is {} deg", shown(offset_rad_),
                   stop, shown(4.0 * offset_rad_ + acts_as_rad_), shown(limit_rad_), shown(3.0 * limit_rad_));
   return fmt::format(
-      "The rocket that was flown breaks this rule: {}. {}", sum,
+      "This rocket breaks the rule: {}. {}", sum,
       farthest_rad() > limit_rad_
-          ? fmt::format("A stop between {} and {} deg keeps it", shown(limit_rad_), shown(farthest_rad()))
-          : fmt::format("No stop keeps it: one at the plan limit makes {} deg. Less fin offset does, or a larger plan "
-                        "limit with a stop just beyond it",
+          ? fmt::format("A stop between {} and {} deg keeps the rule", shown(limit_rad_), shown(farthest_rad()))
+          : fmt::format("No stop keeps the rule: one at the plan limit gives {} deg. Reduce the fin offset, or use a "
+                        "larger plan limit with a stop just beyond it",
                         shown(4.0 * offset_rad_ + limit_rad_)));
 }
 

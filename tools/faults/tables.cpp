@@ -100,7 +100,7 @@ std::vector<result::Block> matrix(const Result& result, std::string_view device)
 
 result::Table not_green(const Result& result) {
   result::Table table{
-      .columns = {words("result"), words("cell"), words("red flights"), words("run"), words("at worst")}};
+      .columns = {words("result"), words("cell"), words("red flights"), words("run"), words("worst flight")}};
   for (const Colour colour : {Colour::red, Colour::known_limit, Colour::limit_without_need}) {
     for (const CellResult& cell : result.cells) {
       if (cell.colour == colour) {
@@ -128,14 +128,14 @@ result::Table reasons(const Result& result) {
     last = &cell;
     const std::string fault = fmt::format("{} {}", cell.cell.row->device, cell.cell.row->fault);
     table.rows.push_back({Judged{mark_of(cell.colour), fault, phase},
-                          cell.limit == nullptr ? "Nobody knows yet." : std::string{cell.limit->why},
+                          cell.limit == nullptr ? "Not known yet." : std::string{cell.limit->why},
                           cell.limit == nullptr ? "" : what_to_do(cell)});
   }
   return table;
 }
 
 result::Table stated(const Result& result) {
-  result::Table table{.columns = {words("device, faults"), words("phase"), words("safe is")}};
+  result::Table table{.columns = {words("device, faults"), words("phase"), words("safe outcome")}};
   for (const std::string_view device : device_names()) {
     if (std::ranges::none_of(result.cells, [&](const CellResult& cell) { return cell.cell.row->device == device; })) {
       continue;

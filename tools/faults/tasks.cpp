@@ -72,7 +72,7 @@ Extent extent_of(const Campaign& campaign, const Twins& twins) {
   if (extent.flights == 0) {  // and would be green
     const std::string why = why_not(*tasks.front().cell.row, twins.scenario);
     throw text::Error{text::ErrorKind::bad_configuration,
-                      why.empty() ? fmt::format("{}: has nothing of the phase {}", twins.scenario.name, campaign.phase)
+                      why.empty() ? fmt::format("{}: has no time in the phase {}", twins.scenario.name, campaign.phase)
                                   : fmt::format("{}: {}", tasks.front().cell.row->device, why)};
   }
   return extent;

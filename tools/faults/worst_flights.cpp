@@ -62,7 +62,7 @@ void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t 
   }
   campaign::write_flight(
       alone.scenario, std::move(changes),
-      fmt::format("Run {} of {} of a campaign of faults; safe is: {}.", number, cell, cell_of(cell).safe()), folder);
+      fmt::format("Run {} of {} of a fault campaign. Safe outcome: {}.", number, cell, cell_of(cell).safe()), folder);
 }
 
 void write_worst(Result& result, const Prepared& prepared, const std::filesystem::path& folder,

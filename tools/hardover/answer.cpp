@@ -27,32 +27,33 @@ std::string stop_words(double stop_deg) {
 constexpr auto effect_fields = result::fields<E>({
     {"from", "fails after ignition", s, 2, &E::from_s, "when the canard fails, after ignition"},
     {"canard", "canard", none, 0, [](const E& e) { return Cell{std::uint64_t{e.canard + 1}}; }, "number of the canard"},
-    {"stop", "stop", deg, 1, &E::stop_rad, "the stop at which it stands; 0 with cut pulses", Worse::neither,
+    {"stop", "stop", deg, 1, &E::stop_rad, "stop at which the canard stays; 0 with cut pulses", Worse::neither,
      stop_words},
-    {"way_turned", "way turned", deg, 1, &E::turned_rad,
-     "the largest angle between its velocity and the sound rocket's, above 20 m/s", Worse::larger},
-    {"apogee_moved", "apogee moved", m, 1, &E::away_m,
-     "how far its apogee is from the sound rocket's over ground, to whichever side", Worse::larger},
+    {"way_turned", "path deflection", deg, 1, &E::turned_rad,
+     "largest angle between its velocity and the healthy rocket's, above 20 m/s", Worse::larger},
+    {"apogee_moved", "apogee shift", m, 1, &E::away_m,
+     "horizontal distance of its apogee from the healthy rocket's, in any direction", Worse::larger},
     {"apogee", "apogee", m, 0, &E::apogee_m, "greatest height above the site", Worse::smaller},
-    {"rolled", "rolled away", deg, 0, &E::rolled_rad,
-     "the largest difference of its roll angle from the sound rocket's", Worse::larger},
-    {"roll_rate", "roll rate", deg_s, 0, &E::roll_rate_rad_s, "the largest roll rate, either way", Worse::larger},
-    {"side_force", "side force", n, 2, &E::side_force_n, "the largest force of the canards across the axis",
+    {"rolled", "roll change", deg, 0, &E::rolled_rad,
+     "largest difference between its roll angle and the healthy rocket's", Worse::larger},
+    {"roll_rate", "roll rate", deg_s, 0, &E::roll_rate_rad_s, "largest roll rate, in either direction", Worse::larger},
+    {"side_force", "side force", n, 2, &E::side_force_n, "largest force of the canards across the axis of the rocket",
      Worse::larger},
     {"dynamic_pressure", "dynamic pressure", pa, 0, &E::pressure_pa, "dynamic pressure at the largest side force"},
     {"angle_of_attack", "angle of attack", deg, 1, &E::angle_of_attack_rad,
-     "the largest angle of attack while faster than 20 m/s", Worse::larger},
-    {"moment", "bending moment", n_m, 2, &E::moment_n_m, "the largest bending moment at the coupler", Worse::larger},
+     "largest angle of attack while faster than 20 m/s", Worse::larger},
+    {"moment", "bending moment", n_m, 2, &E::moment_n_m, "largest bending moment at the coupler", Worse::larger},
 });
 
 constexpr auto study_fields = result::fields<Study>({
-    {"canard_side_area", "side area of a canard", m2, 6, &Study::side_area_m2, "area that makes the side force"},
+    {"canard_side_area", "side area of a canard", m2, 6, &Study::side_area_m2, "area that produces the side force"},
     {"canard_position", "canards behind the tip", m, 3, &Study::position_m, "from the tip of the nose to the canards"},
     {"stop", "stop", deg, 1, &Study::stop_rad, "mechanical stop of the servos"},
-    {"sound_apogee", "sound apogee", m, 0, &Study::sound_apogee_m, "apogee of the flight without a failure"},
-    {"sound_angle_of_attack", "sound angle of attack", deg, 1, &Study::sound_angle_of_attack_rad,
-     "largest angle of attack of that flight"},
-    {"sound_roll_rate", "sound roll rate", deg_s, 0, &Study::sound_roll_rate_rad_s, "largest roll rate of that flight"},
+    {"sound_apogee", "apogee without failure", m, 0, &Study::sound_apogee_m, "apogee of the flight without a failure"},
+    {"sound_angle_of_attack", "angle of attack without failure", deg, 1, &Study::sound_angle_of_attack_rad,
+     "largest angle of attack of the flight without a failure"},
+    {"sound_roll_rate", "roll rate without failure", deg_s, 0, &Study::sound_roll_rate_rad_s,
+     "largest roll rate of the flight without a failure"},
     {"flights", "flights", none, 0, [](const Study& of) { return Cell{std::uint64_t{of.effects.size()}}; },
      "flights with a failure"},
     {"instants", "instants", none, 0, &Study::instants, "instants at which each canard fails"},
@@ -65,26 +66,26 @@ constexpr auto study_fields = result::fields<Study>({
 
 std::string what_fails(const Study& study) {
   return study.options.failure == Failure::hard_over
-             ? fmt::format("that runs to a stop, at {} deg either way,", text::brief(degrees(study.stop_rad), 1))
-             : fmt::format("whose pulses are cut off for {} ms", fixed(1e3 * cut_s, 0));
+             ? fmt::format("at its stop ({} deg either way)", text::brief(degrees(study.stop_rad), 1))
+             : fmt::format("whose pulses are cut short for {} ms", fixed(1e3 * cut_s, 0));
 }
 
 /// The worst of all canards and instants.
 std::string headline(const Study& study, const Effect& worst) {
   return fmt::format(
-      "{}One canard {} turns this rocket's way by up to {} deg and moves its apogee by up to {} m. It rolls the rocket "
-      "away by up to {} deg and pushes it aside by up to {} N.",
+      "{}One canard {} deflects the flight path by up to {} deg and moves the apogee by up to {} m. It changes the "
+      "roll angle by up to {} deg; the canards push sideways with up to {} N.",
       flight::outside_model(study.beyond_model), what_fails(study), fixed(degrees(worst.turned_rad), 1),
       fixed(worst.away_m, 0), fixed(degrees(worst.rolled_rad), 0), fixed(worst.side_force_n, 1));
 }
 
 result::Figures at_worst(const Study& study, const Effect& worst) {
   result::Figures figures = result::figures("worst", worst, effect_fields, result::Wanted::that_can_be_worse);
-  figures["apogee"].remark = fmt::format("sound rocket: {} m", fixed(study.sound_apogee_m, 0));
+  figures["apogee"].remark = fmt::format("healthy rocket: {} m", fixed(study.sound_apogee_m, 0));
   figures["apogee"].label = "lowest apogee";
   figures["apogee"].key = "lowest_apogee";
-  figures["apogee_moved"].remark = "over ground";
-  figures["roll_rate"].remark = fmt::format("sound rocket: {}", fixed(degrees(study.sound_roll_rate_rad_s), 0));
+  figures["apogee_moved"].remark = "horizontal";
+  figures["roll_rate"].remark = fmt::format("healthy rocket: {}", fixed(degrees(study.sound_roll_rate_rad_s), 0));
   figures["side_force"].remark = "of the canards";
   if (study.options.coupler_m) {
     figures["moment"].remark = fmt::format("{} m from the tip", fixed(*study.options.coupler_m, 2));
@@ -94,14 +95,14 @@ result::Figures at_worst(const Study& study, const Effect& worst) {
 
 /// What the rows are not.
 std::string_view no_clearance() {
-  return "Distances count from the sound rocket's apogee and not from the launch guide; the launch guide and the wind "
-         "are those of the scenario, and others can give more. These rows clear no range by themselves: they have no "
-         "point of impact and no flight without a parachute.";
+  return "Distances are measured from the healthy rocket's apogee and not from the launch guide. The launch guide and "
+         "the wind are those of the scenario; others can give larger distances. These rows alone do not clear a range: "
+         "they contain no point of impact and no flight without a parachute.";
 }
 
 std::vector<std::string> definitions(const Effect& worst) {
   std::vector<std::string> all = result::meanings(worst, effect_fields);
-  all.insert(all.begin(), "Sound rocket: the same flight without the failure; the two are compared until apogee.");
+  all.insert(all.begin(), "Healthy rocket: the same flight without the failure. The two are compared until apogee.");
   return all;
 }
 
@@ -109,59 +110,59 @@ std::vector<std::string> definitions(const Effect& worst) {
 std::string base(const Study& study) {
   constexpr std::size_t few = 20;
   return fmt::format(
-      "The worst of {} flights: each of four canards{} at {}, every {} s from the end of the guide, {} s "
+      "The worst of {} flights. Each of the four canards{} fails at {}, every {} s from the end of the guide, {} s "
       "after ignition, to apogee at {} s.{}",
-      study.effects.size(), study.options.failure == Failure::hard_over ? ", each stop," : "",
+      study.effects.size(), study.options.failure == Failure::hard_over ? ", at each stop," : "",
       study.instants == 1 ? "one instant" : fmt::format("{} instants", study.instants), fixed(study.options.step_s, 2),
       fixed(study.first_s, 2), fixed(study.last_s, 2),
-      study.instants < few ? " With so few instants what lies between them can be worse (--step)." : "");
+      study.instants < few ? " With so few instants, a failure between them can be worse (reduce --step)." : "");
 }
 
 std::string what_the_others_do(const Study& study) {
   switch (study.policy) {
     case core::CanardFaultPolicy::share:
-      return "The other three go on controlling, by the real avionics, and carry what the failed one does not do, as "
-             "far as their limit allows.";
+      return "The real flight law continues to control with the other three. They make up for the failed one as far as "
+             "their limit allows.";
     case core::CanardFaultPolicy::continue_control:
-      return "The other three go on controlling, by the real avionics, as if the failed one followed.";
+      return "The real flight law continues to control with the other three, as if the failed one followed its "
+             "commands.";
     case core::CanardFaultPolicy::end_control:
-      return "When the avionics finds that a canard does not follow, control ends, and the other three go to trim.";
+      return "When the avionics detect that a canard does not follow its commands, control ends and the other three go "
+             "to trim.";
   }
   return {};
 }
 
 std::string up_to(const std::optional<double>& angle_rad) {
-  return angle_rad ? fmt::format("up to {} deg", fixed(degrees(*angle_rad), 1)) : "it was never that fast";
+  return angle_rad ? fmt::format("up to {} deg", fixed(degrees(*angle_rad), 1)) : "never that fast";
 }
 
 std::vector<std::string> remarks(const Study& study, const Effect& worst) {
   std::vector<std::string> list{
-      fmt::format("Flown in six degrees of freedom with run.canard_fault = {}. {}{}", name_of(study.policy),
-                  study.options.failure == Failure::hard_over
-                      ? "The canard stands at its stop from one instant to the next. "
-                      : "",
-                  what_the_others_do(study)),
-      fmt::format("Side force: 1/2 rho v^2 times {:.4g} m2 times the sum of the four deflections as vectors across the "
-                  "axis, at {} m from the tip of the nose. {}",
+      fmt::format(
+          "Flown in six degrees of freedom with run.canard_fault = {}. {}{}", name_of(study.policy),
+          study.options.failure == Failure::hard_over ? "The canard reaches its stop instantly and stays there. " : "",
+          what_the_others_do(study)),
+      fmt::format("Side force: 1/2 rho v^2 times {:.4g} m2 times the vector sum of the four deflections across the "
+                  "axis. It acts {} m from the tip of the nose. {}",
                   study.side_area_m2, fixed(study.position_m, 3),
                   study.stall_rad ? fmt::format("Lift grows with the angle up to the stall at {} deg.",
                                                 fixed(degrees(*study.stall_rad), 0))
-                                  : "The vehicle states no stall, so that lift grows with the angle up to the stop."),
-      fmt::format("Angle of attack while faster than {} m/s through the air, along the axis: {}; of the sound rocket "
-                  "in the same "
-                  "wind: {}. The sound rocket rolls at up to {} deg/s. Where the plan's tilt limit ends control, a "
-                  "rocket rolls on from there.",
+                                  : "The vehicle has no stall angle, so lift grows with the angle up to the stop."),
+      fmt::format("Angle of attack while the air speed along the axis is above {} m/s: {}. The healthy rocket in the "
+                  "same wind: {}. The healthy rocket rolls at up to {} deg/s. After the plan's tilt limit ends "
+                  "control, the rocket rolls freely.",
                   fixed(slowest_m_s, 0), up_to(worst.angle_of_attack_rad), up_to(study.sound_angle_of_attack_rad),
                   fixed(degrees(study.sound_roll_rate_rad_s), 0)),
-      "How far it drifts under a parachute is the same as for the sound rocket, from another apogee. A rocket that "
-      "breaks is not in here."};
+      "Under a parachute it drifts as far as the healthy rocket, from a different apogee. Structural failure is not "
+      "modelled."};
   if (study.options.coupler_m) {
     list.push_back(*study.options.coupler_m > study.position_m
                        ? "Bending moment: side force of the canards times its distance to the station. The inertia of "
-                         "what lies in front of it takes some of that off, and the lift of the nose at an angle of "
-                         "attack is not in it."
-                       : "The station lies in front of the canards, whose force does not bend it; the lift of the nose "
-                         "at an angle of attack is not in this figure.");
+                         "the parts in front of the station reduces it; this is not included. The lift of the nose at "
+                         "an angle of attack is not included either."
+                       : "The station lies in front of the canards, so their force causes no bending there. The lift "
+                         "of the nose at an angle of attack is not included.");
   }
   return list;
 }
@@ -169,9 +170,9 @@ std::vector<std::string> remarks(const Study& study, const Effect& worst) {
 /// What a curve is.
 std::string curves(const Study& study) {
   return study.options.failure == Failure::hard_over
-             ? "A curve is a stop, and at each instant the worst of the four canards. A canard at its positive stop "
-               "rolls the rocket the positive way."
-             : "At each instant the worst of the four canards.";
+             ? "Each curve is one stop and shows, at each instant, the worst of the four canards. A canard at its "
+               "positive stop rolls the rocket in the positive direction."
+             : "Each point is the worst of the four canards at that instant.";
 }
 
 std::vector<result::Fact> facts(const Study& study) {
@@ -216,11 +217,11 @@ result::Document answer(const Study& study) {
     plots.emplace_back(result::plot(flights, y, {.x = "from", .curves = "stop"}));
   }
   using enum result::Readers;
-  return {.kind = "study: one canard that fails",
+  return {.kind = "study: failure of one canard",
           .title = study.scenario,
           .subtitle = study.vehicle,
           .verdict = {.answer = result::Answer::none,
-                      .heading = fmt::format("At worst of {} flights", study.effects.size()),
+                      .heading = fmt::format("Worst of {} flights", study.effects.size()),
                       .sentence = headline(study, worst),
                       .not_in_it = {std::string{no_clearance()}}},
           .facts = facts(study),

@@ -64,7 +64,7 @@ Flown flown(const sim::Scenario& scenario) {
   }
   if (!world.events().guide_clear || !world.events().apogee) {
     throw text::Error{text::ErrorKind::bad_configuration,
-                      scenario.name + ": the rocket does not leave its guide and reach an apogee"};
+                      scenario.name + ": the rocket does not leave its guide, or it does not reach an apogee"};
   }
   out.clear_s = after_ignition_s(*world.events().guide_clear);
   out.apogee_s = after_ignition_s(*world.events().apogee);
@@ -126,7 +126,7 @@ std::vector<double> stops_rad(const Study& study) {
 void complete(sim::Scenario& scenario) {
   if (scenario.surroundings != sim::Surroundings::flight || scenario.path) {
     throw text::Error{text::ErrorKind::bad_configuration,
-                      scenario.name + " is not a flight of its own; allowed: a scenario that launches a rocket"};
+                      scenario.name + " is not a free flight; allowed: a scenario that launches a rocket"};
   }
   if (!scenario.vehicle.airframe) {
     throw text::Error{
@@ -139,7 +139,7 @@ void complete(sim::Scenario& scenario) {
     if (!side) {
       throw text::Error{text::ErrorKind::bad_configuration,
                         scenario.vehicle.name +
-                            " does not say what its canards do to the side: give aerodynamics.canard_side_area_m2 and "
+                            " has no side force of its canards; give aerodynamics.canard_side_area_m2 and "
                             "canard_position_m, or the sections [shape] and [canard_fins]"};
     }
     air.side_area_m2 = side->area_m2;
@@ -151,10 +151,10 @@ void complete(sim::Scenario& scenario) {
 void refuse_station_outside(const sim::Vehicle& vehicle, const std::optional<double>& coupler_m) {
   const double length_m = vehicle.airframe->length_m;
   if (coupler_m && !(*coupler_m >= 0.0 && *coupler_m <= length_m)) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("the coupler at {:g} m from the tip of the nose lies outside of {}; allowed: 0 to "
-                                  "{:g} m",
-                                  *coupler_m, vehicle.name, length_m)};
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("the coupler at {:g} m from the tip of the nose lies outside {}; allowed: 0 to {:g} m", *coupler_m,
+                    vehicle.name, length_m)};
   }
 }
 

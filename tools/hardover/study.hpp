@@ -20,7 +20,7 @@ namespace fantail::hardover {
 
 enum class Failure : std::uint8_t {
   hard_over,   ///< stands at a stop from one instant to the next, and stays there; both stops are flown
-  cut_pulses,  ///< hears its pulses cut off at random parts of their width, for cut_s: what a reset can do to it
+  cut_pulses,  ///< its pulses are cut short at random for cut_s, as a reset can do
 };
 inline constexpr double cut_s = 0.02;
 
@@ -48,10 +48,10 @@ struct Effect {
   double pressure_pa = 0.0;                     ///< dynamic pressure at that instant
   std::optional<double> angle_of_attack_rad{};  ///< largest, while the rocket is faster than slowest_m_s; empty: never
   double roll_rate_rad_s = 0.0;                 ///< largest, either way
-  double rolled_rad = 0.0;  ///< its roll angle from that of the sound rocket at the same time, largest
-  double turned_rad = 0.0;  ///< its way against that of the sound rocket at the same time, largest, both as fast
+  double rolled_rad = 0.0;  ///< largest difference from the healthy rocket's roll angle at the same time
+  double turned_rad = 0.0;  ///< largest angle between the two velocities at the same time, both that fast
   double apogee_m = 0.0;
-  double away_m = 0.0;                 ///< its apogee from that of the sound rocket, over ground
+  double away_m = 0.0;                 ///< horizontal distance of its apogee from the healthy rocket's
   std::optional<double> moment_n_m{};  ///< at the coupler
   double apogee_east_m = 0.0;          ///< over ground, from the foot of the guide, as the next
   double apogee_north_m = 0.0;
@@ -82,7 +82,7 @@ struct Study {
   double sound_apogee_north_m;
   std::optional<double> sound_angle_of_attack_rad;  ///< likewise
   double sound_roll_rate_rad_s;                     ///< largest, either way, from the end of the guide to apogee
-  std::string beyond_model;  ///< how far the sound rocket is beyond the roll model (flight/model_end.hpp); empty: not
+  std::string beyond_model;  ///< how far the healthy rocket is beyond the roll model (flight/model_end.hpp); empty: not
   Options options;
   std::size_t instants = 0;
   std::vector<Effect> effects{};  ///< by canard, then by stop, the positive one first, then by time
