@@ -13,7 +13,6 @@ using sim::Behaviour;
 using sim::Device;
 
 constexpr unsigned at(auto... each) { return ((1U << static_cast<unsigned>(each)) | ...); }
-constexpr unsigned controlling = at(Phase::controlling);
 constexpr unsigned launched = at(Phase::launched, Phase::controlling);
 constexpr unsigned armed = at(Phase::armed) | launched;
 constexpr unsigned before_launch = at(Phase::armed, Phase::launched);

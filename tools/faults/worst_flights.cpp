@@ -57,6 +57,7 @@ std::string run_folder(const std::string& cell, std::uint64_t number) {
 void write_run(const Campaign& campaign, const std::string& cell, std::uint64_t number, const Alone& alone,
                const std::filesystem::path& folder) {
   std::vector<std::string> changes;
+  changes.reserve(campaign.changes.size());
   for (const input::Override& change : campaign.changes) {
     changes.push_back(campaign::lines_of({change}));
   }

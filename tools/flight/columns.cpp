@@ -145,12 +145,12 @@ SixDecimals::SixDecimals(double value) {
 }
 
 std::string_view SixDecimals::brief() const {
-  std::string_view all = text();
-  if (const std::size_t last = all.find_last_not_of('0');
-      last != std::string_view::npos && all.find('.') < all.size()) {
-    all = all.substr(0, all[last] == '.' ? last : last + 1);
+  std::string_view digits = text();
+  if (const std::size_t last = digits.find_last_not_of('0');
+      last != std::string_view::npos && digits.find('.') < digits.size()) {
+    digits = digits.substr(0, digits[last] == '.' ? last : last + 1);
   }
-  return all;
+  return digits;
 }
 
 }  // namespace fantail::flight

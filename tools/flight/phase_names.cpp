@@ -41,7 +41,7 @@ std::string_view display_name(core::PhaseReason reason) {
 }
 
 std::string why_it_began(std::optional<core::PhaseReason> reason, bool is_there_when_log_begins) {
-  const std::string why{reason ? display_name(*reason) : ""};
+  std::string why{reason ? display_name(*reason) : ""};
   if (!is_there_when_log_begins) {
     return why;
   }

@@ -63,13 +63,14 @@ class Flight {
 
 GravityTurn gravity_turn(const sim::Scenario& scenario) {
   constexpr double dt_s = 1e-3;
-  constexpr double longest_s = 600.0;
+  constexpr int most_steps = 600'000;
   const Flight flight{scenario};
   const auto limit_rad = static_cast<double>(scenario.plan.run.tilt_limit.radians());
   GravityTurn result;
   State s;
   std::optional<double> liftoff_s;
-  for (double time_s = 0.0; time_s < longest_s; time_s += dt_s) {
+  for (int step = 0; step < most_steps; ++step) {
+    const double time_s = dt_s * step;
     const State middle = advanced(s, flight.rate(time_s, s), 0.5 * dt_s);
     s = advanced(s, flight.rate(time_s + 0.5 * dt_s, middle), dt_s);
     if (!liftoff_s && s.vz_m_s > 0.0) {
