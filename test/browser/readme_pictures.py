@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Usage: readme_pictures.py FANTAIL FOLDER
 
-Makes the pictures of the README from a report as it is: report.png, what is in sight first, and report.webp, which plays it
-four times as fast as it was flown. Needs the packages chromium-driver and webp.
+Makes the picture of the README from a report as it is: report.webp, which plays it four times as fast as it was flown. Needs the
+packages chromium-driver and webp.
 """
 
 import base64
@@ -34,9 +34,6 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         place = pathlib.Path(name)
         subprocess.run([fantail, "fly", "--out", place], check=True, stdout=subprocess.DEVNULL)
-        with browser.Browser(1280, 1043) as page:
-            open_report(page, place / "report.html")
-            page.picture(folder / "report.png")
         with browser.Browser(780, 900) as page:
             open_report(page, place / "report.html")
             page.run("document.querySelector('.stage .note').remove()")

@@ -117,6 +117,28 @@ class Manual(unittest.TestCase):
             self.assertEqual(code, 1)
             self.assertIn(said, printed)
 
+    def test_sentences_that_are_too_long_or_odd(self):
+        def plain(text, *words):
+            return self.said("test/system/plain_english.py", text, self.folder, "page.md", *words)
+
+        good = "A list:\n\n- " + "word " * 34 + "word\n- `a b c` [two words](x.md#what-is-broken).\n\n| " + "word " * 20 + "| " + "word " * 20 + "|\n"
+        self.assertEqual(plain(good), (0, "\n0 sentences to mend; 82 words in 1 pages\n"))
+        for wrong, said in (("word " * 36, "page.md:1: 36 words"), ("All but for one.", '"but for" (write: except for)'),
+                            ("Found.\nThe board hears nothing.", "page.md:1"), ("| a | It was not to be found. |", "page.md:1")):
+            code, printed = plain(wrong)
+            self.assertEqual(code, 1, wrong)
+            self.assertIn(said, printed)
+
+    def test_help_that_is_too_long(self):
+        def helped(text):
+            program = "#!/bin/sh\ncase $1 in --complete) printf 'words\\nfly\\tFly\\n' ;; *) printf '%s' \"" + text + "\" ;; esac\n"
+            (self.folder / "fantail").write_text(program, encoding="utf-8")
+            return self.said("test/system/plain_english.py", "Well.", self.folder, "page.md", "--fantail", self.folder / "fantail")
+
+        good = "Fly it\n\nOptions:\n  --out FILE   " + "word " * 28 + "\n  --in FILE    " + "word " * 28 + "\n"
+        self.assertEqual(helped(good)[0], 0)
+        self.assertIn("fantail fly --help: 29 words", helped(good.replace("word \n", "word word\n", 1))[1])
+
     def test_links_of_a_site(self):
         def checked(link):
             (self.folder / "a.html").write_text(f'<p id="here"></p>{link}', encoding="utf-8")

@@ -48,7 +48,7 @@ constexpr std::string_view nearer =
 
 // clang-format off: a limit a row
 constexpr auto limits = std::to_array<KnownLimit>({
-    {broken(Device::imu, Behaviour::stuck), launched, one_gyro, "the driver of the board detects counts that repeat as new ones (docs/device_faults.md in the sources); the simulator has no such driver", fit_a_second},
+    {broken(Device::imu, Behaviour::stuck), launched, one_gyro, "the driver of the board detects counts that repeat as new ones (docs/devices.md in the sources); the simulator has no such driver", fit_a_second},
     {broken(Device::imu, Behaviour::garbage), launched, one_gyro, believed, fit_a_second},
     {spike(Device::imu), armed, one_gyro, believed, fit_a_second},
     {offset(Device::imu, 100.0), armed, one_gyro, believed, fit_a_second},
