@@ -96,7 +96,7 @@ std::string fault_tables() {
       }
     }
   }
-  tables += "\n| `kind` | what is broken | its keys beside `kind` and `from_s` |\n|---|---|---|\n";
+  tables += "\n| `kind` | fault | its keys beside `kind` and `from_s` |\n|---|---|---|\n";
   for (const FaultWords& words : fault_kinds()) {
     tables.append("| `").append(words.kind).append("` | ").append(words.meaning);
     tables.append(" | ").append(own_keys[words.kind]).append(" |\n");

@@ -19,9 +19,8 @@ LONGEST_IN_DOCS, LONGEST_IN_HELP = 35, 28
 ODD = [(re.compile(pattern, re.IGNORECASE), plain) for pattern, plain in (
     (r"\bbut for\b", "except for"),
     (r"\bwhat (?:is|are) (?:crooked|broken|wrong with|said|asked|left|known)\b", "a noun: the misalignment, the failed canard"),
-    (r"(?:^|[.;:] )Of (?:a|an|the|this|each|every) ", "the subject first"),
-    (r"\bis no (?!longer|more|less|better|worse|other)\w+", "is not a ..."),
-    (r"\bare no (?!longer|more|less|better|worse|other)\w+", "are not ..."),
+    (r"(?-i:(?:^|[.;:] )O)f (?:a|an|the|this|each|every) ", "the subject first"),
+    (r"(?<!there )\b(?:is|are) no (?!longer|more|less|better|worse|other|larger|smaller)\w+", "is not a ..., are not ..."),
     (r"\b(?:was|were|is|are) not to be (?:found|had|read|seen)\b", "could not be found"),
     (r"\bso-many(?:th|eth)\b|\bn-th so\b", "the number"),
     (r"\b(?:it|rocket|avionics|board|bench|program|law|computer|detector|rule|plan)s? (?:\w+ )?(?:believe|hear|heard)s?\b",
@@ -64,7 +63,7 @@ def words(text):
 
 
 def sentences(text):
-    return re.split(r"(?<=[.?!])[)\"”]? +(?=[\"(A-Z0-9])", plain(text))
+    return re.split(r"(?<=[.?!])[)\"”]? +(?=[\"(A-Z0-9]|\w+: )", plain(text))
 
 
 def offences(where, text, longest):
@@ -82,12 +81,13 @@ def help_paragraphs(text):
     lines, indent = [], 0
     for line in [*text.splitlines(), ""]:
         own = len(line) - len(line.lstrip())
-        if lines and (not line.strip() or own < indent or re.match(r"\s*(?:-|fantail |\./dev )", line)):
+        named = re.match(r"  \S.*?\s{2,}\S", line)  # an option, an argument, an inner verb, with its meaning
+        if lines and (not line.strip() or own < indent or named or re.match(r"\s*(?:-|fantail |\./dev )", line)):
             yield " ".join(lines)
             lines = []
         if line.strip() and not re.match(r"\s*(?:fantail |\./dev )", line):
             indent = own
-            lines.append(re.sub(r"^\s*-\S.*?(?:\s{2,}|$)", "", line).strip())
+            lines.append(re.sub(r"^\s*-\S.*?(?:\s{2,}|$)|^  \S.*?\s{2,}", "", line).strip())
 
 
 def helps(program):

@@ -41,7 +41,7 @@ STEPS = [
     ("law", "Flight law with random plans and samples: flights of 12 000 ticks", "flights", 83_334,
      "{host}/test/core/test_core --gtest_brief=1 --gtest_filter=Autopilot.WhateverComesInTheCommandsKeepTheirLimits",
      {"RC_PARAMS": "seed={seed} max_success={n}"}, []),
-    ("events", "Events that are no launch: 11 kinds, both accelerometers well", "events of each kind", 909_091,
+    ("events", "Events that are not launches: 11 kinds, both accelerometers well", "events of each kind", 909_091,
      DETECTION + "events --kind handling --kind drop --kind transport --kind shaking --kind chuff --kind misfire --kind neighbour "
      "--kind gust --kind vibration --kind bias --kind tilt --events {n} --launches 0 --false-at-most {false}", {}, DETECTION_READS[:2]),
     ("launches", "Launches, half of them with vibration of 2 g rms", "launches of each kind", 500_000,

@@ -42,7 +42,7 @@ struct ListenOptions {
 std::string names_of_maps() {
   std::string names;
   for (const files::Logger& logger : files::loggers()) {
-    names += fmt::format("{}{} ({})", names.empty() ? "" : "; ", logger.name, logger.about);
+    names += fmt::format("{}{}: {}.", names.empty() ? "" : " ", logger.name, logger.about);
   }
   return names;
 }

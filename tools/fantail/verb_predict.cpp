@@ -193,10 +193,11 @@ void fill(const Verb& verb) {
       .changes_result();
   verb.flag("--other-vehicle", options->other_vehicle, "Accept tunnel results of another vehicle than the scenario's")
       .belongs_to_command();
-  verb.option("--swirl", options->swirl_deg,
-              "Swirl of the tunnel as a fin offset in degrees, to be subtracted, with the sign of fantail tunnel swirl "
-              "(above zero it rolls clockwise, seen from the tail); 0: there was none [column swirl_deg of the file; "
-              "required without that column]")
+  verb.option(
+          "--swirl", options->swirl_deg,
+          "Swirl of the tunnel as a fin offset in degrees, which is subtracted; 0: no swirl. The sign is that of "
+          "fantail tunnel swirl: above zero it rolls the rocket clockwise, seen from the tail. [column swirl_deg of "
+          "the file; required without that column]")
       .range(-45.0, 45.0)
       .value_name("DEG")
       .changes_result();
