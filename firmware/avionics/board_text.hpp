@@ -29,10 +29,10 @@ namespace fantail::avionics {
     case PlanSource::built_in: return "the built-in one; none is stored";
     case PlanSource::stored: return "the one in the flash";
     case PlanSource::stored_is_broken:
-      return "the built-in one; the stored one is broken, and until another is sent it will not be armed";
+      return "the built-in one; the stored one is broken; it will not be armed until a plan is sent";
     case PlanSource::stored_is_newer:
-      return "the built-in one; the stored one is from a newer version of the firmware, and until that is flashed or "
-             "another plan is sent it will not be armed";
+      return "the built-in one; the stored one is from a newer version of the firmware; it will not be armed until "
+             "that is flashed or a plan is sent";
     case PlanSource::flash_unreadable: return "the built-in one; the flash cannot be read, and it will not be armed";
   }
   return "unknown";

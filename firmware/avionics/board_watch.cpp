@@ -54,7 +54,7 @@ bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFact
   if (told_at_ && (news == told_ || now - *told_at_ < shortest_pause)) {
     return false;
   }
-  const std::string_view so = phase == core::Phase::safe ? not_armed : "it goes on";
+  const std::string_view so = phase == core::Phase::safe ? not_armed : "operation continues";
   if (!told_at_) {
     console.write(text(status_.reset_cause));
     console.write("\n");
@@ -71,7 +71,7 @@ bool BoardWatch::tell(core::Microseconds now, core::Phase phase, const FlashFact
     console.write("\n");
   }
   if (news.flash_failed && !told_.flash_failed) {
-    console.write("flash: it does not answer, or does not keep what is written; ");
+    console.write("flash: does not answer, or does not keep written data; ");
     console.write(so);
     console.write("\n");
   }

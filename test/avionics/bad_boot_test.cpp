@@ -117,7 +117,7 @@ TEST(BadBoot, AFlashThatFallsSilentIsNamedAtTheConsoleToo) {
   rig.flash.set_answers(false);
   rig.run(5 * second);
   EXPECT_TRUE(rig.pc.heard<BoardReport>()->flash_failed);
-  EXPECT_TRUE(says(rig, "flash: it does not answer, or does not keep what is written; it will not be armed\n"));
+  EXPECT_TRUE(says(rig, "flash: does not answer, or does not keep written data; it will not be armed\n"));
   expect_no_arming(rig, SelfTestFailure::flash_failed);
 }
 
@@ -129,7 +129,7 @@ TEST(BadBoot, ABrokenPlanInTheFlashIsNamedAndNobodyArms) {
   rig.run(second);
   EXPECT_EQ(rig.pc.heard<BoardReport>()->plan, PlanSource::stored_is_broken);
   EXPECT_EQ(rig.pc.heard<HeartbeatReport>()->plan_crc, protocol::plan_crc(core::default_plan()));
-  EXPECT_TRUE(says(rig, "the stored one is broken, and until another is sent it will not be armed\n"));
+  EXPECT_TRUE(says(rig, "the stored one is broken; it will not be armed until a plan is sent\n"));
   EXPECT_EQ(rig.hardware.shown, hal::Signal::faulty);
   expect_no_arming(rig, SelfTestFailure::no_valid_plan);
 }

@@ -110,7 +110,7 @@ TEST(BoardWatch, ASupplyThatSinksInFlightIsToldAndTheFlightGoesOn) {
   rig.hardware.board.faults.add(BoardFault::supply_low);
   EXPECT_EQ(rig.fly_for(second)->phase, Phase::controlling);
   EXPECT_EQ(rig.pc.heard<BoardReport>()->faults, 1U << static_cast<unsigned>(BoardFault::supply_low));
-  EXPECT_TRUE(says(rig, "board: supply_low; it goes on\n")) << rig.console.text;
+  EXPECT_TRUE(says(rig, "board: supply_low; operation continues\n")) << rig.console.text;
 }
 
 // A plug that makes contact every other millisecond must fill neither bus nor console.
@@ -183,7 +183,7 @@ TEST(BoardWatch, AFaultOfAnArmedRocketIsToldAndDoesNotDisarmIt) {
   rig.console.text.clear();
   rig.hardware.board.faults.add(BoardFault::accelerometer_silent);
   EXPECT_EQ(rig.run(second)->phase, Phase::armed);
-  EXPECT_EQ(rig.console.text, "board: accelerometer_silent; it goes on\n");
+  EXPECT_EQ(rig.console.text, "board: accelerometer_silent; operation continues\n");
   EXPECT_EQ(rig.hardware.shown, Signal::armed);
 }
 

@@ -91,21 +91,21 @@ TEST(AxesVerdict, OneSensorMountedOtherwiseThanTheRestIsAlwaysFound) {
 
 TEST(AxesVerdict, WhatIsWrongIsNamed) {
   expect_said(judged({.roll_rad = {.x = -360.0 * degree}}),
-              "The roll is reversed: 360 degrees clockwise were seen as -360.0.");
-  expect_said(judged({.gyro = {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}}}), "The gyro sees the roll about y");
+              "The roll is reversed: 360 degrees clockwise were measured as -360.0.");
+  expect_said(judged({.gyro = {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}}}), "The gyro measures the roll about y");
   expect_said(judged({.gyro = {{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}}}),
-              "Gyro and accelerometer of the IMU see opposite turns about y: one of them is reversed.");
+              "Gyro and accelerometer of the IMU measure opposite turns about y: one of them is reversed.");
   expect_said(judged({.gyro = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1.08}}}}),
-              "Of a turn about z the gyro sees 108 % of what the second accelerometer sees.");
-  expect_said(judged({.gyro = {{{1.05, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}), "360 degrees of roll were seen as 378.0");
-  expect_said(judged({.gyro = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}}), "The gyro does not see the turn about z");
+              "In a turn about z, the gyro measures 108 % of the angle that the second accelerometer measures.");
+  expect_said(judged({.gyro = {{{1.05, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}), "360 degrees of roll were measured as 378.0");
+  expect_said(judged({.gyro = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}}), "The gyro does not measure the turn about z");
   expect_said(judged({.second = {{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}}}), "The second accelerometer reads -1 g along x");
   expect_said(judged({.accelerometer = {{{1.2, 0, 0}, {0, 1.2, 0}, {0, 0, 1.2}}}}), "reads 1.20 g at rest");
   const double c = std::cos(12.0 * degree);
   const double s = std::sin(12.0 * degree);
   const Matrix askew{{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
-  expect_said(judged({.gyro = askew}), "The gyro stands askew by about 12 degrees");
-  expect_said(judged({.accelerometer = askew}), "The accelerometer of the IMU stands askew by 12 degrees");
+  expect_said(judged({.gyro = askew}), "The gyro is mounted about 12 degrees askew");
+  expect_said(judged({.accelerometer = askew}), "The accelerometer of the IMU is mounted 12 degrees askew");
 }
 
 TEST(AxesVerdict, ErrorsThatASensorMayHaveAreNoFaults) {

@@ -73,7 +73,7 @@ TEST(Cycle, ALapThatWasLeftOutHasNoPartInAnyFigure) {
 TEST(Cycle, SaysNothingOfTheCanardsWhenNothingWasMeasured) {
   const Cycle empty{.lap_s = 5.0, .planned_laps = 10};
   EXPECT_EQ(judgement(empty), Judgement::none);
-  EXPECT_EQ(conclusions(empty), std::vector<std::string>{"No lap was measured; nothing is said of the canards."});
+  EXPECT_EQ(conclusions(empty), std::vector<std::string>{"No lap was measured, so the canards are not judged."});
 }
 
 TEST(Cycle, OneLapThatFailedFailsTheRunAndIsNamed) {
@@ -83,7 +83,7 @@ TEST(Cycle, OneLapThatFailedFailsTheRunAndIsNamed) {
   EXPECT_EQ(judgement(cycle), Judgement::fail);
   const auto said = conclusions(cycle);
   ASSERT_EQ(said.size(), 2U);
-  EXPECT_EQ(said[0], "1 of 20 laps failed, the first one 35 s after the beginning:");
+  EXPECT_EQ(said[0], "1 of 20 laps failed, the first one 35 s after the start:");
   EXPECT_EQ(said[1], "Canard 3 is slow: it is.");
 }
 
@@ -95,7 +95,7 @@ TEST(Cycle, WithoutABatteryVoltageThereIsNoColumnForIt) {
   EXPECT_EQ(cycle_csv(cycle).find("battery"), std::string::npos);
   EXPECT_EQ(cycle_text(cycle).find("battery, V"), std::string::npos);
   EXPECT_EQ(json::parse(cycle_json(cycle))["battery_v"].dump(), "null");
-  EXPECT_EQ(conclusions(cycle).back(), "The avionics does not report a battery voltage, so nothing is said of it.");
+  EXPECT_EQ(conclusions(cycle).back(), "The avionics does not report a battery voltage, so none is shown.");
 }
 
 TEST(Cycle, ANameFromAFileDoesNotCommandTheTerminal) {

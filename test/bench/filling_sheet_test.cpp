@@ -82,7 +82,7 @@ TEST(BoardOnTheSheet, WhatIsNotKnownOfTheBoardIsNotSaid) {
 TEST(BoardOnTheSheet, AnEnduranceRunHasItToo) {
   Cycle cycle{.lap_s = 5.0, .planned_laps = 1};
   cycle.heading.board = protocol::BoardReport{.faults = 8};
-  EXPECT_TRUE(says(cycle_text(cycle), "board     imu_silent (it cannot be armed); reset by power-on"))
+  EXPECT_TRUE(says(cycle_text(cycle), "board     imu_silent (prevents arming); reset by power-on"))
       << cycle_text(cycle);
   EXPECT_EQ(json::parse(cycle_json(cycle))["board_faults"], json::Value::array({"imu_silent"}));
 }
@@ -103,12 +103,11 @@ TEST(LittleTravel, ALimitCloseToTheTrimIsDoubtedAndNotJudged) {
     }
   }
   const Signed all = signed_sheet(std::nullopt, six_degrees(0.3));
-  EXPECT_TRUE(says(all.text,
-                   "Canard 1 has a limit of 0.30 deg and a trim of 0.00 deg; less than 0.5 deg between them is "
-                   "not judged."))
+  EXPECT_TRUE(says(
+      all.text,
+      "Canard 1 has a limit of 0.30 deg and a trim of 0.00 deg; with less than 0.5 deg between them it is not judged."))
       << all.text;
-  EXPECT_TRUE(says(all.text, "Send a plan with a wider limit of the canards, or smaller trims, and run again."))
-      << all.text;
+  EXPECT_TRUE(says(all.text, "Send a plan with wider canard limits or smaller trims, and run again.")) << all.text;
 }
 
 TEST(LittleTravel, MeasuresNeitherCentreNorScale) {
@@ -179,7 +178,7 @@ TEST_F(Filling, WhatHasBeenFoundStaysWhenTheVerdictIsInDoubt) {
   const std::vector<std::string> shown = show(bench);
   ASSERT_EQ(shown.size(), 4U);
   EXPECT_TRUE(holds(shown[3], "<b>Canard 2 slips:</b>"));
-  EXPECT_TRUE(holds(shown[3], "<b>As it stands there will be no verdict:</b>"));
+  EXPECT_TRUE(holds(shown[3], "<b>So far there is no basis for a verdict:</b>"));
   EXPECT_TRUE(holds(whole, "NO VERDICT"));
 }
 

@@ -49,9 +49,8 @@ TEST(SentWave, AStaircaseIsJudgedUpToASixthOfThePeriod) {
 
 TEST(SentWave, WhatWasNotTheSineIsSaidInItsNumbers) {
   const std::string said = conclusions(at_steps_of(60, 8.0)).front();
-  EXPECT_TRUE(said.starts_with("The sine did not reach the rocket as it was asked for: at 8 Hz its amplitude was 1."))
-      << said;
-  EXPECT_NE(said.find(" instead of 3.00 deg, it stood still for up to 0.060 s, and it was off by "), std::string::npos)
+  EXPECT_TRUE(said.starts_with("The rocket did not receive the requested sine: at 8 Hz its amplitude was 1.")) << said;
+  EXPECT_NE(said.find(" instead of 3.00 deg. It stood still for up to 0.060 s and differed by "), std::string::npos)
       << said;
 }
 

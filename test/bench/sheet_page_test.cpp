@@ -82,7 +82,7 @@ TEST_F(Page, ShowsAStepAndASineTheSameWay) {
       Exercise::sine(six_degrees(), 1, {.amplitude_rad = 3.0 * degree, .frequency_hz = 2.0, .cycles = 4});
   for (const Exercise& exercise : {Exercise::step(six_degrees(), 1, 3.0 * degree), sine}) {
     const std::string html = page({}, exercise);
-    EXPECT_NE(html.find(exercise.wave() ? "Canard 2 followed the sine" : "Canard 2 went to the angle commanded"),
+    EXPECT_NE(html.find(exercise.wave() ? "Canard 2 followed the sine" : "Canard 2 went to the commanded angle"),
               std::string::npos);
     EXPECT_LT(html.size(), 60'000U);
   }

@@ -72,7 +72,7 @@ TEST(Diagnosis, AnEncoderThatSometimesFailsIsNotUnplugged) {
 TEST(Diagnosis, APassSaysWhatNoEncoderShows) {
   const std::vector<std::string> said = conclusions(sheet_of(Bench{}));
   ASSERT_EQ(said.size(), 2U);
-  EXPECT_TRUE(said[1].starts_with("No encoder shows which way a canard rolls the rocket.")) << said[1];
+  EXPECT_TRUE(said[1].starts_with("Encoders do not show which way a canard rolls the rocket.")) << said[1];
 }
 
 TEST(Diagnosis, ClampingThatIsNotReportedFails) {
@@ -107,7 +107,7 @@ TEST(Diagnosis, ACanardThatIsSlowOnlyWithTheOthersSaysSo) {
   EXPECT_FALSE(sheet.passed());
   EXPECT_TRUE(sheet.canards[2].alone->passed());
   EXPECT_EQ(sheet.canards[2].diagnosis.cause, Cause::slow);
-  EXPECT_TRUE(sheet.canards[2].diagnosis.seen.starts_with("healthy alone, but with all four moving"));
+  EXPECT_TRUE(sheet.canards[2].diagnosis.seen.starts_with("healthy alone; with all four moving, "));
   EXPECT_TRUE(sheet.canards[1].passed());
 }
 

@@ -69,10 +69,11 @@ TEST(StepOfOneCanard, OneWithMuchPlayIsNotCalledSlipping) {
 }
 
 TEST(StepOfOneCanard, APassSaysWhatWasJudgedAndWhatWasNot) {
-  EXPECT_EQ(conclusions(step_of({}, 4.0)),
-            std::vector<std::string>{"Canard 3 went to the angle commanded, in the time and at the speed required. A "
-                                     "step does not show its other side, its trim and its backlash: fantail bench "
-                                     "limits judges them."});
+  EXPECT_EQ(
+      conclusions(step_of({}, 4.0)),
+      std::vector<std::string>{"Canard 3 went to the commanded angle in the required time and at the required speed. A "
+                               "step does not show its other side, its trim and its backlash: fantail bench "
+                               "limits judges them."});
 }
 
 TEST(StepOfOneCanard, WithoutAFaultIsCalledHealthyNowhere) {
@@ -81,7 +82,7 @@ TEST(StepOfOneCanard, WithoutAFaultIsCalledHealthyNowhere) {
     EXPECT_EQ(all["canards"][0]["passed"], true);
     EXPECT_EQ(all["canards"][0]["cause"], "no_fault_seen");
     EXPECT_EQ(all["canards"][0]["sentence"],
-              "Canard 3 shows no fault here: every figure that is judged is within its tolerance.");
+              "Canard 3 shows no fault here: every judged figure is within its tolerance.");
   }
 }
 
@@ -128,10 +129,11 @@ TEST(SineOfOneCanard, OneThatStandsOffItsTrimFails) {
 }
 
 TEST(SineOfOneCanard, APassSaysWhatWasJudgedAndWhatWasNot) {
-  EXPECT_EQ(conclusions(sine_of({}, 3.0, 2.0, 5)),
-            std::vector<std::string>{"Canard 3 followed the sine as far as required, and stands at its trim. Its "
-                                     "phase lag is not judged; fantail bench limits judges limits, "
-                                     "backlash and speed."});
+  EXPECT_EQ(
+      conclusions(sine_of({}, 3.0, 2.0, 5)),
+      std::vector<std::string>{"Canard 3 followed the sine with the required amplitude, and stands at its trim. Its "
+                               "phase lag is not judged; fantail bench limits judges limits, "
+                               "backlash and speed."});
 }
 
 std::string refusal(const Exercise& exercise) {
@@ -158,17 +160,17 @@ std::string sine_refusal(double amplitude_deg, double frequency_hz, double limit
 }
 
 TEST(LeastMovement, AStepThatTheTolerancesHideIsRefused) {
-  EXPECT_EQ(
-      step_refusal(0.0, 0.3),
-      "--to: from the trim of canard 3 at 0.00 deg to 0.30 deg is a step of 0.30 deg; it must be at most -1.25 or "
-      "at least 1.25 deg, because reach_deg 0.5, centring_deg 0.5 and half of backlash_deg 0.5 allow a canard "
-      "that does not move at all to be 1.25 deg off");
+  EXPECT_EQ(step_refusal(0.0, 0.3),
+            "--to: canard 3 would step from its trim of 0.00 deg to 0.30 deg, by 0.30 deg; the angle must be at most "
+            "-1.25 or at least 1.25 deg. With reach_deg 0.5, centring_deg 0.5 and half of backlash_deg 0.5, a canard "
+            "that does not move may be 1.25 deg off");
   EXPECT_NE(step_refusal(0.0, 0.0), "");
   EXPECT_NE(step_refusal(2.0, 2.0), "");
   EXPECT_NE(step_refusal(2.0, 1.0).find("at most 0.75 or at least 3.25 deg"), std::string::npos);
-  EXPECT_NE(step_refusal(5.0, 20.0).find("to 6.00 deg is a step of 1.00 deg; it must be at most 3.75 deg"),
+  EXPECT_NE(step_refusal(5.0, 20.0).find("to 6.00 deg, by 1.00 deg; the angle must be at most 3.75 deg"),
             std::string::npos);
-  EXPECT_NE(step_refusal(0.0, 1.0, 1.0).find("no angle within its limit of 1.00 deg is far enough"), std::string::npos);
+  EXPECT_NE(step_refusal(0.0, 1.0, 1.0).find("no angle within its limit of 1.00 deg is large enough"),
+            std::string::npos);
   EXPECT_EQ(step_refusal(0.0, 1.25), "");
   EXPECT_EQ(step_refusal(2.0, 0.0), "");
 }
@@ -176,8 +178,8 @@ TEST(LeastMovement, AStepThatTheTolerancesHideIsRefused) {
 TEST(LeastMovement, ASineThatTheTolerancesHideIsRefused) {
   EXPECT_EQ(
       sine_refusal(0.2, 2.0),
-      "--amplitude: canard 3 would go 0.20 deg to each side; at 2 Hz it must be 1.10 to 20.47 deg, because of less "
-      "reach_deg 0.5 and backlash_deg 0.5 hide too much of what a canard with longest_step_time_s 0.08 goes");
+      "--amplitude: canard 3 would move 0.20 deg to each side; at 2 Hz it must be 1.10 to 20.47 deg. Below that, "
+      "reach_deg 0.5 and backlash_deg 0.5 hide too much of the movement of a canard with longest_step_time_s 0.08");
   EXPECT_NE(sine_refusal(20.0, 50.0, 6.0).find("within its limit of 6.00 deg; at 50 Hz it must be 11."),
             std::string::npos);
   for (const auto& [amplitude_deg, frequency_hz] : {std::pair{1.1, 2.0}, {3.0, 8.0}, {5.0, 20.0}, {12.0, 50.0}}) {

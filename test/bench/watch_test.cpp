@@ -39,7 +39,7 @@ TEST_F(WatchTest, EveryFaultOfTheBoardIsNamed) {
         .battery_mv = std::uint16_t{7'912},
         .overruns = 3});
   EXPECT_TRUE(
-      table_says("board: imu_silent, flash_wrong_id (it cannot be armed); reset by the watchdog, battery 7.91 V, "
+      table_says("board: imu_silent, flash_wrong_id (prevents arming); reset by the watchdog, battery 7.91 V, "
                  "3 control ticks missed\nplan: the one in the flash\n"))
       << watch.table();
   EXPECT_NE(watch.line().find("board: imu_silent, flash_wrong_id;"), std::string::npos) << watch.line();
@@ -78,8 +78,9 @@ TEST_F(WatchTest, WhatTheBoardHasNotSaidIsNull) {
 
 TEST_F(WatchTest, APlanFromANewerVersionSaysWhatToDo) {
   hear({.plan = protocol::PlanSource::stored_is_newer, .flash_failed = true});
-  EXPECT_TRUE(table_says("from a newer version of the firmware, and until that is flashed or another plan is sent"));
-  EXPECT_TRUE(table_says("flash: it does not answer"));
+  EXPECT_TRUE(
+      table_says("from a newer version of the firmware; it will not be armed until that is flashed or a plan is sent"));
+  EXPECT_TRUE(table_says("flash: does not answer"));
   EXPECT_EQ(json::parse(watch.json())["plan"], "stored_is_newer");
 }
 

@@ -83,12 +83,12 @@ TEST(Zero, ACanardThatDidNotMoveIsRefused) {
 
 TEST(Zero, AnEncoderThatIsStuckIsRefused) {
   EXPECT_PRED2(begins, refusal({.gain = 0.0, .offset_rad = 0.3 * degree}),
-               "Canard 2 is not measured: its encoder reads 0.30 deg whatever is commanded, without any scatter");
+               "Canard 2 is not measured: its encoder reads 0.30 deg for every command, without any scatter");
 }
 
 TEST(Zero, AReversedOneIsRefused) {
   EXPECT_PRED2(begins, refusal({.gain = -1.0, .noise_rad = 0.022 * degree}),
-               "Canard 2 is not measured: its encoder goes the other way than the command.");
+               "Canard 2 is not measured: its encoder moves against the command.");
 }
 
 TEST(Zero, OneThatSlipsIsNoScale) {

@@ -107,11 +107,11 @@ class LivePage(unittest.TestCase):
             code, out, said = program.end()
             self.assertEqual(code, 0, said)
             self.compare_with_the_record(moments)
-            self.assertRegex(out, r"page +1 viewer at the same time at most, [1-9][0-9]+ frames, [0-9]+ dropped because a viewer was slow")
+            self.assertRegex(out, r"page +at most 1 viewer at the same time, [1-9][0-9]+ frames, [0-9]+ dropped because a viewer was slow")
 
             # The program is gone, as it said before; the page has what it last knew, marked.
             page.wait_until("return !window.fantail.figures().connected && document.body.classList.contains('is-old')")
-            self.assertEqual(page.run("return document.getElementById('link').textContent"), "The flight has ended; this is the last that came")
+            self.assertEqual(page.run("return document.getElementById('link').textContent"), "The flight has ended; the last data are shown")
             self.assertIn("--realtime --page-at 127.0.0.1:0", page.run("return document.querySelector('footer').textContent"))
             self.assertEqual(page.run("return document.getElementById('phase').textContent"), "FINISHED")
             self.assertTrue(page.run("return document.body.classList.contains('is-old')"))
@@ -163,7 +163,7 @@ class LivePage(unittest.TestCase):
             self.assertIn("FAIL", shown)
             code, out, said = program.end()
             self.assertEqual(code, 0, said)
-            self.assertRegex(out, "^1 viewer at the same time at most")
+            self.assertRegex(out, "^at most 1 viewer at the same time")
             time.sleep(1.5)  # the program is gone, and what it said stays
             self.assertEqual(page.run(state), "Ended")
             page.long_picture(PICTURES / "bench_live_ended.png")

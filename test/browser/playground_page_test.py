@@ -92,7 +92,7 @@ class PlaygroundPage(unittest.TestCase):
         for link, words in (("tasha3_launch2&controller.proportional_gain=NaN", "out of range|not a number"),
                             ("tasha3_launch2&controller.gain=1", "unknown key controller.gain"),
                             ("<img src=x onerror=document.title='x'>", "unknown scenario"),
-                            ("tasha3_launch2&%FF", "is no text"), ("tasha3_launch2&timing.time_after_end_s=3600", "300 s at most")):
+                            ("tasha3_launch2&%FF", "is not text"), ("tasha3_launch2&timing.time_after_end_s=3600", "at most 300 s")):
             page.run("location.hash = arguments[0]", "#" + link)
             page.wait_until("return !document.getElementById('refusal').hidden && document.getElementById('state').textContent === 'refused'", 120)
             self.assertRegex(text_of(page, "refusal-text"), words)
@@ -106,7 +106,7 @@ class PlaygroundPage(unittest.TestCase):
     def test_opened_with_a_link_that_is_refused_it_says_so_and_offers_a_scenario_as_shipped(self):
         shown = "return [...document.querySelectorAll('.results > section')].filter((one) => one.offsetHeight > 0).map((one) => one.id)"
         for link, words in (("tasha3_launch2&controller.gain=1", "unknown key controller.gain"), ("nobody", "unknown scenario"),
-                            ("tasha3_launch2&%FF", "is no text")):
+                            ("tasha3_launch2&%FF", "is not text")):
             page = self.fresh("#" + link)
             page.wait_until("return document.getElementById('state').textContent === 'refused'")
             self.assertIn(words, text_of(page, "refusal-text"))

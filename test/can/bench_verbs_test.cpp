@@ -60,13 +60,11 @@ TEST_F(CanSystem, AStrangersArmRepliesPutNoCanardOnTheTerminalThatIsNone) {
   ASSERT_TRUE(arm.says(call_for_the_switch)) << arm.said();
   node.program.type("switch close");
   EXPECT_EQ(arm.outcome().exit_code, 0) << arm.outcome().err;
-  EXPECT_EQ(
-      arm.outcome().out,
-      "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.\n  canard 1\n  "
-      "canard 2\n  canard 3\n  canard 4\n  passed; at rest the gyro reads 0.30 deg/s about the long axis, which is "
-      "taken "
-      "off\nClose the arm switch at the rocket.\n  closed\nARMED. Opening "
-      "the arm switch makes the rocket safe again.\n");
+  EXPECT_EQ(arm.outcome().out,
+            "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.\n  canard 1\n "
+            " canard 2\n  canard 3\n  canard 4\n  passed; at rest the gyro reads 0.30 deg/s about the long axis, which "
+            "is subtracted\nClose the arm switch at the rocket.\n  closed\nARMED. Opening the arm switch makes the "
+            "rocket safe again.\n");
 }
 
 TEST_F(AtARocket, AnEnduranceRunWritesItsFiguresAndTellsEveryTenSeconds) {
@@ -103,7 +101,7 @@ TEST_F(AtARocket, AnEnduranceRunThatIsInterruptedKeepsWhatItHasMeasured) {
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_PRED2(
         contains, outcome.err,
-        "fantail: interrupted; the canards are centred; what was measured before is in " + (folder / "run") + "\n");
+        "fantail: interrupted; the canards are centred; the earlier measurements are in " + (folder / "run") + "\n");
     const json::Value run = json::parse(outcome.out);
     EXPECT_EQ(outcome.out, content(folder / "run/cycle.json"));
     EXPECT_EQ(run["ended_because"], "interrupted");
@@ -139,7 +137,7 @@ TEST_F(CanSystem, ZeroFindsAHornThatIsOffAndWritesAPlanThatCorrectsIt) {
 
   const Outcome again = fantail({"bench", "zero", "--can", "vcan0", "--write", plan});
   EXPECT_EQ(again.exit_code, 74);
-  EXPECT_PRED2(contains, again.err, "exists; choose another name for the new plan");
+  EXPECT_PRED2(contains, again.err, "exists, and no plan is overwritten; choose another name for the new plan");
   ASSERT_EQ(fantail_bench({"plan", plan, "--can", "vcan0"}).exit_code, 0);
   const Outcome step = fantail_bench({"hold", "3", "0", "--can", "vcan0", "--wait", "30", "--for", "2", "--json"});
   ASSERT_EQ(step.exit_code, 0) << step.err;
@@ -155,7 +153,7 @@ TEST_F(CanSystem, ZeroRefusesAReversedCanardAndWritesNothing) {
   const Folder folder;
   const Outcome refused = fantail_bench({"zero", "--can", "vcan0", "--write", folder / "plan.toml"});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_PRED2(contains, refused.err, "Canard 3 is not measured: its encoder goes the other way than the command.");
+  EXPECT_PRED2(contains, refused.err, "Canard 3 is not measured: its encoder moves against the command.");
   EXPECT_PRED2(contains, refused.err, "Nothing was written.");
   EXPECT_EQ(refused.out, "");
   EXPECT_TRUE(folder.listing().empty());

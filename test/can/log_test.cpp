@@ -121,7 +121,7 @@ TEST_F(FlownRocket, OneFlightIsDownloadedAloneAndEraseDownloadsAllFirstAndLeaves
   EXPECT_EQ(downloaded(), std::vector<std::string>{"flight_002.ftl"});
   const Outcome none = fantail_bench(command({"--flight", "3"}));
   EXPECT_EQ(none.exit_code, 1);
-  EXPECT_EQ(none.err, "fantail: there is no flight 3; the rocket holds 2, see --list\n");
+  EXPECT_EQ(none.err, "fantail: there is no flight 3; the rocket has 2, see --list\n");
 
   const Outcome unasked = fantail_bench(command({"--erase"}));  // its standard input is empty
   EXPECT_EQ(unasked.exit_code, 1);
@@ -180,7 +180,7 @@ TEST_F(FlownRocket, ALastRecordThatWasCutOffIsNoDamageAndIsErasedByYes) {
   node.await_rest();
   const Outcome erased = fantail_bench(command({"--erase", "--yes"}));
   EXPECT_EQ(erased.exit_code, 0) << erased.err;
-  EXPECT_PRED2(contains, erased.out, "intact, by two fetches that agree; of its last record, which was cut off, ");
+  EXPECT_PRED2(contains, erased.out, "intact (two downloads agree); its last record was cut off after ");
   EXPECT_PRED2(contains, erased.out, "the flight record is erased");
 }
 
@@ -193,7 +193,7 @@ TEST_F(FlownRocket, ARecordThatIsDamagedInTheFlashIsNotErasedByYes) {
   node.await_rest();
   const Outcome kept = fantail_bench(command({"--erase", "--yes"}));
   EXPECT_EQ(kept.exit_code, 1) << kept.out;
-  EXPECT_PRED2(contains, kept.out, "damaged in the flash, by two fetches that agree: ");
+  EXPECT_PRED2(contains, kept.out, "damaged in the flash (two downloads agree): ");
   EXPECT_PRED2(contains, kept.err, "so --yes does not erase it and the flight record is kept");
 }
 

@@ -189,7 +189,7 @@ TEST_F(AtARocket, ABrowserSeesTheCanardsMoveAndTheSheetFill) {
   const std::string seen = browser.get();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_PRED2(contains, outcome.err, fmt::format("page: http://127.0.0.1:{}/\n", port));
-  EXPECT_PRED2(contains, outcome.out, "\n  page   1 viewer at the same time at most, ");
+  EXPECT_PRED2(contains, outcome.out, "\n  page   at most 1 viewer at the same time, ");
   EXPECT_PRED2(contains, seen, R"("now":"canard 2 alone: at once to one side")");
   EXPECT_PRED2(contains, seen, R"("sheet":")");
   EXPECT_PRED2(contains, seen, R"("ended":true)");
@@ -200,9 +200,10 @@ TEST_F(AtARocket, WithAnotherPlanNothingMoves) {
   Dump dump{"vcan0"};
   const Outcome outcome = fantail({"bench", "limits", "--can", "vcan0", "--plan", "tasha3_launch1"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err,
-            "fantail: the rocket does not hold tasha3_launch1; send it with fantail bench plan tasha3_launch1 --can "
-            "vcan0\n");
+  EXPECT_EQ(
+      outcome.err,
+      "fantail: the plan in the rocket is not tasha3_launch1; send it with fantail bench plan tasha3_launch1 --can "
+      "vcan0\n");
   EXPECT_EQ(outcome.out, "");
   for (const LoggedFrame& each : frames(dump.log())) {
     EXPECT_GE(each.frame.id, 0x100U) << "the bench has said something";

@@ -115,8 +115,8 @@ void AtARocket::SetUpTestSuite() {
 
 bool starved(const Outcome& outcome) {
   const bool yes = outcome.exit_code == 74 &&
-                   (contains(outcome.err, "no heartbeat of the bench arrived for 0.1 s") ||
-                    contains(outcome.err, "nothing is said of the canards") || contains(outcome.err, "no verdict: "));
+                   (contains(outcome.err, "no heartbeat from the bench arrived for 0.1 s") ||
+                    contains(outcome.err, "the canards are not judged") || contains(outcome.err, "no verdict: "));
   if (yes) {
     std::puts("this machine is busy: a bench had too little processor time; once more");
   }

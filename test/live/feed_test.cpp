@@ -120,7 +120,7 @@ TEST(LiveFeed, EventsAreToldInPlainWords) {
   const telemetry::Event::VerdictChange change{.canard = 2, .verdict = core::CanardVerdict::stalled};
   heard.hear(encode(Stamp{.run = heard.run, .sequence = heard.events++, .time = heard.now},
                     telemetry::Event{.verdict = change}));
-  EXPECT_EQ(heard.frame()["events"][0]["text"].text(), "Canard 3: stalled, and was healthy");
+  EXPECT_EQ(heard.frame()["events"][0]["text"].text(), "Canard 3: stalled, before: healthy");
 }
 
 TEST(LiveFeed, ThatNoMoreComesIsToldToEverybodyFromThenOn) {
@@ -128,8 +128,8 @@ TEST(LiveFeed, ThatNoMoreComesIsToldToEverybodyFromThenOn) {
   heard.hear_state({});
   EXPECT_TRUE(heard.frame()["ended"].is_null());
   heard.feed.end();
-  EXPECT_EQ(heard.frame()["ended"].text(), "The program that showed this");
-  EXPECT_EQ(heard.greeting()["ended"].text(), "The program that showed this");
+  EXPECT_EQ(heard.frame()["ended"].text(), "The program behind this page");
+  EXPECT_EQ(heard.greeting()["ended"].text(), "The program behind this page");
 }
 
 TEST(LiveFeed, TheLinkIsCountedOverNoLongerThanSinceTheFirstMessage) {

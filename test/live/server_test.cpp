@@ -185,7 +185,7 @@ TEST(LiveServer, AnAddressThatIsTakenIsSaidAndNotShared) {
     const Server second{{.port = served.port}, {}, [] { return std::string{}; }};
     FAIL() << "two servers at one port";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string{error.what()}.find("another program listens there"), std::string::npos) << error.what();
+    EXPECT_NE(std::string{error.what()}.find("another program uses this port"), std::string::npos) << error.what();
     EXPECT_NE(std::string{error.what()}.find(std::to_string(served.port)), std::string::npos) << error.what();
   }
   EXPECT_THROW((Server{{.host = "192.0.2.1", .port = 0}, {}, [] { return std::string{}; }}), std::runtime_error)

@@ -134,7 +134,7 @@ const refusals = [
   [["tasha3_launch2", 'faults.kind="canard_stuck"'], /from_s is missing/],
   [["tasha3_launch2", "faults.kind=canard_stuck", "faults.from_s=1", "faults.canard=1"], /not valid TOML/],
   [["tasha3_launch2", 'faults.kind="canard_stuck"', "faults.from_s=1", "faults.canard=7"], /canard = 7 is out of range; allowed: 1 to 4/],
-  [["tasha3_launch2", "timing.time_after_end_s=3600"], /a page flies this scenario for 300 s at most/],
+  [["tasha3_launch2", "timing.time_after_end_s=3600"], /a page can fly this scenario for at most 300 s/],
   [["tasha3_launch2", "timing.log_period_s=0.0015"], /not a whole number of milliseconds/],
   [["tasha3_launch2", `motor.file=${"x".repeat(5000)}`], /longer than 4000 characters/],
 ];

@@ -20,15 +20,15 @@ test("without a link the second launch is flown", () => {
 });
 
 test("what is no link of this page is refused by what is wrong with it", () => {
-  for (const [hash, sentence] of [["#x&%E0%A4%A", /is no text/], ["#%E0%A4%A", /no name of a scenario/], ["#x&a", /is no setting/],
-                                  ["#x&=1", /is no setting/], ["#x&a.b=1&a.b=2", /sets a\.b twice/], ["#x&a.b=1%0Ac.d=2", /control character/],
-                                  ["#x%0Aseed=1", /no name of a scenario/], [`#${"x".repeat(5000)}`, /longer than 4000/]]) {
+  for (const [hash, sentence] of [["#x&%E0%A4%A", /is not text/], ["#%E0%A4%A", /not the name of a scenario/], ["#x&a", /is not a setting/],
+                                  ["#x&=1", /is not a setting/], ["#x&a.b=1&a.b=2", /sets a\.b twice/], ["#x&a.b=1%0Ac.d=2", /control character/],
+                                  ["#x%0Aseed=1", /not the name of a scenario/], [`#${"x".repeat(5000)}`, /longer than 4000/]]) {
     assert.match(ofLink(hash).refusal ?? "taken", sentence, hash);
   }
 });
 
 test("a decimal comma is refused in words, and a number is not", () => {
-  assert.match(objection(" 0,4"), /"0,4" is no number: a number is written with a point, as in 0\.4\./);
+  assert.match(objection(" 0,4"), /"0,4" is not a number: write it with a decimal point, as in 0\.4\./);
   assert.match(objection("-,5"), /as in -\.5/);
   for (const text of ["", "0.4", "-5", "1e-3", "[1, 2]", "a"]) assert.strictEqual(objection(text), "", text);
 });

@@ -46,7 +46,7 @@ while IFS= read -r line; do
   for try in 1 2 3 4 5; do
     sh -c "$line" >"said_$number" 2>&1 </dev/null
     code=$?
-    grep -q -e 'no heartbeat of the bench arrived' -e 'nothing is said of the canards' -e 'no verdict: ' "said_$number" || break
+    grep -q -e 'no heartbeat from the bench arrived' -e 'the canards are not judged' -e 'no verdict: ' "said_$number" || break
     echo "try $try: this PC is too busy: $line"
   done
   [ "$code" = "${wanted:-0}" ] || {

@@ -110,7 +110,7 @@ TEST(FlyOn, AnImageThatIsMissingIsNamed) {
           {"fly", "--on", "emulator", "--image", "/nowhere/fantail-emulator.elf"},
           66,
           {"/nowhere/fantail-emulator.elf: no such file",
-           "it comes with the sources alone: there ./dev fly --on emulator builds build/arm/fantail-emulator.elf"}};
+           "Only the source tree can build it: ./dev fly --on emulator builds build/arm/fantail-emulator.elf"}};
 }
 
 // Whether there is one depends on what has been built.

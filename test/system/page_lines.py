@@ -23,7 +23,7 @@ DEV = """#!/bin/sh
 [ "$1" != with-vcan ] || {{ shift && exec "{project}/tools/with_vcan" --timeout 240 "$@"; }}
 exec "{fantail}" "$@"
 """
-BUSY = re.compile("no heartbeat of the bench arrived|nothing is said of the canards|no verdict: ")
+BUSY = re.compile("no heartbeat from the bench arrived|the canards are not judged|no verdict: ")
 
 
 BLOCK = re.compile(r"(?:^<!-- printed by (\S[^\n]*) -->\n+)?^( *)```(\w*)[^\n]*\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)

@@ -63,7 +63,7 @@ TEST_P(Input, IsNotReplacedByWhatIsMadeFromIt) {
                                  "law = \"rows\"\ntable = \"o/summary.json\"\ncolumns = [\"damping\", \"torque\"]\n");
   folder.write(file, text);
   const Outcome outcome = run_in(folder, words, 74);
-  expect_said(outcome.err, {std::string{file} + ": these results are made from this file"});
+  expect_said(outcome.err, {std::string{file} + ": these results are made from it"});
   EXPECT_EQ(content(folder / file), text);
 }
 

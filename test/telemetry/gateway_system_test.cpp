@@ -94,7 +94,7 @@ TEST_F(GatewaySystem, ABusThatGoesDownAndComesBackIsToldAndSoIsSilence) {
   EXPECT_TRUE(gateway.says("vcan0: bus: error active\n"));
   EXPECT_TRUE(gateway.says("vcan0: the avionics is silent\n"));
   const Node node{"vcan0"};
-  EXPECT_TRUE(gateway.says("vcan0: the avionics speaks again\n"));
+  EXPECT_TRUE(gateway.says("vcan0: the avionics reports again\n"));
   gateway.signal(SIGTERM);
   EXPECT_EQ(gateway.outcome().exit_code, 0);
 }

@@ -180,7 +180,7 @@ TEST_F(LcmTools, AFullDiskIsAnErrorOfTheTelemetryAndNotOfTheFlight) {
   const std::string out = folder / "out";
   const Outcome outcome = fantail({"fly", "--out", out, "--lcm", "file:///dev/full"});
   EXPECT_EQ(outcome.exit_code, 74);
-  EXPECT_PRED2(contains, outcome.err, "file:///dev/full: the messages could not all be written: is the disk full?");
+  EXPECT_PRED2(contains, outcome.err, "file:///dev/full: not all messages could be written: is the disk full?");
   EXPECT_EQ(files(out), files(*flight / "out"));
 }
 

@@ -34,7 +34,7 @@ class Sensors {
     while (!done()) {
       link_.expect_one_rocket();
       if (link_.has_fallen_silent()) {
-        throw link::LinkError{"the avionics has fallen silent"};
+        throw link::LinkError{"the avionics has stopped reporting"};
       }
       if (timeout.expired(place_.now())) {
         return false;
@@ -118,7 +118,7 @@ Rest rest(Sensors& sensors, const std::string& complaint) {
   }
   const auto bias_rad_s = rate.value();
   if (!bias_rad_s) {
-    throw NotTurned{"the avionics reports no valid rate of the gyro at rest; it may be of an older version"};
+    throw NotTurned{"the avionics reports no valid gyro rate at rest; its firmware may be an older version"};
   }
   return {.rate_rad_s = *bias_rad_s, .force_m_s2 = {force[0].value(), force[1].value()}};
 }
@@ -139,7 +139,7 @@ class Turn {
     if (last_) {
       const double step_s = 1e-3 * static_cast<double>(last_->clock.step_to(report.time_ms));
       if (step_s > longest_gap_s) {
-        throw NotTurned{fmt::format("of the gyro's rates {:.2f} s in a row were not heard", step_s)};
+        throw NotTurned{fmt::format("the gyro rates have a gap of {:.2f} s", step_s)};
       }
       const sim::Vector3 step_rad = 0.5 * step_s * (rate_rad_s + last_->rate_rad_s);
       angle_rad_ = angle_rad_ + step_rad;
@@ -165,10 +165,10 @@ class Turn {
 
 const std::array<AskedTurn, turn_count>& asked_turns() {
   static const std::array<AskedTurn, turn_count> turns{
-      {{"roll", "with the rocket upright, roll it once around, clockwise as seen from its tail, back to its mark"},
+      {{"roll", "stand the rocket upright and roll it once around, clockwise seen from its tail, back to its mark"},
        {"tilt", "lay it down"},
        {"back", "stand it up again"},
-       {"tilt across", "lay it down again, to the side across the one where it lay before"}}};
+       {"tilt across", "lay it down again, in a direction at right angles to the first"}}};
   return turns;
 }
 

@@ -60,8 +60,8 @@ std::string axes_text(const AxesResult& result) {
   }
   if (!result.plan_lines.empty()) {
     text += fmt::format(
-        "If the rocket was turned as told, these lines of the plan make all of it right (they were tried on "
-        "these turns); send it with them, and turn the rocket again:\n{}",
+        "If the rocket was turned as instructed, these plan lines correct the mounting (checked with these turns). "
+        "Send the plan with them, then turn the rocket again:\n{}",
         result.plan_lines);
   }
   return fmt::format("{}{}\n", text, unchecked_of_axes());

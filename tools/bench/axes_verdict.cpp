@@ -48,7 +48,7 @@ std::string upright(std::string_view name, const sim::Vector3& force_m_s2) {
   const auto shares = components((1.0 / sim::length(force_m_s2)) * force_m_s2);
   const std::size_t axis = largest(shares);
   if (axis != 0) {
-    return fmt::format("The {} reads gravity along {} of an upright rocket: its axes are swapped.", name,
+    return fmt::format("With the rocket upright, the {} reads gravity along {}: its axes are swapped.", name,
                        axis_names[axis]);
   }
   if (shares[0] < 0.0) {
@@ -56,8 +56,8 @@ std::string upright(std::string_view name, const sim::Vector3& force_m_s2) {
   }
   // An angle from the vertical of 8 degrees: a rocket stands better than that on its fins.
   const double askew_rad = sim::angle_off(shares[0], std::hypot(shares[1], shares[2]));
-  return askew_rad > 0.14 ? fmt::format("The {} stands askew by {} degrees, or the rocket did not stand upright.", name,
-                                        fixed(degrees(askew_rad), 0))
+  return askew_rad > 0.14 ? fmt::format("The {} is mounted {} degrees askew, or the rocket did not stand upright.",
+                                        name, fixed(degrees(askew_rad), 0))
                           : "";
 }
 
@@ -65,23 +65,26 @@ std::vector<std::string> rolled(const sim::Vector3& angle_rad) {
   const auto seen = components(angle_rad);
   const double share = seen[0] / whole_turn_rad;
   if (const std::size_t axis = largest(seen); axis != 0 && std::abs(seen[axis]) > swapped_share * whole_turn_rad) {
-    return {fmt::format("The gyro sees the roll about {}: its axes are swapped.", axis_names[axis])};
+    return {fmt::format("The gyro measures the roll about {}: its axes are swapped.", axis_names[axis])};
   }
   if (std::abs(share) < seen_share) {
-    return {fmt::format("The roll by 360 degrees was not seen ({} degrees).", fixed(degrees(seen[0]), 1))};
+    return {fmt::format("The gyro did not measure the roll of 360 degrees (it read {} degrees).",
+                        fixed(degrees(seen[0]), 1))};
   }
   if (share < 0.0) {
-    return {fmt::format("The roll is reversed: 360 degrees clockwise were seen as {}.", fixed(degrees(seen[0]), 1))};
+    return {
+        fmt::format("The roll is reversed: 360 degrees clockwise were measured as {}.", fixed(degrees(seen[0]), 1))};
   }
   std::vector<std::string> wrong;
   if (std::abs(share - 1.0) > roll_scale_tolerance) {
-    wrong.push_back(fmt::format("The gyro's scale about x is wrong: 360 degrees of roll were seen as {}.",
+    wrong.push_back(fmt::format("The gyro's scale about x is wrong: 360 degrees of roll were measured as {}.",
                                 fixed(degrees(seen[0]), 1)));
   }
   const double across_rad = std::hypot(seen[1], seen[2]);
   if (across_rad > seen_share * whole_turn_rad) {
-    wrong.push_back(fmt::format("The gyro stands askew by about {} degrees: it sees a part of the roll across.",
-                                fixed(degrees(std::atan2(across_rad, seen[0])), 0)));
+    wrong.push_back(
+        fmt::format("The gyro is mounted about {} degrees askew: it measures part of the roll about y and z.",
+                    fixed(degrees(std::atan2(across_rad, seen[0])), 0)));
   }
   return wrong;
 }
@@ -123,12 +126,12 @@ std::vector<std::string> compared(std::string_view name, const std::array<TiltSe
                                   const Tilt& second) {
   const double area = product(first, second);
   if (std::min(size_rad(first), size_rad(second)) < least_tilt_rad) {
-    return {fmt::format("By the {} the rocket was tilted by {} and {} degrees: too little to judge the axes across.",
+    return {fmt::format("According to the {}, the rocket was tilted by {} and {} degrees: too little to judge y and z.",
                         name, fixed(degrees(size_rad(first)), 0), fixed(degrees(size_rad(second)), 0))};
   }
   if (std::abs(area) < least_sine_across * size_rad(first) * size_rad(second)) {
     return {fmt::format(
-        "By the {} the rocket was tilted twice to nearly the same side: the axes across cannot be judged.", name)};
+        "According to the {}, the rocket was tilted twice to nearly the same side: y and z cannot be judged.", name)};
   }
   const Tilt& g = tilts[0].gyro;
   const Tilt& h = tilts[1].gyro;
@@ -138,22 +141,23 @@ std::vector<std::string> compared(std::string_view name, const std::array<TiltSe
   const double zy = (g.z_rad * second.z_rad - h.z_rad * first.z_rad) / area;
   const double zz = (h.z_rad * first.y_rad - g.z_rad * second.y_rad) / area;
   if (std::max(std::abs(yz), std::abs(zy)) > swapped_share) {
-    return {fmt::format("Gyro and {} do not agree which axis is y and which is z, or on their senses.", name)};
+    return {fmt::format("Gyro and {} disagree about which axis is y and which is z, or about their directions.", name)};
   }
   std::vector<std::string> wrong;
   const auto judge = [&](std::string_view axis, double along, double across) {
     if (along < seen_share) {
-      wrong.push_back(along < -swapped_share
-                          ? fmt::format("Gyro and {} see opposite turns about {}: one of them is reversed.", name, axis)
-                          : fmt::format("The gyro does not see the turn about {} that the {} sees.", axis, name));
+      wrong.push_back(
+          along < -swapped_share
+              ? fmt::format("Gyro and {} measure opposite turns about {}: one of them is reversed.", name, axis)
+              : fmt::format("The gyro does not measure the turn about {} that the {} measures.", axis, name));
       return;
     }
     if (std::abs(along - 1.0) > tilt_scale_tolerance) {
-      wrong.push_back(fmt::format("Of a turn about {} the gyro sees {} % of what the {} sees.", axis,
+      wrong.push_back(fmt::format("In a turn about {}, the gyro measures {} % of the angle that the {} measures.", axis,
                                   fixed(100.0 * along, 0), name));
     }
     if (std::abs(across) > seen_share) {
-      wrong.push_back(fmt::format("Gyro and {} stand askew to each other about x by about {} degrees.", name,
+      wrong.push_back(fmt::format("Gyro and {} are rotated against each other about x, by about {} degrees.", name,
                                   fixed(degrees(std::atan2(std::abs(across), along)), 0)));
     }
   };
@@ -193,15 +197,14 @@ AxesResult judge_axes(const TurnsSeen& seen) {
   result.right = result.sentences.empty() && judged == accelerometer_count;
   if (result.right) {
     result.sentences.emplace_back(
-        "Right: axes, senses and scales of the gyro, and axes and senses of both accelerometers.");
+        "Correct: axes, directions and scales of the gyro, and axes and directions of both accelerometers.");
   }
   return result;
 }
 
 std::string_view unchecked_of_axes() {
-  return "Not checked: to which sides of the rocket y and z point, on which the control of roll does not depend; "
-         "whether the roll was clockwise, which only the person knows; and a second IMU, of which the bus shows "
-         "nothing.";
+  return "Not checked: where y and z point on the rocket, which roll control does not need. Also not checked: whether "
+         "the roll was clockwise, and a second IMU, which the bus does not report.";
 }
 
 }  // namespace fantail::bench

@@ -32,7 +32,7 @@ std::vector<std::string> fault_names(std::uint32_t faults) {
 std::string board_text(const protocol::BoardReport& report) {
   const std::string faults = report.faults == 0
                                  ? "no fault"
-                                 : fmt::format("{} (it cannot be armed)", fmt::join(fault_names(report.faults), ", "));
+                                 : fmt::format("{} (prevents arming)", fmt::join(fault_names(report.faults), ", "));
   const std::string battery =
       report.battery_mv ? fmt::format("{:.2f} V", 1e-3 * *report.battery_mv) : std::string{"not measured"};
   return fmt::format("{}; {}, battery {}, {}{} control ticks missed", faults,

@@ -82,12 +82,11 @@ void perform_laps(Cycle& cycle, const Exercise& lap, link::Session& session, lin
     cycle.laps.push_back(measured);
     if (static_cast<double>(void_laps(cycle)) > most_void_share * static_cast<double>(cycle.planned_laps)) {
       throw Unmeasured{
-          fmt::format("nothing is said of the canards: {} of {} laps could not be measured, the last one "
-                      "because of this: {}",
+          fmt::format("the canards are not judged: {} of {} laps could not be measured. Reason for the last one: {}",
                       void_laps(cycle), cycle.laps.size(), measured.doubt)};
     }
     if (failing_laps_at_end(cycle) >= most_failing_laps && cycle.laps.size() < cycle.planned_laps) {
-      cycle.ended_because = fmt::format("{} laps one behind the other failed", most_failing_laps);
+      cycle.ended_because = fmt::format("{} laps in a row failed", most_failing_laps);
       return;
     }
   }

@@ -109,14 +109,14 @@ std::vector<std::string> conclusions(const Cycle& cycle) {
   std::vector<std::string> all;
   const auto bad = std::ranges::find_if(laps, [](const Lap* lap) { return !lap->passed; });
   if (laps.empty()) {
-    all.emplace_back("No lap was measured; nothing is said of the canards.");
+    all.emplace_back("No lap was measured, so the canards are not judged.");
   } else if (bad == laps.end()) {
     all.push_back(fmt::format("All four canards stayed within their tolerances in {} of {} s each.",
                               laps_text(laps.size()), text::fixed(cycle.lap_s, 1)));
   } else {
     const auto failed = std::ranges::count_if(laps, [](const Lap* lap) { return !lap->passed; });
-    all.push_back(fmt::format("{} of {} failed, the first one {} s after the beginning:", failed,
-                              laps_text(laps.size()), text::fixed((*bad)->begin_s, 0)));
+    all.push_back(fmt::format("{} of {} failed, the first one {} s after the start:", failed, laps_text(laps.size()),
+                              text::fixed((*bad)->begin_s, 0)));
     all.insert(all.end(), (*bad)->conclusions.begin(), (*bad)->conclusions.end());
   }
   if (const std::size_t left_out = cycle.laps.size() - laps.size(); left_out > 0) {
@@ -128,7 +128,7 @@ std::vector<std::string> conclusions(const Cycle& cycle) {
                               cycle.ended_because));
   }
   if (!laps.empty() && !knows_battery(cycle)) {
-    all.emplace_back("The avionics does not report a battery voltage, so nothing is said of it.");
+    all.emplace_back("The avionics does not report a battery voltage, so none is shown.");
   }
   return all;
 }

@@ -35,7 +35,7 @@ class Page {
 
  private:
   void heading() {
-    out_ += fmt::format("Canards in endurance: {} of {} laps of {} s\n", cycle_.laps.size(), cycle_.planned_laps,
+    out_ += fmt::format("Endurance of the canards: {} of {} laps of {} s\n", cycle_.laps.size(), cycle_.planned_laps,
                         text::fixed(cycle_.lap_s, 1));
     out_ += heading_lines(cycle_.heading);
   }

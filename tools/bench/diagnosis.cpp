@@ -45,7 +45,7 @@ class Diagnoser {
               "Do not fly this avionics. Keep this sheet and its JSON file, and find out why before anything else."};
     }
     if (f_.received_ticks == 0) {
-      return {Cause::not_measured, "nothing about it was received", "Check the bus, and run again."};
+      return {Cause::not_measured, "no reports of it were received", "Check the bus, and run again."};
     }
     if (f_.undriven == f_.received_ticks) {
       return {Cause::out_of_tolerance, "the avionics never drove its servo",
@@ -59,11 +59,11 @@ class Diagnoser {
               "Check the encoder's plug and cable, then its supply and the magnet on the shaft."};
     }
     if (f_.noise_rad && *f_.noise_rad > t_.noise_rad) {
-      return {
-          Cause::encoder_noisy,
-          fmt::format("at rest its encoder scatters by {} deg (standard deviation; allowed {})",
-                      fixed(degrees(*f_.noise_rad), 2), fixed(degrees(t_.noise_rad), 2)),
-          "Check the encoder's cable, shield and magnet gap; if the canard itself trembles, its linkage and servo."};
+      return {Cause::encoder_noisy,
+              fmt::format("at rest its encoder scatters by {} deg (standard deviation; allowed {})",
+                          fixed(degrees(*f_.noise_rad), 2), fixed(degrees(t_.noise_rad), 2)),
+              "Check the encoder's cable, shield and magnet gap. If the canard itself trembles, check its linkage and "
+              "servo."};
     }
     // Before "does not move": a servo on the wrong plug leaves its own canard at rest, which would be called dead.
     if (f_.others_moved_rad && *f_.others_moved_rad > most_others_move_rad()) {
@@ -150,10 +150,10 @@ class Diagnoser {
     }
     const double off_rad = std::min(std::abs(stands_rad - centre_rad_), std::abs(stands_rad));
     if (off_rad > t_.centring_rad) {
-      return {Cause::stuck, where, "Check what jams the canard or its linkage; let it go with the power off."};
+      return {Cause::stuck, where, "Find what jams the canard or its linkage, and free it with the power off."};
     }
     return {Cause::dead, where,
-            "Check the servo's power and signal plug, and whether its gear is torn or the canard is jammed there."};
+            "Check the servo's power and signal plug. Its gear may be broken, or the canard may be jammed there."};
   }
 
   // Empty when it is fast enough. A canard that moves less far has less far to go, so its speed is held against its
@@ -175,7 +175,7 @@ class Diagnoser {
       text += "the time of a step could not be measured";
     }
     if (f_.slew_rad_s) {
-      text += fmt::format(", at most {} deg/s (required {})", fixed(degrees(*f_.slew_rad_s), 0),
+      text += fmt::format(", and it moved at no more than {} deg/s (required {})", fixed(degrees(*f_.slew_rad_s), 0),
                           fixed(degrees(required_rad_s), 0));
     }
     if (drifting) {
@@ -236,7 +236,7 @@ class Diagnoser {
       label.front() = static_cast<char>(label.front() | 0x20);  // in the middle of a sentence
       text += text.empty() ? "" : "; ";
       text += check.measure == Measure::limit_reported
-                  ? "the avionics did not report that it was asked beyond the limit"
+                  ? "the avionics did not report that the request was beyond the limit"
                   : fmt::format("{} {}{}", label, check.value ? fixed(*check.value, about.decimals) : "not measured",
                                 check.value && !about.unit.empty() ? fmt::format(" {}", about.unit) : "");
       if (check.value && check.measure != Measure::limit_reported) {
@@ -247,7 +247,7 @@ class Diagnoser {
       }
     }
     if (text.empty()) {
-      return {Cause::healthy, "every figure that is judged is within its tolerance", ""};
+      return {Cause::healthy, "every judged figure is within its tolerance", ""};
     }
     // What nobody measured accuses nobody.
     if (std::ranges::none_of(checks_, [](const Check& check) { return !check.passed && check.value; })) {

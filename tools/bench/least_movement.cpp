@@ -28,10 +28,10 @@ std::string steps_allowed(double centre_rad, double limit_rad, double least_rad)
   const bool has_below = centre_rad - least_rad >= -limit_rad;
   const bool has_above = centre_rad + least_rad <= limit_rad;
   if (!has_below && !has_above) {
-    return fmt::format("no angle within its limit of {} deg is far enough", in_words(limit_rad));
+    return fmt::format("no angle within its limit of {} deg is large enough", in_words(limit_rad));
   }
-  return fmt::format("it must be {}{}{} deg", has_below ? "at most " + below : "", has_below && has_above ? " or " : "",
-                     has_above ? "at least " + above : "");
+  return fmt::format("the angle must be {}{}{} deg", has_below ? "at most " + below : "",
+                     has_below && has_above ? " or " : "", has_above ? "at least " + above : "");
 }
 
 void expect_enough_step(double to_rad, double centre_rad, double limit_rad, std::size_t canard,
@@ -40,12 +40,12 @@ void expect_enough_step(double to_rad, double centre_rad, double limit_rad, std:
   if (std::abs(to_rad - centre_rad) >= least_rad) {
     return;
   }
-  throw std::invalid_argument{fmt::format(
-      "--to: from the trim of canard {} at {} deg to {} deg is a step of {} deg; {}, because reach_deg {:g}, "
-      "centring_deg {:g} and half of backlash_deg {:g} allow a canard that does not move at all to be {} deg off",
-      canard + 1, in_words(centre_rad), in_words(to_rad), in_words(std::abs(to_rad - centre_rad)),
-      steps_allowed(centre_rad, limit_rad, least_rad), degrees(t.reach_rad), degrees(t.centring_rad),
-      degrees(t.backlash_rad), in_words(least_rad))};
+  throw std::invalid_argument{
+      fmt::format("--to: canard {} would step from its trim of {} deg to {} deg, by {} deg; {}. With reach_deg {:g}, "
+                  "centring_deg {:g} and half of backlash_deg {:g}, a canard that does not move may be {} deg off",
+                  canard + 1, in_words(centre_rad), in_words(to_rad), in_words(std::abs(to_rad - centre_rad)),
+                  steps_allowed(centre_rad, limit_rad, least_rad), degrees(t.reach_rad), degrees(t.centring_rad),
+                  degrees(t.backlash_rad), in_words(least_rad))};
 }
 
 void expect_enough_amplitude(double way_rad, const Exercise::Wave& wave, double limit_rad, std::size_t canard,
@@ -55,16 +55,16 @@ void expect_enough_amplitude(double way_rad, const Exercise::Wave& wave, double 
     return;
   }
   if (degrees(least_rad) > widest_request_deg) {
-    throw std::invalid_argument{fmt::format(
-        "--frequency: at {:g} Hz no amplitude up to {} deg shows whether a canard is quick enough, because one that "
-        "is, with slowest_slew_deg_s {:g} and longest_step_time_s {:g}, goes less than twice reach_deg {:g}",
-        wave.frequency_hz, widest_request_deg, degrees(t.slowest_slew_rad_s), t.longest_step_time_s,
-        degrees(t.reach_rad))};
+    throw std::invalid_argument{
+        fmt::format("--frequency: at {:g} Hz no amplitude up to {} deg shows whether a canard is fast enough. One with "
+                    "slowest_slew_deg_s {:g} and longest_step_time_s {:g} moves less than twice reach_deg {:g}",
+                    wave.frequency_hz, widest_request_deg, degrees(t.slowest_slew_rad_s), t.longest_step_time_s,
+                    degrees(t.reach_rad))};
   }
   const bool cut_off = way_rad < std::abs(wave.amplitude_rad);
   throw std::invalid_argument{fmt::format(
-      "--amplitude: canard {} would go {} deg to each side{}; at {:g} Hz it must be {:.2f} to {} deg, because of less "
-      "reach_deg {:g} and backlash_deg {:g} hide too much of what a canard with longest_step_time_s {:g} goes",
+      "--amplitude: canard {} would move {} deg to each side{}; at {:g} Hz it must be {:.2f} to {} deg. Below that, "
+      "reach_deg {:g} and backlash_deg {:g} hide too much of the movement of a canard with longest_step_time_s {:g}",
       canard + 1, in_words(way_rad),
       cut_off ? fmt::format(", on average, within its limit of {} deg", in_words(limit_rad)) : std::string{},
       wave.frequency_hz, hundredths_up(least_rad), widest_request_deg, degrees(t.reach_rad), degrees(t.backlash_rad),

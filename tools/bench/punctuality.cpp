@@ -31,9 +31,8 @@ std::int64_t milliseconds(hal::Microseconds time) { return time.count() / 1'000;
 
 void Punctuality::give_up_too_slow(const std::string& why) const {
   throw TooSlow{
-      fmt::format("this PC was too slow; nothing is said of the canards: {}, and its longest pause between two looks "
-                  "at the bus was "
-                  "{} ms. End other programs, then do it again",
+      fmt::format("this PC was too slow, so the canards are not judged: {}. Its longest pause between two reads of the "
+                  "bus was {} ms. End other programs and try again",
                   why, milliseconds(longest_pause_))};
 }
 
@@ -43,15 +42,15 @@ void Punctuality::give_up(const std::string& why) const {
     give_up_too_slow(why);
   }
   if (longest_silence_ > longest_look) {
-    throw Unmeasured{fmt::format(
-        "no report of the rocket came for {} ms while this PC listened; nothing is said of the canards: {}. Was the "
-        "avionics or its node stopped, or the cable off? Mend that, then do it again",
-        milliseconds(longest_silence_), why)};
+    throw Unmeasured{
+        fmt::format("no report of the rocket arrived for {} ms while this PC read the bus, so the canards are not "
+                    "judged: {}. Did the avionics or its node stop, or was the cable off? Correct that and try again",
+                    milliseconds(longest_silence_), why)};
   }
-  throw Unmeasured{fmt::format(
-      "the rocket's reports did not come whole and in time; nothing is said of the canards: {}, although this PC never "
-      "paused for more than {} ms. Check cable, terminators and adapter, then do it again",
-      why, milliseconds(longest_pause_))};
+  throw Unmeasured{
+      fmt::format("the rocket's reports arrived late or with gaps, so the canards are not judged: {}. This PC never "
+                  "paused for more than {} ms. Check cable, terminators and adapter, and try again",
+                  why, milliseconds(longest_pause_))};
 }
 
 void Punctuality::begin_look(hal::Microseconds now) {
@@ -61,7 +60,7 @@ void Punctuality::begin_look(hal::Microseconds now) {
 
 void Punctuality::note(const link::Tick& tick) {
   if (const std::int64_t gap_ms = tick.number - last_.value_or(tick.number - 1) - 1; gap_ms > longest_gap_ms) {
-    give_up(fmt::format("{} ms of the rocket's reports are missing at once", gap_ms));
+    give_up(fmt::format("{} ms of the rocket's reports are missing in a row", gap_ms));
   }
   last_ = tick.number;
   last_heard_ = last_look_;
@@ -73,7 +72,7 @@ void Punctuality::note(const link::Tick& tick) {
 
 void Punctuality::end_look() {
   if (const std::uint32_t overrun = link_.overrun() - overrun_before_; overrun > 0) {
-    const std::string why = fmt::format("{} frames that had reached it found no room to wait in", overrun);
+    const std::string why = fmt::format("{} frames that had reached it were lost in a full buffer", overrun);
     longest_silence_ > longest_look ? give_up(why) : give_up_too_slow(why);
   }
   if (const auto uncounted_ms = link_.uncounted_ms(); uncounted_ms && uncounted_before_ms_) {
@@ -83,7 +82,7 @@ void Punctuality::end_look() {
     }
   }
   if (last_ && last_at_look_ && *last_ - *last_at_look_ > longest_look_ms && ++long_looks_ > most_long_looks) {
-    give_up(fmt::format("more than {} ms of its reports came at once, {} times; at most {} times are allowed",
+    give_up(fmt::format("more than {} ms of the rocket's reports came at once, {} times; at most {} times are allowed",
                         longest_look_ms, long_looks_, most_long_looks));
   }
   last_at_look_ = last_;

@@ -136,8 +136,8 @@ class Examination {
       return;
     }
     doubt(
-        "the sine did not reach the rocket as it was asked for: at {:g} Hz its amplitude was {} instead of {} deg, "
-        "it stood still for up to {} s, and it was off by {} % of its size (allowed: {} %)",
+        "the rocket did not receive the requested sine: at {:g} Hz its amplitude was {} instead of {} deg. It stood "
+        "still for up to {} s and differed by {} % of its size (allowed: {} %)",
         frequency_hz, fixed(degrees(f.amplitude_rad.value_or(0.0)), 2),
         fixed(degrees(f.asked_amplitude_rad.value_or(0.0)), 2), fixed(f.longest_standstill_s.value_or(0.0), 3),
         fixed(100.0 * *f.wave_difference, 0), fixed(100.0 * most_difference(frequency_hz), 0));
@@ -148,7 +148,7 @@ class Examination {
     const bool from_together = alone_healthy && result.together;
     result.diagnosis = from_together ? result.together->diagnosis : result.alone->diagnosis;
     if (from_together && result.alone && result.diagnosis.cause != Cause::healthy) {
-      result.diagnosis.seen = "healthy alone, but with all four moving " + result.diagnosis.seen;
+      result.diagnosis.seen = "healthy alone; with all four moving, " + result.diagnosis.seen;
       result.diagnosis.look_at += " A fault that shows only with all four moving may be in their common supply.";
     }
   }
@@ -190,9 +190,10 @@ class Examination {
   void travel() {
     for (const CanardResult& result : sheet_.canards) {
       if (exercise_.kind() == ExerciseKind::limits && too_little_travel(exercise_.bounds(), result.canard)) {
-        doubt("canard {} has a limit of {} deg and a trim of {} deg; less than {} deg between them is not judged",
-              result.canard + 1, fixed(degrees(exercise_.bounds().limit_rad[result.canard]), 2),
-              fixed(degrees(exercise_.bounds().centre_rad[result.canard]), 2), fixed(degrees(least_travel_rad()), 1));
+        doubt(
+            "canard {} has a limit of {} deg and a trim of {} deg; with less than {} deg between them it is not judged",
+            result.canard + 1, fixed(degrees(exercise_.bounds().limit_rad[result.canard]), 2),
+            fixed(degrees(exercise_.bounds().centre_rad[result.canard]), 2), fixed(degrees(least_travel_rad()), 1));
       }
     }
   }

@@ -14,10 +14,11 @@ std::vector<std::string> conclusions(const Sheet& sheet) {
       all.push_back(fmt::format("{}{}.", static_cast<char>(std::toupper(static_cast<unsigned char>(doubt.front()))),
                                 doubt.substr(1)));
     }
-    all.emplace_back(sheet.recorded_whole ? "Nothing is said of the canards. Send a plan with a wider limit of the "
-                                            "canards, or smaller trims, and run again."
-                                          : "Nothing is said of the canards. End other programs on this PC, check the "
-                                            "adapter and the bus, and run again.");
+    all.emplace_back(
+        sheet.recorded_whole
+            ? "The canards are not judged. Send a plan with wider canard limits or smaller trims, and run again."
+            : "The canards are not judged. End other programs on this PC, check the "
+              "adapter and the bus, and run again.");
     return all;
   }
   for (const CanardResult& result : sheet.canards) {
@@ -31,24 +32,24 @@ std::vector<std::string> conclusions(const Sheet& sheet) {
     }
   }
   if (all.empty() && sheet.kind == ExerciseKind::limits) {
-    all.push_back(sheet.canards.size() == core::canard_count
-                      ? "By their encoders all four canards follow their commands, to their limits and no further."
-                      : "By its encoder the canard follows its command, to its limits and no further.");
+    all.push_back(
+        sheet.canards.size() == core::canard_count
+            ? "According to their encoders, all four canards follow their commands to their limits and no further."
+            : "According to its encoder, the canard follows its command to its limits and no further.");
     // An encoder that is mounted the other way round agrees with a servo that is: both can be wrong together.
     all.emplace_back(
-        "No encoder shows which way a canard rolls the rocket. Look at each (fantail bench hold N 5): seen from "
-        "outside, "
-        "nose up, its leading edge turns to the right where the plan's direction is normal, to the left where it is "
-        "reversed.");
+        "Encoders do not show which way a canard rolls the rocket. Hold each one (fantail bench hold N 5) and look "
+        "from outside, nose up. Its leading edge must turn to the right if the plan's direction is normal, to the left "
+        "if it is reversed.");
   } else if (all.empty()) {
-    all.push_back(fmt::format("Canard {} {}", sheet.canards.front().canard + 1,
-                              sheet.kind == ExerciseKind::step
-                                  ? "went to the angle commanded, in the time and at the speed required. A step does "
-                                    "not show its other side, "
-                                    "its trim and its backlash: fantail bench limits judges them."
-                                  : "followed the sine as far as required, and stands at its trim. Its "
-                                    "phase lag is not judged; "
-                                    "fantail bench limits judges limits, backlash and speed."));
+    all.push_back(
+        fmt::format("Canard {} {}", sheet.canards.front().canard + 1,
+                    sheet.kind == ExerciseKind::step
+                        ? "went to the commanded angle in the required time and at the required speed. A step does not "
+                          "show its other side, its trim and its backlash: fantail bench limits judges them."
+                        : "followed the sine with the required amplitude, and stands at its trim. Its "
+                          "phase lag is not judged; "
+                          "fantail bench limits judges limits, backlash and speed."));
   }
   return all;
 }

@@ -136,7 +136,7 @@ std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recordi
   if (given_up_because.empty()) {
     page.verdict_heading = fmt::format("Not finished: {} more turn{} to come", turns_to_come, plural);
   } else {
-    page.verdict_heading = fmt::format("Given up with {} more turn{} to do", turns_to_come, plural);
+    page.verdict_heading = fmt::format("Ended early with {} turn{} left", turns_to_come, plural);
     page.findings.push_back(as_finding(as_sentence(given_up_because)));
   }
   page.tone = given_up_because.empty() ? Tone::plain : Tone::unsure;
@@ -147,7 +147,7 @@ std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recordi
     }
   }
   for (const std::string& doubt : sheet.doubts) {
-    page.findings.push_back({.what = "As it stands there will be no verdict:", .about = doubt + "."});
+    page.findings.push_back({.what = "So far there is no basis for a verdict:", .about = doubt + "."});
   }
   constexpr bool judged = true;  // what a turn has shown is not taken back before the whole sheet is
   page.body_html = figures(sheet, judged) + charts(sheet, recording, exercise, judged);

@@ -41,8 +41,8 @@ struct Finding {
 
 /// Why it may differ from the finding.
 inline constexpr std::string_view about_monitor =
-    "The avionics' own verdict is that of the end, with all commanded to their trims; it drops a difference that has "
-    "gone, and so says less than this sheet.";
+    "The avionics' own verdict is from the end of the exercise, with all canards commanded to their trims. It forgets "
+    "past differences, so it shows less than this sheet.";
 
 /// The rocket, for people.
 [[nodiscard]] std::string title(const Heading& heading);

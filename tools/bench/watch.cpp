@@ -71,7 +71,7 @@ link::Each<CanardRow> rows(const link::AvionicsLink& link, hal::Microseconds now
 std::string board_lines(const protocol::BoardReport& report) {
   std::string text = fmt::format("board: {}\nplan: {}\n", board_text(report), avionics::text(report.plan));
   if (report.flash_failed) {
-    text += "flash: it does not answer, or does not keep what is written; the rocket cannot be armed\n";
+    text += "flash: does not answer, or does not keep written data; the rocket cannot be armed\n";
   }
   return text;
 }

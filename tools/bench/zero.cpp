@@ -39,18 +39,16 @@ std::string refused(std::size_t canard, const std::string& why) {
 
 std::optional<std::string> does_not_follow(const Figures& f) {
   if (f.received_ticks > 0 && 2 * f.dropouts > f.received_ticks) {
-    return "its encoder gives no valid reading in more than half of the time";
+    return "its encoder gives no valid reading for more than half of the time";
   }
   if (f.sign == -1) {
-    return "its encoder goes the other way than the command. Whether the servo turns the wrong way (sign of "
-           "pulse_per_degree_us) or the encoder counts the wrong way (its magnet or mounting) cannot be told from "
-           "this; "
-           "look at the canard";
+    return "its encoder moves against the command. Look at the canard: either the servo turns the wrong way (sign of "
+           "pulse_per_degree_us), or the encoder counts the wrong way (its magnet or mounting)";
   }
   if (f.sign == 0 && f.noise_rad && *f.noise_rad < no_scatter_rad) {
     return fmt::format(
-        "its encoder reads {} deg whatever is commanded, without any scatter: the encoder is stuck, or "
-        "the canard does not move",
+        "its encoder reads {} deg for every command, without any scatter: the encoder is stuck, or the canard does not "
+        "move",
         fixed(degrees(f.stands_at_rad.value_or(0.0)), 2));
   }
   if (f.sign == 0) {
@@ -109,8 +107,8 @@ ZeroReading zero_reading(const Sheet& sheet, std::size_t canard) {
   const double scale = (*f.reached_positive_rad - *f.reached_negative_rad + play_rad) / way_rad;
   if (scale < smallest_scale || scale > largest_scale) {
     return {.refusal =
-                refused(canard, fmt::format("it moves {} deg for each degree commanded; from {} to {} that is a "
-                                            "scale, beyond it a horn that slips, a stop, or a wrong linkage",
+                refused(canard, fmt::format("it moves {} deg for each degree commanded; {} to {} is allowed. Look for "
+                                            "a horn that slips, a stop or a wrong linkage",
                                             fixed(scale, 4), fixed(smallest_scale, 2), fixed(largest_scale, 2)))};
   }
   const double trim_rad = sheet.bounds.centre_rad[canard];
@@ -118,10 +116,9 @@ ZeroReading zero_reading(const Sheet& sheet, std::size_t canard) {
   const double by_ends_rad = 0.5 * (*f.reached_positive_rad + *f.reached_negative_rad) +
                              scale * (trim_rad - 0.5 * (*f.told_positive_rad + *f.told_negative_rad));
   if (std::abs(at_trim_rad - by_ends_rad) > sheet.tolerances.reach_rad) {
-    return {.refusal =
-                refused(canard, fmt::format("its trim is {} deg off the line through both limits: a stop that it "
-                                            "runs into, or a linkage that is not even",
-                                            fixed(degrees(at_trim_rad - by_ends_rad), 2)))};
+    return {.refusal = refused(canard, fmt::format("its trim is {} deg off the line through both limits: it runs into "
+                                                   "a stop, or its linkage is not linear",
+                                                   fixed(degrees(at_trim_rad - by_ends_rad), 2)))};
   }
   // Least squares through three places of which the ends give the slope; the line passes the mean of all three.
   const double mean_command_rad = (trim_rad + *f.told_positive_rad + *f.told_negative_rad) / 3.0;
@@ -164,11 +161,8 @@ ZeroFields measured_fields(const core::CanardPlan& canard, const CanardZero& zer
 }
 
 std::string what_an_encoder_cannot_show() {
-  return "An encoder shows where the shaft stands against its own zero: where the fin makes no roll moment, and "
-         "whether "
-         "the servo or the encoder is off when they differ, or both by the same angle, only a gauge at the fin can "
-         "show "
-         "(fantail bench hold N 0).";
+  return "An encoder measures the shaft angle from its own zero. Only a gauge at the fin shows where the fin makes no "
+         "roll moment, and whether the servo, the encoder or both are off (fantail bench hold N 0).";
 }
 
 }  // namespace fantail::bench

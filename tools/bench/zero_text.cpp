@@ -19,7 +19,7 @@ std::string with_interval(const Measured& measured, int decimals) {
 
 std::string row(const char* field, const Measured& present, const Measured& measured, int decimals) {
   return fmt::format("  {:<22}{:>10}   {}\n", field, fixed(present.value, decimals),
-                     measured.plus_minus > 0.0 ? with_interval(measured, decimals) : "as it is");
+                     measured.plus_minus > 0.0 ? with_interval(measured, decimals) : "unchanged");
 }
 
 json::Value value(const Measured& measured) {
@@ -44,7 +44,7 @@ std::string zero_text(std::span<const CanardZero> zeros, const core::CanardsPlan
     out += row("pulse_per_degree_us", present.pulse_per_degree_us, measured.pulse_per_degree_us, 3);
     out += row("encoder_zero_deg", present.encoder_zero_deg, measured.encoder_zero_deg, 2);
   }
-  out += fmt::format("\n+-: 95 % of the mean of the runs. Trusted at the centre: the {}.\n{}\n",
+  out += fmt::format("\n+-: 95 % interval of the mean of the runs. Trusted at the centre: the {}.\n{}\n",
                      trusted == Trusted::encoder ? "encoder" : "servo", what_an_encoder_cannot_show());
   return out;
 }

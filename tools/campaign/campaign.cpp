@@ -44,7 +44,7 @@ void spare_tables(const std::vector<Spread>& spreads, const std::filesystem::pat
     }
     const std::filesystem::path beside = std::filesystem::absolute(spread.table).parent_path();
     if (std::error_code not_there; std::filesystem::equivalent(beside, folder, not_there)) {
-      throw text::OutputError{spread.table.string() + ": is what these results are made from; choose another folder"};
+      throw text::OutputError{spread.table.string() + ": these results are made from it; choose another folder"};
     }
   }
 }

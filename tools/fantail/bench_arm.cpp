@@ -75,7 +75,7 @@ void test(const ArmOptions& options, const link::AvionicsLink& link, link::ArmSt
   if (reply.self_test != protocol::SelfTestState::passed) {
     throw RequirementNotMet{"the self-test failed: " + replies::sentence(reply.failure, reply.canard)};
   }
-  tell(options, fmt::format("  passed; at rest the gyro reads {} deg/s about the long axis, which is taken off",
+  tell(options, fmt::format("  passed; at rest the gyro reads {} deg/s about the long axis, which is subtracted",
                             text::fixed(gyro_zero_deg_s(link), 2)));
 }
 
@@ -88,7 +88,7 @@ void await_switch(const ArmOptions& options, link::Place& place, link::AvionicsL
   for (const hal::Microseconds end = place.now() + switch_patience; !status(link).arm_switch_closed;) {
     if (place.now() >= end) {
       throw RequirementNotMet{
-          "the arm switch stayed open for the minute that a self-test is good for; the rocket is safe"};
+          "the arm switch stayed open for a minute, and the self-test has expired; the rocket is safe"};
     }
     look(place, link);
   }
@@ -147,11 +147,11 @@ void arm(const ArmOptions& options) {
 }  // namespace
 
 void add_bench_arm(const Verb& bench) {
-  auto verb = bench.verb("arm", "Walk through both actions that arm the rocket");
+  auto verb = bench.verb("arm", "Arm the rocket: self-test, arm switch, command");
   auto options = std::make_shared<ArmOptions>();
   add_bench_options(verb, options->bench, "Print one JSON object; the question goes to standard error");
   verb.flag("--yes", options->yes, "Do not ask on the terminal; for rehearsals and scripts");
-  verb.flag("--start", options->start, "In the tunnel: start control too");
+  verb.flag("--start", options->start, "In the wind tunnel: also start control");
   verb.examples(
       "Examples:\n"
       "  fantail bench arm --can can0                 self-test, switch, question, command\n"

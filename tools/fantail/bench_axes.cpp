@@ -25,7 +25,7 @@ void axes(const BenchOptions& options) {
     seen = bench::watch_turns(
         place, link, [](const bench::AskedTurn& turn) { say(fmt::format("{}: {}\n", turn.name, turn.instruction)); });
   } catch (const bench::NotTurned& error) {
-    throw RequirementNotMet{std::string{error.what()} + "; nothing is said of the axes"};
+    throw RequirementNotMet{std::string{error.what()} + "; the axes are not judged"};
   }
   bench::AxesResult result = bench::judge_axes(seen);
   if (const auto found = result.right ? std::nullopt : bench::mounting_of(seen, believed)) {
@@ -44,14 +44,14 @@ void axes(const BenchOptions& options) {
 }  // namespace
 
 void add_bench_axes(const Verb& bench) {
-  auto verb =
-      bench.verb("axes", "Turn the rocket as told: are axes, senses and scales of gyro and accelerometers right?");
+  auto verb = bench.verb(
+      "axes", "Turn the rocket as instructed, to check axes, directions and scales of gyro and accelerometers");
   auto options = std::make_shared<BenchOptions>();
   add_bench_options(verb, *options, "Print one JSON object");
   verb.examples(
       "Examples:\n"
       "  fantail bench axes --can can0              four turns by hand; the canards do not move\n"
-      "  fantail bench axes --can can0 --json       for a script; what to do is on standard error");
+      "  fantail bench axes --can can0 --json       for a script; instructions go to standard error");
   verb.action([options] { axes(*options); });
 }
 

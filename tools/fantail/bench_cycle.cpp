@@ -120,7 +120,7 @@ void cycle(const CycleOptions& options) {
       throw Interrupted{centred + "; no lap was complete, and nothing was written"};
     }
     write(result, options, folder);
-    throw Interrupted{centred + "; what was measured before is in " + folder.string()};
+    throw Interrupted{centred + "; the earlier measurements are in " + folder.string()};
   } catch (const link::LinkError& error) {
     result.ended_because = error.what();
     if (!result.laps.empty()) {
@@ -129,7 +129,7 @@ void cycle(const CycleOptions& options) {
     throw;
   }
   if (!session->close()) {
-    say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
+    say("fantail: " + options.bench.interface + ": the avionics did not confirm that the canards are centred\n");
   }
   write(result, options, folder);
   if (bench::judgement(result) != bench::Judgement::pass) {
@@ -140,10 +140,10 @@ void cycle(const CycleOptions& options) {
 }  // namespace
 
 void add_bench_cycle(const Verb& bench) {
-  auto verb = bench.verb("cycle", "All canards to their limits again and again: lag, tracking and battery over time");
+  auto verb = bench.verb("cycle", "Move all canards to their limits repeatedly: lag, tracking and battery over time");
   auto options = std::make_shared<CycleOptions>();
   add_bench_options(verb, options->bench, "Print cycle.json instead of the text");
-  verb.option("--for", options->seconds, "How long; whole laps of some seconds")
+  verb.option("--for", options->seconds, "Duration; rounded up to whole laps of some seconds")
       .range(1.0, 86'400.0)
       .value_name("SECONDS")
       .show_default();
@@ -151,8 +151,9 @@ void add_bench_cycle(const Verb& bench) {
   verb.option("--out", options->out, "Folder for cycle.json and cycle.csv [out/cycle]").offers(folders);
   verb.examples(
       "Examples:\n"
-      "  fantail bench cycle --can can0 --vehicle my_rocket.toml   ten minutes; exit code 1 when something fails\n"
-      "  fantail bench cycle --can can0 --for 60                   one minute; Ctrl-C ends it and keeps what there is\n"
+      "  fantail bench cycle --can can0 --vehicle my_rocket.toml   ten minutes; exit code 1 if a canard fails\n"
+      "  fantail bench cycle --can can0 --for 60                   one minute; Ctrl-C ends it and keeps the laps so "
+      "far\n"
       "  fantail bench cycle --can vcan0 --for 30 --json           for a script");
   verb.action([options] { cycle(*options); });
 }

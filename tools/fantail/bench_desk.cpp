@@ -61,7 +61,7 @@ Desk desk(const std::string& vehicle_name, const std::string& plan_name) {
 void expect_plan_in_force(const Desk& desk, const BenchOptions& options, const link::AvionicsLink& link) {
   const std::string& plan = desk.heading.plan;
   if (desk.plan_crc && *desk.plan_crc != link.reported<protocol::HeartbeatReport>("heartbeat").plan_crc) {
-    throw RequirementNotMet{"the rocket does not hold " + plan + "; send it with fantail bench plan " + plan +
+    throw RequirementNotMet{"the plan in the rocket is not " + plan + "; send it with fantail bench plan " + plan +
                             " --can " + options.interface};
   }
 }
@@ -103,7 +103,7 @@ std::unique_ptr<link::Session> open_session(link::Place& place, link::AvionicsLi
 std::string centre_after_interrupt(link::Session& session) {
   return session.close()
              ? "interrupted; the canards are centred"
-             : "interrupted; the avionics did not answer, and centres the canards by itself 0.1 s after the "
+             : "interrupted; the avionics did not answer, but it centres the canards by itself 0.1 s after the "
                "last heartbeat";
 }
 

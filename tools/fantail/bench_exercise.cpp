@@ -77,7 +77,7 @@ link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& 
         },
         [&](const link::Tick& tick) { page.take(tick); });
     if (!session.close()) {
-      say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
+      say("fantail: " + options.bench.interface + ": the avionics did not confirm that the canards are centred\n");
     }
     return recording;
   } catch (const bench::TooSlow& error) {
@@ -176,14 +176,14 @@ Verb add(const Verb& bench, const char* name, const char* meaning, const std::sh
   const Verb verb = bench.verb(name, meaning);
   add_bench_options(verb, options->bench, "Print sheet.json instead of the text");
   add_desk_options(verb, options->vehicle, options->plan);
-  add_page_options(verb, options->page, "the canards and the sheet, which fills while they move,");
+  add_page_options(verb, options->page, "the canards, and the sheet as it fills,");
   verb.option("--out", options->out, "Folder for sheet.html, sheet.json and sheet.csv [out/bench]").offers(folders);
   verb.action([options, make] { run(*options, make); });
   return verb;
 }
 
 void add_canard(const Verb& verb, ExerciseOptions& options) {
-  verb.option("--canard", options.canard, "Which one").range(1, 4).required().value_name("1..4");
+  verb.option("--canard", options.canard, "Which canard").range(1, 4).required().value_name("1..4");
 }
 
 }  // namespace
@@ -191,25 +191,25 @@ void add_canard(const Verb& verb, ExerciseOptions& options) {
 void add_bench_limits(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
   const Verb verb =
-      add(bench, "limits", "Every canard to both limits, alone and all together; a pass/fail sheet", options, limits);
-  verb.option("--canard", options->canard, "This one alone, for example after a repair [every one]")
+      add(bench, "limits", "Move every canard to both limits, alone and together; makes a pass/fail sheet", options,
+          limits);
+  verb.option("--canard", options->canard, "Only this canard, for example after a repair [all four]")
       .range(1, 4)
       .value_name("1..4");
   verb.examples(
       "Examples:\n"
-      "  fantail bench limits --can can0 --vehicle my_rocket.toml   half a minute; exit code 1 when something "
-      "fails\n"
+      "  fantail bench limits --can can0 --vehicle my_rocket.toml   half a minute; exit code 1 if a canard fails\n"
       "  fantail bench limits --can can0 --canard 3                 one canard alone, in a few seconds\n"
-      "  fantail bench limits --can can0 --plan tasha3_launch2      refused when the rocket holds another plan\n"
+      "  fantail bench limits --can can0 --plan tasha3_launch2      refused if the rocket has another plan\n"
       "  fantail bench limits --can can0 --page                     watch the sheet fill in a browser\n"
       "  fantail bench limits --can vcan0 --json --out out/rehearsal  for a script");
 }
 
 void add_bench_step(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
-  const Verb verb = add(bench, "step", "One canard to an angle at once, and back", options, step);
+  const Verb verb = add(bench, "step", "Move one canard to an angle in one step, and back", options, step);
   add_canard(verb, *options);
-  verb.option("--to", options->to_deg, "Shaft angle; so far from the trim that tolerances do not hide the step")
+  verb.option("--to", options->to_deg, "Shaft angle; far enough from the trim that tolerances do not hide the step")
       .range(-bench::widest_request_deg, bench::widest_request_deg)
       .value_name("DEG")
       .show_default();
@@ -222,18 +222,19 @@ void add_bench_step(const Verb& bench) {
 
 void add_bench_sine(const Verb& bench) {
   auto options = std::make_shared<ExerciseOptions>();
-  const Verb verb = add(bench, "sine", "One canard through a sine: amplitude ratio and phase lag", options, sine);
+  const Verb verb = add(bench, "sine", "Move one canard in a sine: amplitude ratio and phase lag", options, sine);
   add_canard(verb, *options);
-  verb.option("--amplitude", options->amplitude_deg, "About the centre; so large that tolerances do not hide it")
+  verb.option("--amplitude", options->amplitude_deg,
+              "Amplitude about the centre; large enough that tolerances do not hide it")
       .range(0.1, bench::widest_request_deg)
       .value_name("DEG")
       .show_default();
   verb.option("--frequency", options->frequency_hz, "").range(0.05, 50.0).value_name("HZ").show_default();
-  verb.option("--cycles", options->cycles, "0.1 to 60 s together").range(1, 3000).show_default();
+  verb.option("--cycles", options->cycles, "Number of cycles; 0.1 to 60 s in total").range(1, 3000).show_default();
   verb.examples(
       "Examples:\n"
       "  fantail bench sine --can can0 --canard 3                              3 deg, 2 Hz, five times\n"
-      "  fantail bench sine --can can0 --canard 3 --frequency 8 --cycles 20    as fast as the chirp goes\n"
+      "  fantail bench sine --can can0 --canard 3 --frequency 8 --cycles 20    the chirp's highest frequency\n"
       "  fantail bench sine --can vcan0 --canard 1 --amplitude 6 --json        for a script");
 }
 

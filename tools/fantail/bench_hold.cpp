@@ -76,19 +76,22 @@ void hold(const HoldOptions& options) {
     }
   } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it
   }
-  say(session.close() ? "the canards are centred\n"
-                      : "the avionics did not say that the canards are centred; it centres them by itself 0.1 s after "
-                        "the last heartbeat\n");
+  say(session.close()
+          ? "the canards are centred\n"
+          : "the avionics did not confirm that the canards are centred; it centres them by itself 0.1 s after "
+            "the last heartbeat\n");
 }
 
 }  // namespace
 
 void add_bench_hold(const Verb& bench) {
-  auto verb = bench.verb("hold", "One canard at an angle until Ctrl-C, with its encoder; then all are centred");
+  auto verb = bench.verb("hold", "Hold one canard at an angle until Ctrl-C and show its encoder; then all are centred");
   auto options = std::make_shared<HoldOptions>();
-  verb.option("CANARD", options->canard, "Which one, 1 to 4").range(1, 4).required();
-  verb.option("DEG", options->angle_deg, "Shaft angle; the avionics keeps its limit").range(-20.47, 20.47).required();
-  add_bench_options(verb, options->bench, "One object a second, one a line");
+  verb.option("CANARD", options->canard, "Which canard, 1 to 4").range(1, 4).required();
+  verb.option("DEG", options->angle_deg, "Shaft angle; the avionics keeps to its limit")
+      .range(-20.47, 20.47)
+      .required();
+  add_bench_options(verb, options->bench, "Print one JSON object a second, one per line");
   add_end_option(verb, options->seconds);
   verb.examples(
       "Examples:\n"

@@ -57,7 +57,7 @@ link::LogStretch stretch_of(LogVisit& visit) {
   const auto number = static_cast<std::size_t>(*visit.options.flight);
   if (number > flights.size()) {
     throw RequirementNotMet{
-        fmt::format("there is no flight {}; the rocket holds {}, see --list", number, flights.size())};
+        fmt::format("there is no flight {}; the rocket has {}, see --list", number, flights.size())};
   }
   return flights[number - 1].stretch;
 }
@@ -65,23 +65,22 @@ link::LogStretch stretch_of(LogVisit& visit) {
 std::string integrity_words(const link::RecordedFlight& flight, bool agrees) {
   if (!flight.intact()) {
     return fmt::format("{}: {} records missing, {} damaged bytes",
-                       agrees ? "damaged in the flash, by two fetches that agree" : "damaged, and not read alike twice",
+                       agrees ? "damaged in the flash (two downloads agree)" : "damaged, and two downloads differ",
                        flight.missing_records, flight.damaged_bytes);
   }
   if (flight.cut_off_bytes == 0) {
     return "intact";
   }
-  return agrees ? fmt::format(
-                      "intact, by two fetches that agree; of its last record, which was cut off, {} bytes are there",
-                      flight.cut_off_bytes)
-                : "not read alike twice";
+  return agrees ? fmt::format("intact (two downloads agree); its last record was cut off after {} bytes",
+                              flight.cut_off_bytes)
+                : "two downloads differ";
 }
 
 void say_file(LogVisit& visit, const FlightFile& file) {
   const link::RecordedFlight& flight = file.flight;
   const std::string path = (fs::path{visit.options.out} / file.name).string();
   if (flight.records == 0) {
-    visit.tell("{}  {} bytes, and no intact record in them\n", path, flight.end - flight.begin);
+    visit.tell("{}  {} bytes without an intact record\n", path, flight.end - flight.begin);
   } else {
     visit.tell("{}  {:.1f} s, {:.2f} MB, {}\n", path, flight.duration_s(),
                static_cast<double>(flight.end - flight.begin) / mega, integrity_words(flight, visit.check.agrees()));
@@ -103,7 +102,7 @@ void say_file(LogVisit& visit, const FlightFile& file) {
 template <typename Work>
 auto keeping(const link::LogPart& part, const link::LogStretch& stretch, const Work& work) {
   const auto kept = [&](const char* why) {
-    return fmt::format("{}; {} of {} bytes are kept in {}, and the same command goes on from there", why, part.size(),
+    return fmt::format("{}; {} of {} bytes are kept in {}, and the same command resumes from there", why, part.size(),
                        stretch.size, part.path().string());
   };
   try {
@@ -125,7 +124,7 @@ std::uint32_t download(LogVisit& visit, const link::LogStretch& stretch, link::L
 }
 
 link::LogCheck verify(LogVisit& visit, const link::LogStretch& stretch, link::LogPart& part, std::uint32_t resumed) {
-  Progress progress{"fetching again",
+  Progress progress{"downloading again",
                     {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size)}};
   return link::verify(visit.reader, stretch, part, resumed, [&](std::uint32_t done) { progress.show(done); });
 }
@@ -135,10 +134,11 @@ void say_check(LogVisit& visit) {
   visit.json["mended_bytes"] = check.mended_bytes;
   visit.json["unsteady_bytes"] = check.unsteady_bytes;
   if (check.mended_bytes > 0) {
-    visit.tell("{} bytes of what was there had been damaged on this PC, and were fetched again\n", check.mended_bytes);
+    visit.tell("{} bytes of the earlier download were damaged on this PC, and were downloaded again\n",
+               check.mended_bytes);
   }
   if (check.unsteady_bytes > 0) {
-    visit.tell("{} bytes were read differently each time: fetch them once more before you trust them\n",
+    visit.tell("{} bytes were different in each download: download again before you trust them\n",
                check.unsteady_bytes);
   }
 }
@@ -202,11 +202,11 @@ void add_bench_log(const Verb& bench) {
   verb.option("--out", options->out, "Folder for flight_001.ftl and so on [out/bench_log]")
       .offers(folders)
       .value_name("DIR");
-  auto flight =
-      verb.option("--flight", options->flight, "Only this one, numbered as in --list").range(1, 9999).value_name("N");
-  auto list_flag = verb.flag("--list", options->list, "List what is recorded, and download nothing");
-  auto erase_flag = verb.flag("--erase", options->erase,
-                              "Then erase the record; everything is downloaded and verified whole before that");
+  auto flight = verb.option("--flight", options->flight, "Only this flight, numbered as in --list")
+                    .range(1, 9999)
+                    .value_name("N");
+  auto list_flag = verb.flag("--list", options->list, "List the recorded flights, and download nothing");
+  auto erase_flag = verb.flag("--erase", options->erase, "Erase the record after all of it is downloaded and verified");
   verb.flag("--discard", options->discard, "Erase without downloading").needs(erase_flag);
   verb.flag("--yes", options->yes, "Do not ask before erasing an intact record; for scripts").needs(erase_flag);
   erase_flag.excludes(flight).excludes(list_flag);
@@ -214,8 +214,8 @@ void add_bench_log(const Verb& bench) {
   verb.examples(
       "An interrupted download resumes when the same command is given again.\n"
       "Examples:\n"
-      "  fantail bench log --can can0 --out launch_day    every flight into a file of its own\n"
-      "  fantail bench log --can can0 --list              what the rocket holds\n"
+      "  fantail bench log --can can0 --out launch_day    every flight into its own file\n"
+      "  fantail bench log --can can0 --list              the flights that the rocket holds\n"
       "  fantail bench log --can can0 --erase             download everything, ask, make room for the next flight");
   verb.action([options] { log(*options); });
 }

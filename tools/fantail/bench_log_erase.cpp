@@ -20,7 +20,7 @@ Consent consent_of(const LogVisit& visit) {
   if (visit.options.discard || visit.check.intact) {
     return {"Type ERASE to erase the flight record of the rocket, anything else to keep it: ", "ERASE"};
   }
-  return {fmt::format("The record is damaged in the flash itself: two fetches agree. What can be read of it is in {}. "
+  return {fmt::format("The record is damaged in the flash itself: two downloads agree. Its readable part is in {}. "
                       "Type ERASE DAMAGED to erase the record of the rocket, anything else to keep it: ",
                       visit.options.out),
           "ERASE DAMAGED"};
@@ -32,12 +32,12 @@ void expect_whole_copy(const LogVisit& visit) {
   }
   if (!visit.check.agrees()) {
     throw RequirementNotMet{
-        "not all of the record was read alike twice, so the flight record is kept; give the same command again"};
+        "two downloads of the record differ, so the flight record is kept; give the same command again"};
   }
   if (!visit.check.intact && visit.options.yes) {
     throw RequirementNotMet{
-        "the record is damaged in the flash, so --yes does not erase it and the flight record is kept; without --yes "
-        "you are asked"};
+        "the record is damaged in the flash, so --yes does not erase it and the flight record is kept; without --yes, "
+        "this program asks"};
   }
 }
 
@@ -85,7 +85,7 @@ void erase_record(LogVisit& visit) {
     visit.reader.erase(session, [&](std::uint32_t left) { progress.show(visit.info.used_bytes - left); });
     (void)session.close();
   } catch (const Interrupted&) {
-    throw Interrupted{"interrupted; the avionics stops erasing, and what it has not erased yet is still there"};
+    throw Interrupted{"interrupted; the avionics stops erasing, and the rest of the record is still there"};
   }
   visit.tell("the flight record is erased\n");
 }

@@ -87,12 +87,11 @@ void send(const PlanOptions& options) {
 
 void add_bench_plan(const Verb& bench) {
   auto verb =
-      bench.verb("plan", "Send a flight plan to the rocket, which checks and keeps it; or show the one in force");
+      bench.verb("plan", "Send a flight plan to the rocket, which checks and stores it; or show the one in force");
   auto options = std::make_shared<PlanOptions>();
-  verb.option(
-          "PLAN", options->plan,
-          "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl); or the word show, which reads "
-          "the plan in force back and prints it as a plan file")
+  verb.option("PLAN", options->plan,
+              "A shipped name, a plan file, or a block made by fantail plan compile (.ftpl). The word show prints the "
+              "plan in force as a plan file")
       .offers([](std::string_view begun) {
         manual::Offer offer = shipped(input::Shipped::plan)(begun);
         offer.words.emplace_back("show");

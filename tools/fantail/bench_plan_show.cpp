@@ -23,7 +23,8 @@ void show_plan_in_force(const BenchOptions& options) {
   await_rocket(options, place, link);
   const link::PlanInForce read = link::read_plan_in_force(place, link);
   if (!input::table_says_all(read.plan)) {
-    throw RequirementNotMet{"the plan in force has a value that no plan file gives, so it cannot be printed as one"};
+    throw RequirementNotMet{
+        "the plan in force has a value that a plan file cannot contain, so it cannot be printed as one"};
   }
   const std::string block_crc = fmt::format("{:08x}", read.block_crc);
   if (options.json) {

@@ -67,9 +67,9 @@ void watch(const WatchOptions& options) {
 }  // namespace
 
 void add_bench_watch(const Verb& bench) {
-  auto verb = bench.verb("watch", "Canards, phase, bus load and errors, live; one line a second in a pipe");
+  auto verb = bench.verb("watch", "Show canards, phase, bus load and errors live; one line a second in a pipe");
   auto options = std::make_shared<WatchOptions>();
-  add_bench_options(verb, options->bench, "One object a second, one a line");
+  add_bench_options(verb, options->bench, "Print one JSON object a second, one per line");
   add_end_option(verb, options->seconds);
   verb.examples(
       "Examples:\n"

@@ -96,7 +96,7 @@ core::FlightPlan with_zeros(const core::FlightPlan& plan, std::span<const bench:
 void expect_new_file(const std::string& file) {
   std::error_code ignored;
   if (!file.empty() && std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) {
-    throw text::OutputError{file + ": exists; choose another name for the new plan, no plan is overwritten"};
+    throw text::OutputError{file + ": exists, and no plan is overwritten; choose another name for the new plan"};
   }
   if (!file.empty()) {
     const std::filesystem::path folder = std::filesystem::path{file}.parent_path();
@@ -132,7 +132,7 @@ void zero(const ZeroOptions& options) {
       throw Interrupted{centre_after_interrupt(*session) + "; nothing was written"};
     }
     if (!session->close()) {
-      say("fantail: " + options.bench.interface + ": the avionics did not say that the canards are centred\n");
+      say("fantail: " + options.bench.interface + ": the avionics did not confirm that the canards are centred\n");
     }
   }
   if (options.bench.json) {
@@ -151,8 +151,8 @@ void zero(const ZeroOptions& options) {
 }  // namespace
 
 void add_bench_zero(const Verb& bench) {
-  auto verb =
-      bench.verb("zero", "Centre and scale of each canard against its encoder; writes them into a new plan file");
+  auto verb = bench.verb(
+      "zero", "Measure centre and scale of each canard against its encoder; can write them into a new plan file");
   auto options = std::make_shared<ZeroOptions>();
   add_bench_options(verb, options->bench, "Print one JSON object");
   verb.option("--plan", options->plan, "The plan that must be in force: a shipped name or a path")
@@ -161,12 +161,12 @@ void add_bench_zero(const Verb& bench) {
   verb.option("--write", options->write, "New plan file: the plan in force with the measured values")
       .offers(files)
       .value_name("FILE");
-  verb.option("--trust", options->trusted, "Which one stands right at the centre: then the other one is corrected")
+  verb.option("--trust", options->trusted, "Which of the two is right at the centre; the other one is corrected")
       .one_of({"encoder", "servo"})
       .show_default();
   verb.examples(
       "Examples:\n"
-      "  fantail bench zero --can can0                          a minute of movement; shows, and writes nothing\n"
+      "  fantail bench zero --can can0                          a minute of movement; writes nothing\n"
       "  fantail bench zero --can can0 --write my_plan_2.toml   the plan in force, its servo pulses corrected\n"
       "  fantail bench zero --can can0 --trust servo --write my_plan_2.toml   its encoder zeros corrected instead");
   verb.action([options] { zero(*options); });

@@ -20,13 +20,12 @@ LcmOutput::LcmOutput(const std::string& url) : url_{url} {
 
 std::string report_of(const telemetry::PublisherFigures& figures, const std::string& url) {
   if (!figures.complete) {
-    throw telemetry::TelemetryError{url + ": the messages could not all be written: is the disk full?"};
+    throw telemetry::TelemetryError{url + ": not all messages could be written: is the disk full?"};
   }
   if (figures.failed > 0) {
-    throw telemetry::TelemetryError{
-        fmt::format("{}: {} of {} messages could not be sent: is the network down? What does not go through LCM is "
-                    "complete",
-                    url, figures.failed, figures.failed + figures.published)};
+    throw telemetry::TelemetryError{fmt::format(
+        "{}: {} of {} messages could not be sent: is the network down? Everything except the LCM messages is complete",
+        url, figures.failed, figures.failed + figures.published)};
   }
   const std::string dropped =
       figures.dropped > 0 ? fmt::format(", {} dropped because the queue was full", figures.dropped) : "";

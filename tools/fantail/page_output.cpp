@@ -17,10 +17,10 @@ namespace fantail::tool {
 void add_page_options(const Verb& verb, PageOptions& options, const std::string& what) {
   verb.flag("--page", options.page,
             "Show " + what +
-                " on a page for browsers at http://127.0.0.1:8080/, which only this computer reaches. The page only "
-                "shows: nothing on it can move or arm anything");
+                " on a page in a browser at http://127.0.0.1:8080/, reachable from this computer only. Nothing on the "
+                "page can move or arm anything");
   verb.option("--page-at", options.at,
-              "The same at another address; 0.0.0.0 is for everybody on the network, port 0 is any free one")
+              "The same at another address; 0.0.0.0 can be reached from the network, port 0 means any free port")
       .check(live::objection_to_address)
       .value_name("HOST:PORT");
 }
@@ -31,17 +31,18 @@ live::Address address_of(const PageOptions& options) {
 
 void say_where(const live::Broadcast& page) {
   if (std::getenv("FANTAIL_WITH_VCAN") != nullptr) {  // NOLINT(concurrency-mt-unsafe): nobody changes it
-    say("page: with-vcan has a network of its own, so no browser outside of it can open this page\n");
+    say("page: with-vcan has its own network, so a browser outside of it cannot open this page\n");
   }
-  say(fmt::format(
-      "page: {}{}\n", page.address().url(),
-      page.address().is_of_this_computer_alone() ? "" : ", for everybody who reaches this computer; it only shows"));
+  say(fmt::format("page: {}{}\n", page.address().url(),
+                  page.address().is_of_this_computer_alone()
+                      ? ""
+                      : ", can be reached from other computers; nothing on it can move or arm anything"));
 }
 
 void wait_for_viewer(const live::Broadcast& page) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds longest{10};
-  say(fmt::format("page: it begins when a browser has opened the page, or in {} s\n", longest.count()));
+  say(fmt::format("page: starts when a browser opens the page, or after {} s\n", longest.count()));
   for (const auto end = Clock::now() + longest; page.figures().viewers == 0 && Clock::now() < end;) {
     give_up_if_interrupted();
     std::this_thread::sleep_for(std::chrono::milliseconds{20});
@@ -49,7 +50,7 @@ void wait_for_viewer(const live::Broadcast& page) {
 }
 
 std::string viewers_text(const live::ServerFigures& figures) {
-  return fmt::format("{} viewer{} at the same time at most, {} frames, {} dropped because a viewer was slow",
+  return fmt::format("at most {} viewer{} at the same time, {} frames, {} dropped because a viewer was slow",
                      figures.most_viewers, figures.most_viewers == 1 ? "" : "s", figures.frames_sent,
                      figures.frames_dropped);
 }

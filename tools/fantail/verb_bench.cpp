@@ -11,7 +11,7 @@ namespace fantail::tool {
 
 void add_bench_options(const Verb& verb, BenchOptions& options, const std::string& json_meaning) {
   add_can_option(verb, options.interface);
-  verb.option("--wait", options.wait_s, "Wait so long for the avionics to speak and the rocket to be at rest")
+  verb.option("--wait", options.wait_s, "Wait up to this long for the avionics to report and the rocket to be at rest")
       .range(0.0, 3600.0)
       .value_name("SECONDS");
   verb.flag("--json", options.json, json_meaning);
@@ -42,7 +42,7 @@ void fill(const Verb& bench) {
   bench.needs_verb();
   bench.examples(
       "Examples:\n"
-      "  fantail bench watch --can can0                            what the rocket reports, live\n"
+      "  fantail bench watch --can can0                            the rocket's reports, live\n"
       "  fantail bench limits --can can0 --vehicle my_rocket.toml  every canard to its limits; a sheet to sign\n"
       "  fantail bench arm --can can0                              self-test, switch, command");
   add_bench_watch(bench);

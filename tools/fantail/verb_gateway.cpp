@@ -54,7 +54,7 @@ class StatusPrinter {
     const bool silent = !spoken && silence_.expired(now);
     if (silent != silent_) {
       silent_ = silent;
-      tell(silent ? "the avionics is silent" : "the avionics speaks again");
+      tell(silent ? "the avionics is silent" : "the avionics reports again");
     }
     if (gateway_.restarts() != restarts_) {
       restarts_ = gateway_.restarts();
@@ -72,7 +72,7 @@ class StatusPrinter {
     const std::uint64_t failed = publisher_ != nullptr ? publisher_->figures().failed : 0;
     if (failed > 0 && !failure_told_) {
       failure_told_ = true;
-      tell("LCM does not take the messages: is the network down?");
+      tell("LCM does not accept the messages: is the network down?");
     }
   }
 
@@ -110,7 +110,7 @@ class Outlets final : public telemetry::Sink {
 
 void run(const GatewayOptions& options) {
   if (options.url.empty() && !options.page.wanted()) {
-    throw UsageError{"there is nowhere to send to: --lcm URL, --page or both are needed"};
+    throw UsageError{"there is no destination: --lcm URL, --page or both are needed"};
   }
   CanPlace place{options.interface};
   std::unique_ptr<telemetry::Publisher> publisher;
@@ -138,7 +138,7 @@ void run(const GatewayOptions& options) {
   } catch (const Interrupted&) {  // NOLINT(bugprone-empty-catch): the way to end it
   }
   const link::LinkFigures& heard = gateway.heard();
-  show("frames: {} of the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,
+  show("frames: {} from the avionics, {} lost, {} damaged, {} foreign, {} overrun\n", heard.frames, heard.lost,
        heard.damaged, heard.foreign, gateway.overrun());
   if (const std::string shown = page.finish(); !shown.empty()) {
     show("page: {}\n", shown);

@@ -135,8 +135,8 @@ void check_faults(const sim::Scenario& scenario) {
   for (const sim::Fault& fault : scenario.faults) {
     if (fault.device == sim::Device::bus || fault.device == sim::Device::flash) {
       throw text::Error{text::ErrorKind::bad_configuration,
-                        fmt::format("{}: faults.device = \"{}\" cannot be run as a node, whose bus and flash are this "
-                                    "machine's; allowed: the other devices",
+                        fmt::format("{}: faults.device = \"{}\" cannot be run as a node, which uses the bus and flash "
+                                    "of this machine; allowed: the other devices",
                                     scenario.name, input::name(fault.device))};
     }
   }
@@ -177,9 +177,8 @@ void run_node(const NodeOptions& options) {
   node.run(options.seconds);
   const hal::CanCounters counters = bus.counters();
   show(
-      "ended after {:.1f} s of the rocket's time; {} of {} ticks ended later than a millisecond after they were due, "
-      "{:.1f} s were left "
-      "out; frames: {} sent, {} received, {} dropped\n",
+      "ended after {:.1f} s of the rocket's time; {} of {} ticks ended more than a millisecond late, {:.1f} s were "
+      "left out; frames: {} sent, {} received, {} dropped\n",
       1e-3 * static_cast<double>(node.ticks()), node.pace().late(), node.ticks(),
       std::chrono::duration<double>{node.pace().left_out()}.count(), counters.sent, counters.received, counters.unsent);
   if (const std::string sent = lcm.finish(); !sent.empty()) {
@@ -194,9 +193,9 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<NodeOptions>();
   add_scenario_options(verb, options->scenario);
   add_can_option(verb, options->interface);
-  verb.option("--flash", options->flash,
-              "What the board keeps when it is switched off: plan, power-up count, flights "
-              "[out/SCENARIO/flash.bin]")
+  verb.option(
+          "--flash", options->flash,
+          "File for the flash of the board, kept between runs: plan, power-up count, flights [out/SCENARIO/flash.bin]")
       .offers(files)
       .value_name("FILE");
   add_lcm_option(verb, options->lcm, "Publish the flight as LCM messages");
@@ -205,7 +204,7 @@ void fill(const Verb& verb) {
   verb.examples(
       "Examples:\n"
       "  fantail node bench_healthy --can vcan0             a rocket on the bench, for fantail bench\n"
-      "  fantail node bench_canard3_reversed --can vcan0    the same with a fault for the bench to find\n"
+      "  fantail node bench_canard3_reversed --can vcan0    the same rocket with a fault to find\n"
       "  fantail node tasha3_launch2 --can can0 --for 60    with a real adapter: rehearse arming, type switch close "
       "and ignite");
   verb.action([options] { run_node(*options); });

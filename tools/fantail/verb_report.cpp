@@ -104,19 +104,20 @@ void fill(const Verb& verb) {
       .check(objection_to_time)
       .value_name("S")
       .needs(b);
-  auto align =
-      verb.option("--align", options->align,
-                  "none: leave the clocks unchanged. angle: shift by up to 2 s, to where the roll rates agree best")
-          .one_of({"none", "angle"})
-          .value_name("none|angle")
-          .show_default()
-          .needs(b);
+  auto align = verb.option("--align", options->align,
+                           "none: use the clocks unchanged. angle: find the shift, up to 2 s either way, at which the "
+                           "roll rates agree best")
+                   .one_of({"none", "angle"})
+                   .value_name("none|angle")
+                   .show_default()
+                   .needs(b);
   verb.option("--shift", options->shift_s, "Reading of B's clock at A's zero, s")
       .check(objection_to_time)
       .value_name("S")
       .excludes(align)
       .needs(b);
-  verb.flag("--remove-offset", options->remove_offset, "Roll angles count from different zeros: start both at A's")
+  verb.flag("--remove-offset", options->remove_offset,
+            "Remove a constant difference of the roll angles: both begin the window at A's angle")
       .needs(b);
   verb.flag("--json", options->json, "Print summary.json (for two flights compare.json) instead of the text");
   verb.examples(

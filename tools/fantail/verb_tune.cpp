@@ -76,8 +76,7 @@ std::filesystem::path plan_file(const TuneOptions& options) {
 void refuse_to_replace(const std::filesystem::path& file, const TuneOptions& options) {
   for (const std::filesystem::path& made_from : files_of(options.scenario)) {
     if (std::error_code not_there; std::filesystem::equivalent(file, made_from, not_there)) {
-      throw text::OutputError{file.string() +
-                              ": these results are made from this file; choose another place for the plan"};
+      throw text::OutputError{file.string() + ": these results are made from it; choose another place for the plan"};
     }
   }
   if (!options.force && std::filesystem::exists(file)) {

@@ -80,8 +80,8 @@ void watch(const WatchOptions& options) {
   }
   if (const std::uint64_t bytes = subscription.foreign_bytes(); bytes > 0) {
     throw text::Error{text::ErrorKind::bad_data,
-                      fmt::format("{}: {} bytes belong to no whole event: the log was cut off or is damaged; its whole "
-                                  "events were shown",
+                      fmt::format("{}: {} bytes are not part of a complete event: the log was cut off or is damaged; "
+                                  "its complete events were shown",
                                   options.url, bytes)};
   }
 }
@@ -90,13 +90,13 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<WatchOptions>();
   add_lcm_option(verb, options->url, "Where the messages come from").required();
   add_end_option(verb, options->seconds, "--for,--seconds");
-  verb.flag("--json", options->json, "One object a second, one a line");
+  verb.flag("--json", options->json, "Print one JSON object a second, one per line");
   add_page_options(verb, options->page);
   verb.examples(
       "Examples:\n"
       "  fantail watch --lcm udpm://239.255.76.67:7667            a live panel; Ctrl-C ends\n"
       "  fantail watch --lcm udpm:// | tee flight.txt             lines, from LCM's default address\n"
-      "  fantail watch --lcm udpm:// --page                       in a browser, too, for everybody in the room\n"
+      "  fantail watch --lcm udpm:// --page                       also on a page in a browser\n"
       "  fantail watch --lcm file:///tmp/flight.lcmlog --json     a log at its own pace, for a script");
   verb.action([options] {
     try {

@@ -103,9 +103,8 @@ Emulator::Emulator(const EmulatorOptions& options) {
   if (!std::filesystem::is_regular_file(options.image)) {
     throw text::Error{text::ErrorKind::no_such_input,
                       options.image.string() +
-                          ": no such file; it comes with the sources alone: there ./dev fly "
-                          "--on emulator builds build/arm/fantail-emulator.elf, which "
-                          "--image gives to a program that is installed"};
+                          ": no such file. Only the source tree can build it: ./dev fly --on emulator builds "
+                          "build/arm/fantail-emulator.elf. Pass that file to an installed program with --image"};
   }
   auto [target_in, to_target] = make_pipe();
   auto [from_target, target_out] = make_pipe();
@@ -172,7 +171,7 @@ void Emulator::ended() {
     said.pop_back();
   }
   throw TargetError{fmt::format("the emulated flight computer ended before the flight did: {}{}{}",
-                                how_it_ended(status), said.empty() ? "" : "; it said: ", said)};
+                                how_it_ended(status), said.empty() ? "" : "; it printed: ", said)};
 }
 
 std::filesystem::path built_image(const std::string& name) {

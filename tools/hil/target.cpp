@@ -80,11 +80,10 @@ Target::Target(std::unique_ptr<Wire> wire, Waiting waiting, const Timeouts& time
   if (!understood || version != protocol::hil_version || its_layout != layout) {
     throw text::Error{
         text::ErrorKind::bad_data,
-        fmt::format(
-            "the flight computer ({} {}, {}) speaks version {} of the link with layout {:08x}, and this program "
-            "version {} with layout {:08x}: build and load its image again, from the same sources",
-            identity_.image, identity_.version, identity_.git_hash, version, its_layout, protocol::hil_version,
-            layout)};
+        fmt::format("the flight computer ({} {}, {}) uses version {} of the link with layout {:08x}, but this program "
+                    "uses version {} with layout {:08x}. Build and load its image again from the same sources",
+                    identity_.image, identity_.version, identity_.git_hash, version, its_layout, protocol::hil_version,
+                    layout)};
   }
 }
 
@@ -146,7 +145,7 @@ const core::TickRecord& RemoteBoard::tick() {
 }
 
 core::Microseconds RemoteBoard::restart(const sim::Reset& /*reset*/) {
-  throw TargetError{"a flight computer at the end of a wire cannot be reset by the world"};
+  throw TargetError{"the simulator cannot reset a flight computer that runs outside of it"};
 }
 
 void RemoteBoard::begin() {

@@ -47,8 +47,8 @@ void await_avionics(Place& place, AvionicsLink& link, Microseconds longest) {
       throw LinkError{link.figures().frames == 0
                           ? "the avionics is silent: is it powered (its node running), is the bus terminated at both "
                             "ends, and does it run at 1 Mbit/s?"
-                          : "the avionics sends frames, but its heartbeat, its state, its canard limits or the report "
-                            "of its board is missing: is the bus overloaded?"};
+                          : "the avionics sends frames, but its heartbeat, state, canard limits or board report is "
+                            "missing: is the bus overloaded?"};
     }
     place.wait(glance);
   }

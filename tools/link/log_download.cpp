@@ -95,7 +95,7 @@ std::vector<std::byte> LogPart::read(std::uint32_t offset, std::uint32_t size) c
   std::ifstream file{path_, std::ios::binary};
   file.seekg(offset);
   if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {  // NOLINT
-    throw text::OutputError{path_.string() + ": what was downloaded cannot be read back"};
+    throw text::OutputError{path_.string() + ": the downloaded part cannot be read back"};
   }
   return bytes;
 }

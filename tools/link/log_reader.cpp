@@ -122,7 +122,7 @@ std::vector<std::byte> LogReader::read(LogAction what, std::uint32_t offset, std
       if (link_.count<protocol::LogReply>() == answers_before) {
         silent(what);
       }
-      throw LinkError{"what the avionics sends of its " + name(what) + " does not arrive whole: is the bus disturbed?"};
+      throw LinkError{"the " + name(what) + " of the avionics does not arrive complete: is the bus disturbed?"};
     }
   }
 }
@@ -178,7 +178,7 @@ void LogReader::expect_one_rocket(Session& session) {
   while (link_.count<protocol::HeartbeatReport>() < enough) {
     session.wait();
     if (timeout.expired(place_.now())) {
-      throw LinkError{"too few heartbeats came to be sure that one rocket alone is on the bus; nothing is erased"};
+      throw LinkError{"too few heartbeats arrived to be sure that only one rocket is on the bus; nothing is erased"};
     }
   }
 }

@@ -44,7 +44,7 @@ core::FlightPlan plan_of(const std::vector<std::byte>& block) {
     const protocol::PlanReply why{.state = protocol::TransferState::refused,
                                   .fault = protocol::TransferFault::bad_block,
                                   .block_fault = reading.fault};
-    throw LinkError{"what the avionics sent is no plan that this program can read: " + replies::sentence(why)};
+    throw LinkError{"the avionics sent a plan that this program cannot read: " + replies::sentence(why)};
   }
   return *reading.plan;
 }
@@ -157,8 +157,7 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     if (writing && writing->expired(place.now())) {
       throw LinkError{
           "the avionics has written the plan but does not use it yet: it comes into force when the phase is Safe and "
-          "no bench session or "
-          "self-test goes on"};
+          "no bench session or self-test is running"};
     }
     if (answer.expired(place.now())) {
       throw LinkError{"the avionics does not answer; its old plan stays in force"};

@@ -82,7 +82,8 @@ std::string objection_to_address(const std::string& text) {
   const auto parts = split(text);
   if (!parts || !(is_ip(parts->host) || is_name(parts->host)) || parts->port.empty() || !port_in(parts->port)) {
     return "\"" + text +
-           "\" is no address; allowed: HOST:PORT, for example 127.0.0.1:8080, [::1]:8080 or 0.0.0.0:8080, port 0 to "
+           "\" is not an address; allowed: HOST:PORT, for example 127.0.0.1:8080, [::1]:8080 or 0.0.0.0:8080, port 0 "
+           "to "
            "65535";
   }
   return {};

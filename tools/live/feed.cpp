@@ -28,10 +28,10 @@ std::string in_words(std::string_view name) {
   return words;
 }
 
-/// "Launched: launch detected", "Canard 3: stalled, and was healthy".
+/// "Launched: launch detected", "Canard 3: stalled, before: healthy".
 std::string event_words(const telemetry::Event& event) {
   if (event.verdict) {
-    return fmt::format("Canard {}: {}, and was {}", event.verdict->canard + 1,
+    return fmt::format("Canard {}: {}, before: {}", event.verdict->canard + 1,
                        in_words(core::name(event.verdict->verdict)), in_words(core::name(event.verdict->before)));
   }
   std::string words = in_words(core::name(event.phase->phase));

@@ -24,7 +24,7 @@ struct Source {
   /// alone.
   std::optional<double> settles_off_rad{};
   /// What has ended when no more comes, for people.
-  std::string what_ends{"The program that showed this"};
+  std::string what_ends{"The program behind this page"};
 };
 
 /// Turns what is heard of a rocket into frames for the page: the newest values, and what there is to plot since the

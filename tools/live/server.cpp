@@ -76,12 +76,12 @@ void Server::Http::answer_all() {
         if (request.method != "GET") {
           response.status = 405;
           response.set_header("Allow", "GET");
-          response.set_content("This page only shows: nothing can be sent to it.\n", "text/plain");
+          response.set_content("This page is read-only: nothing can be sent to it.\n", "text/plain");
           return httplib::Server::HandlerResponse::Handled;
         }
         if (request.get_header_value_count("Host") != 1 || !may_ask(address, request.get_header_value("Host"), name)) {
           response.status = 403;
-          response.set_content("This page is served at " + address.url() + " and under no other name.\n", "text/plain");
+          response.set_content("This page is served at " + address.url() + " only.\n", "text/plain");
           return httplib::Server::HandlerResponse::Handled;
         }
         return httplib::Server::HandlerResponse::Unhandled;
@@ -105,7 +105,7 @@ void Server::Http::answer_events(httplib::Response& response) {
     if (viewers.size() >= most_viewers) {
       figures.refused += 1;
       response.status = 503;
-      response.set_content(fmt::format("{} viewers are being served, and no more can be.\n", most_viewers),
+      response.set_content(fmt::format("{} viewers are connected, which is the maximum.\n", most_viewers),
                            "text/plain");
       return;
     }
@@ -156,11 +156,11 @@ Server::Server(const Address& address, Page page, std::function<std::string()> g
                                                                           : -1;
   if (port < 0) {
     const int error = errno;
-    throw std::runtime_error{fmt::format(
-        "{} cannot be served{}{}", address.url(), error != 0 ? ": " : "",
-        error == EADDRINUSE ? "another program listens there; another port is given with --page-at HOST:PORT"
-        : error != 0        ? std::strerror(error)
-                            : "")};
+    throw std::runtime_error{
+        fmt::format("{} cannot be served{}{}", address.url(), error != 0 ? ": " : "",
+                    error == EADDRINUSE ? "another program uses this port; choose another one with --page-at HOST:PORT"
+                    : error != 0        ? std::strerror(error)
+                                        : "")};
   }
   http.address.port = port;
   http.server.let_many_wait();

@@ -129,8 +129,8 @@ fly::Look ends_what_takes_too_long(const sim::Scenario& scenario) {
   const bool is_launch = scenario.surroundings == sim::Surroundings::flight;
   return [longest_s = is_launch ? longest_launch_s : longest_run_s](double simulated_s) {
     if (simulated_s > longest_s) {
-      refuse("a page flies this scenario for " + text::brief(longest_s, 0) +
-             " s at most, from power-up on; these settings take longer");
+      refuse("a page can fly this scenario for at most " + text::brief(longest_s, 0) +
+             " s from power-up; these settings take longer");
     }
   };
 }

@@ -43,7 +43,7 @@ std::string sentence(protocol::SessionReason reason) {
     case Reason::none_yet: return "there has been no session yet";
     case Reason::opened: return "it is open";
     case Reason::closed_by_bench: return "a bench closed it";
-    case Reason::heartbeat_lost: return "no heartbeat of the bench arrived for 0.1 s";
+    case Reason::heartbeat_lost: return "no heartbeat from the bench arrived for 0.1 s";
     case Reason::not_safe: return "the rocket is not in phase safe; open the arm switch";
     case Reason::not_at_rest:
       return "the rocket is moving; it must stand still for the plan's rest time (2 s unless changed)";
@@ -62,7 +62,7 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
     case Failure::not_safe: return "the rocket is not in phase safe";
     case Failure::moved: return "the rocket did not stand still";
     case Failure::gyro_failed: return "the gyro gives no usable rate";
-    case Failure::accelerometer_failed: return "an accelerometer that the plan needs gives no usable sample";
+    case Failure::accelerometer_failed: return "an accelerometer that the plan requires gives no usable sample";
     case Failure::specific_force_not_one_g:
       return "an accelerometer does not read 1 g along the axis (0.9 to 1.1 g); perhaps the rocket is not upright";
     case Failure::accelerometers_disagree: return "the two accelerometers disagree by more than the plan allows";
@@ -75,7 +75,7 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
     case Failure::flash_too_full: return "the flash has no room for a flight";
     case Failure::timed_out: return "it took too long";
     case Failure::board_fault: return "the board has a fault; `fantail bench watch` shows it";
-    case Failure::second_gyro_failed: return "the second gyro that the plan asks for gives no usable rate";
+    case Failure::second_gyro_failed: return "the second gyro that the plan requires gives no usable rate";
     case Failure::gyros_disagree: return "the two gyros disagree by more than the plan allows";
     case Failure::gyro_turns:
       return "the gyro reads a steady turn: its zero is off by more than half the plan's motion.quiet_rate_deg_s, or "
@@ -130,10 +130,10 @@ std::string sentence(const protocol::PlanReply& reply) {
     case Fault::none: return "no reason given";
     case Fault::not_safe: return "the rocket is not in phase safe, moves, or its canards are being moved";
     case Fault::wrong_size: return "a plan cannot have that size";
-    case Fault::out_of_order: return "its parts came out of order";
+    case Fault::out_of_order: return "its parts arrived out of order";
     case Fault::timed_out: return "the next part did not arrive within a second";
     case Fault::flash_failed: return "the flash does not answer";
-    case Fault::read_back_differs: return "reading the flash back gave other bytes than were written";
+    case Fault::read_back_differs: return "the data read back from the flash differ from the written data";
     case Fault::bad_block: break;
   }
   if (reply.field && *reply.field < core::flight_plan_fields().size()) {

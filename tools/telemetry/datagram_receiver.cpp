@@ -70,7 +70,7 @@ void DatagramReceiver::open(const Url& url) const {
       (size > 0 && !set(SOL_SOCKET, SO_RCVBUF, size)) ||
       ::bind(socket_.number, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
       !set(IPPROTO_IP, IP_ADD_MEMBERSHIP, group)) {
-    throw TelemetryError{url.text() + ": cannot listen there: " + std::strerror(errno)};
+    throw TelemetryError{url.text() + ": cannot receive there: " + std::strerror(errno)};
   }
 }
 

@@ -83,7 +83,7 @@ class FileOutlet final : public Outlet {
     }
     file.read(reinterpret_cast<char*>(first.data()), first.size());  // NOLINT: bytes as bytes
     if (first != sync) {
-      throw TelemetryError{path + ": exists and is no LCM log; allowed: a new name, or an LCM log to be replaced"};
+      throw TelemetryError{path + ": exists and is not an LCM log; allowed: a new name, or an LCM log to be replaced"};
     }
   }
 

@@ -24,7 +24,7 @@ class Subscription::Log {
       : file_{url.path()}, speed_{url.speed()}, log_{[this](std::span<char> to) { return file_.read(to); }} {
     next_ = log_.next();
     if (!next_) {
-      throw TelemetryError{url.text() + ": no whole event is in it; is it an LCM log, and all of it?"};
+      throw TelemetryError{url.text() + ": contains no complete event; is it an LCM log, and complete?"};
     }
   }
 

@@ -81,7 +81,7 @@ void Url::read_options(const std::string& options) {
     const std::string_view value = std::string_view{option}.substr(std::min(equals + 1, option.size()));
     if (!read_option(std::string_view{option}.substr(0, equals), value)) {
       throw std::invalid_argument{'"' + option + "\" is not an option of \"" + text_ + "\"; allowed: " +
-                                  (is_file() ? "speed=FACTOR (when it is read; 0: as fast as it goes)"
+                                  (is_file() ? "speed=FACTOR (for reading; 0: as fast as possible)"
                                              : "ttl=HOPS (0 to 255, 0: this computer only), recv_buf_size=BYTES")};
     }
     begin = end + 1;

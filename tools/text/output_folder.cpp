@@ -222,7 +222,7 @@ class Transaction {
 void spare(const fs::path& input, const fs::path& target) {
   std::error_code not_there;
   if (fs::equivalent(input, target, not_there)) {
-    throw OutputError{target.string() + ": is what these results are made from; choose another place for them"};
+    throw OutputError{target.string() + ": these results are made from it; choose another place for them"};
   }
 }
 

@@ -36,7 +36,7 @@ void Target::serve(std::uint32_t late) {
       overruns_ += ticked_ ? late : 0;
       tick(question.payload);
       break;
-    default: refuse("not a question"); break;
+    default: refuse("this is not a request"); break;
   }
 }
 
@@ -63,7 +63,7 @@ void Target::begin(std::span<const std::byte> payload) {
   const std::string_view vehicle = keep(reader.text(), vehicle_);
   const std::string_view sensors = keep(reader.text(), sensors_);
   if (!reader.ok() || !plan.plan) {
-    refuse(reader.ok() ? "the flight plan is not one" : "the message is not one");
+    refuse(reader.ok() ? "this is not a flight plan" : "this is not a valid message");
     return;
   }
   devices_.arm_switch.power_up();
@@ -103,12 +103,12 @@ void Target::tick(std::span<const std::byte> payload) {
   reader(random);
   entropy_.set(random);
   if (!avionics_) {
-    refuse("nothing was begun");
+    refuse("no flight was started");
     return;
   }
   take_frames(reader);
   if (!reader.ok()) {
-    refuse("the message is not one");
+    refuse("this is not a valid message");
     return;
   }
   ticked_ = true;

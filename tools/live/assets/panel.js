@@ -47,7 +47,7 @@
 
   // --- words and numbers ---
   const phases = {
-    safe: ["SAFE", "not armed; canards at trim, on the bench or in a self-test they move"],
+    safe: ["SAFE", "not armed; canards at trim, except in a bench session or self-test"],
     armed: ["ARMED", "waits for the launch; canards at trim"],
     launched: ["LAUNCHED", "not yet clear of the guide; canards at trim"],
     controlling: ["CONTROLLING", "the canards hold the roll"],
@@ -59,13 +59,13 @@
     const old = !connected || link.is === "old";
     document.body.classList.toggle("is-old", old && now !== null && now.phase !== undefined);
     if (now?.ended) {  // told by the program itself before it left
-      text("link", `${now.ended} has ended; this is the last that came`);
+      text("link", `${now.ended} has ended; the last data are shown`);
     } else if (!connected) {
       const since = lostSince === null ? "" : ` for ${((performance.now() - lostSince) / 1000).toFixed(0)} s`;
-      text("link", now ? `OLD: no connection${since}; this is the last that came` : "no connection; trying again");
+      text("link", now ? `OLD: no connection${since}; the last data are shown` : "no connection; trying again");
     } else {
       text("link", link.is === "live" ? "live" : link.is === "silent" ? "nothing received yet"
-        : `OLD: nothing new for ${link.age_s.toFixed(0)} s; this is the last that came`);
+        : `OLD: nothing new for ${link.age_s.toFixed(0)} s; the last data are shown`);
     }
     $("link").className = "pill " + (now?.ended ? "" : connected && link.is === "live" ? "live" : old ? "old" : "");
     if (!now || now.phase === undefined) return;
@@ -81,7 +81,7 @@
     text("roll", signed(now.roll_deg, 1));
     text("rate", signed(now.rate_deg_s, 1));
     text("link-about", `In the last ${link.span_s} s: ${link.received} messages received, ${link.lost} lost, ${link.late} late`
-      + (link.restarts > 0 ? `; the sender has begun anew ${link.restarts} times` : "")
+      + (link.restarts > 0 ? `; the sender has restarted ${link.restarts} times` : "")
       + `; ${dropped} frames did not reach this page.`);
     const health = now.health;
     text("sensors", health ? `Gyro ${health.gyro}, accelerometer ${health.accelerometer}`

@@ -33,7 +33,7 @@
     $("now-bar").className = "now " + state[1];
     document.body.classList.toggle("is-old", state[1] === "old");
     if (!now) return;
-    text("doing", now.why || (now.ended ? "the canards have been told to go to their centres" : now.now));
+    text("doing", now.why || (now.ended ? "the canards have been commanded to their centres" : now.now));
     if (now.of_s === 0) return;
     text("clock", `${now.time_s.toFixed(1)} of ${now.of_s.toFixed(1)} s`);
     $("progress").value = now.ended && !now.why ? 1 : now.time_s / now.of_s;

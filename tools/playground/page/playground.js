@@ -28,7 +28,7 @@
     $("refusal-text").textContent = sentence;
     // Where something has flown, "As shipped" stands beside it.
     $("start").hidden = !runs || flight !== null;
-    $("start").textContent = `Start from ${known(wanted.scenario) ? wanted.scenario : usual} as it is shipped`;
+    $("start").textContent = `Start from ${known(wanted.scenario) ? wanted.scenario : usual} as shipped`;
     document.body.classList.toggle("is-empty", flight === null);
     document.body.classList.add("is-old");
     pill("refused", "bad");
@@ -114,10 +114,10 @@
     $("verdict").textContent = summary.verdict;
     const margin = summary.loop_margins.reduce((least, {phase_margin_deg: value}) => Math.min(least, value), Infinity);
     const figures = [
-      ["largest error of roll", fixed(summary.outcome === "not_judged" ? null : summary.largest_hold_error_deg, 1, "deg")],
+      ["largest hold error", fixed(summary.outcome === "not_judged" ? null : summary.largest_hold_error_deg, 1, "deg")],
       ["rests from its command", fixed(summary.outcome === "not_judged" ? null : summary.rest_error_deg, 1, "deg")],
       ["canards at their limit", summary.saturated_fraction == null ? "\u2013" : fixed(100 * summary.saturated_fraction, 1, "%")],
-      ["left of their authority", fixed(summary.authority_margin_deg, 1, "deg")],
+      ["authority margin", fixed(summary.authority_margin_deg, 1, "deg")],
       ["least phase margin", fixed(Number.isFinite(margin) ? margin : null, 0, "deg")],
       ["control starts at", fixed(summary.events.control_start_s, 2, "s")],
       [speedName(summary), fixed(summary.max_speed_m_s, 1, "m/s")],
@@ -144,9 +144,9 @@
     const same = $("same");
     same.className = known === undefined ? "soft" : known === digest ? "same" : "differs";
     same.textContent = known === undefined
-      ? (asked.settings.size === 0 ? "" : "The page knows the native program's digests of the scenarios as they are shipped; with your settings, compare for yourself.")
-      : known === digest ? "Equal to that of the native program, which was asked when this page was made."
-        : `DIFFERENT from that of the native program, ${known}. This is an error in Fantail.`;
+      ? (asked.settings.size === 0 ? "" : "This page has the native program's digests of the shipped scenarios only. For your settings, run the command below and compare.")
+      : known === digest ? "Equal to the digest of the native program, taken when this page was made."
+        : `DIFFERENT from the digest of the native program, ${known}. This is an error in Fantail.`;
   }
 
   // --- the rocket turns ---

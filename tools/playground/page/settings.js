@@ -9,7 +9,7 @@ const fantailSettings = (() => {
 
   // "#tasha3_launch2&controller.proportional_gain=0.4" -> {scenario, settings: Map}, or {refusal}.
   function ofLink(hash) {
-    if (hash.length > longest) return {refusal: `The link is longer than ${longest} characters; no link of this page is.`};
+    if (hash.length > longest) return {refusal: `The link is longer than ${longest} characters, the longest that this page makes.`};
     const [scenario, ...parts] = hash.replace(/^#/, "").split("&");
     const settings = new Map();
     for (const part of parts) {
@@ -17,12 +17,12 @@ const fantailSettings = (() => {
       try {
         text = decodeURIComponent(part);
       } catch {
-        return {refusal: `"${part}" in the link is no text: a percent sign with something else than the code of a character behind it.`};
+        return {refusal: `"${part}" in the link is not text: a percent sign must be followed by the code of a character.`};
       }
       const equals = text.indexOf("=");
       const key = text.slice(0, Math.max(equals, 0)).trim();
-      if (key === "") return {refusal: `"${text}" in the link is no setting; allowed: section.key=value, as in controller.canard_limit_deg=6`};
-      if (/[\u0000-\u001f\u007f]/.test(text)) return {refusal: `The setting ${key} in the link holds a line break or another control character.`};
+      if (key === "") return {refusal: `"${text}" in the link is not a setting; allowed: section.key=value, as in controller.canard_limit_deg=6`};
+      if (/[\u0000-\u001f\u007f]/.test(text)) return {refusal: `The setting ${key} in the link contains a line break or another control character.`};
       if (settings.has(key)) return {refusal: `The link sets ${key} twice.`};
       settings.set(key, text.slice(equals + 1).trim());
     }
@@ -32,12 +32,12 @@ const fantailSettings = (() => {
     } catch {
       // said below
     }
-    return {refusal: `"${scenario}" in the link is no name of a scenario.`};
+    return {refusal: `"${scenario}" in the link is not the name of a scenario.`};
   }
 
   // Of what somebody types where one number belongs; "" when nothing speaks against it. To the loaders "0,4" is a list of two.
   const objection = (text) => /^\s*[-+]?\d*,\d+\s*$/.test(text)
-    ? `"${text.trim()}" is no number: a number is written with a point, as in ${text.trim().replace(",", ".")}.` : "";
+    ? `"${text.trim()}" is not a number: write it with a decimal point, as in ${text.trim().replace(",", ".")}.` : "";
 
   const code = (text) => encodeURIComponent(text).replace(/%5B/g, "[").replace(/%5D/g, "]").replace(/%2C/g, ",");
 
