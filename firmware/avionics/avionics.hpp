@@ -91,7 +91,7 @@ class Avionics {
   std::optional<core::Autopilot> autopilot_;  ///< never empty; a new plan makes a new one
   MemoryWatch memory_watch_;
   bool memory_was_damaged_ = false;  ///< since power-up
-  bool plan_is_lost_ = false;        ///< no copy of it is left: nobody knows a trim
+  bool plan_is_lost_ = false;        ///< no copy of it is left: the trims are unknown
   BusReceiver receiver_;
   BenchMode bench_mode_;
   SelfTest self_test_;

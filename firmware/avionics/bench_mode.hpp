@@ -39,7 +39,7 @@ class BenchMode {
 
   /// The state and why.
   [[nodiscard]] const protocol::SessionReply& reply() const { return reply_; }
-  /// True once, when that is an answer which nobody has seen.
+  /// True once, if that answer has not been sent yet.
   [[nodiscard]] bool take_news() { return std::exchange(news_, false); }
   /// The answer to an `open` that was refused, once: the state has not changed by it.
   [[nodiscard]] std::optional<protocol::SessionReply> take_refusal() { return std::exchange(refusal_, std::nullopt); }

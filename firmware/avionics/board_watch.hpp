@@ -17,7 +17,7 @@ namespace fantail::avionics {
 /// console.
 class BoardWatch {
  public:
-  /// However often faults come and go, they are told no sooner than this after the last time.
+  /// However often faults come and go, they are reported no sooner than this after the last time.
   static constexpr core::Microseconds shortest_pause{100'000};
 
   /// Once a tick. `missed_ticks`: by the flight law's own count; the board's goes on where a new plan has set that one

@@ -29,7 +29,7 @@ namespace fantail::avionics {
 class FlightMemory {
  public:
   static constexpr core::Microseconds period{10'000};
-  /// After so long nobody knows any more how the rocket lies.
+  /// After this time the attitude of the rocket is unknown.
   static constexpr core::Microseconds longest_gap{250'000};
   /// A flight that crashes the processor again and again is not flown on: the canards are brought to trim, in Safe.
   static constexpr std::uint32_t most_resumes = 3;

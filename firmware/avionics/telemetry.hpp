@@ -12,7 +12,7 @@
 
 namespace fantail::avionics {
 
-/// What is told every second, and of the board also when it changes.
+/// Reports of every second; that of the board also after a change.
 struct SlowReport {
   protocol::RejectionReport rejections{};
   protocol::LimitReport limits{};
@@ -20,7 +20,7 @@ struct SlowReport {
   bool board_is_news = false;
 };
 
-/// What one tick has to tell, beside its record.
+/// The content of a tick's reports beyond its record.
 struct Report {
   Situation situation{};
   bool self_test_running = false;
@@ -42,7 +42,7 @@ class Telemetry {
  public:
   void send(const core::TickRecord& record, const core::Inputs& inputs, const Report& report, hal::CanBus& bus);
 
-  /// The next send() tells one of the things that are told every second.
+  /// The next send() sends one of the reports of every second.
   [[nodiscard]] bool slow_report_is_due() const;
 
  private:

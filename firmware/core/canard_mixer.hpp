@@ -9,7 +9,7 @@
 
 namespace fantail::core {
 
-/// What one servo is told. Not driven: its output stays off, because where the canard stands is not known yet.
+/// The command to one servo. Not driven: its output stays off, because the canard's angle is not known yet.
 struct CanardCommand {
   Angle angle;            ///< of the shaft, positive as the encoder counts
   float pulse_us = 0.0F;  ///< of the servo at `angle`; 0 while it is not driven

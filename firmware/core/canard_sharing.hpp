@@ -14,7 +14,7 @@
 
 namespace fantail::core {
 
-/// What each canard adds to the roll: its angle from trim in the sense of positive roll; empty where nobody knows.
+/// What each canard adds to the roll: its angle from trim in the sense of positive roll; empty: unknown.
 using CanardContributions = std::array<std::optional<Angle>, canard_count>;
 
 /// Gives the work of canards that do not follow their commands to the others.

@@ -97,7 +97,7 @@ enum class HeightOrigin : std::uint8_t {
   from_detection,  ///< neither: both begin at zero, and are too small from then on
 };
 
-/// Which samples are believed, and what counts as rest.
+/// Which samples are accepted, and what counts as rest.
 struct MotionPlan {
   HeightOrigin height_origin;
   Microseconds stale_time;        ///< a sample older than this is no sample
@@ -150,7 +150,7 @@ struct OffsetPlan {
   float observer_bandwidth_rad_s;  ///< w, of an observer
 };
 
-/// How the rocket rolls, for a law that observes (Eq 1-3). Zero where nobody said so.
+/// The roll model, for a law with an observer (Eq 1-3). Zero if not given.
 struct RollModelPlan {
   float roll_inertia_kg_m2;  ///< I, after burn-out
   float reference_area_m2;   ///< A

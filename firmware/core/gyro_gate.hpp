@@ -27,7 +27,7 @@ inline constexpr std::size_t sensor_states = 4;
   return time <= now && time >= now - stale_time;  // not by its age, which of a time that is nonsense does not fit
 }
 
-/// Which samples of the gyro are believed.
+/// Which samples of the gyro are accepted.
 ///
 /// A gyro that falls silent in flight is waited for as long as the plan says, and believed again when five samples in a
 /// row agree: what a device says while it starts again does not. On the pad it is believed at once, because nothing
@@ -40,13 +40,13 @@ class GyroGate {
   /// Of the plan it takes `stale_time` and `longest_gyro_gap`.
   explicit GyroGate(const MotionPlan& plan) : stale_time_{plan.stale_time}, longest_gap_{plan.longest_gyro_gap} {}
 
-  /// fresh: the sample is believed. `roll_rate_rad_s`: of the last one that was.
+  /// fresh: the sample is accepted. `roll_rate_rad_s`: of the last one that was.
   SensorState update(Microseconds now, const GyroSample& sample, bool flies, float roll_rate_rad_s);
 
-  /// Could this sample be believed, if it followed a rate without a gap?
+  /// Could this sample be accepted, if it followed a rate without a gap?
   [[nodiscard]] bool is_usable(Microseconds now, const GyroSample& sample, float roll_rate_rad_s) const;
 
-  /// When the last one that was believed was measured; empty before the first.
+  /// When the last accepted one was measured; empty before the first.
   [[nodiscard]] const std::optional<Microseconds>& last_time() const { return last_time_; }
 
   /// What lies before this instant has been bridged by somebody else.

@@ -17,10 +17,10 @@ namespace fantail::core {
 /// Which of two gyros flies.
 enum class GyroVote : std::uint8_t {
   both,      ///< they agree, and the first is used
-  first,     ///< the first is used, and the second is not believed
-  second,    ///< the second is used, and the first is not believed
-  disagree,  ///< both say something that could be true, and not the same: neither is used
-  neither,   ///< none says anything that could be true
+  first,     ///< the first is used, and the second is rejected
+  second,    ///< the second is used, and the first is rejected
+  disagree,  ///< both are plausible but differ: neither is used
+  neither,   ///< none is plausible
 };
 /// How many values GyroVote has: one that is read must be below.
 inline constexpr std::size_t gyro_votes = 5;

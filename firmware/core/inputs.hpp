@@ -50,7 +50,7 @@ using EncoderAngles = std::array<std::optional<Angle>, canard_count>;
 
 /// Everything one control tick may know. A sample that was seen before has an unchanged `time`.
 struct Inputs {
-  Microseconds time{};  ///< of this tick: a sample of a later time is not believed
+  Microseconds time{};  ///< of this tick: a sample of a later time is rejected
   GyroSample gyro{};
   std::optional<GyroSample> second_gyro{};              ///< empty where the plan asks for one
   std::array<AccelerometerSample, 2> accelerometers{};  ///< of the IMU, and the second one

@@ -57,7 +57,7 @@ class OffsetEstimator {
     }
   }
 
-  /// Nobody knows what turned the rocket since the last update: the next rate has nothing to be compared with.
+  /// The cause of rotation since the last update is unknown: the next rate cannot be compared with the last.
   void interrupt() { last_rate_rad_s_.reset(); }
 
   /// What became the command of this tick.

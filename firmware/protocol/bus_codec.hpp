@@ -59,7 +59,7 @@ struct Decoded {
   std::optional<std::uint8_t> counter{};  ///< of a message that has one; whether it follows on, a Sequence knows
 };
 
-/// What the avionics may be told. Every bit is looked at: identifier, length, CRC-8, and every value against the range
+/// The messages to the avionics. Every bit is looked at: identifier, length, CRC-8, and every value against the range
 /// that the database states. `session`: the one that is open; a request for another one has a wrong CRC-8, and while
 /// none is open every request is stale.
 [[nodiscard]] Decoded<FromBench> decode_from_bench(const BusFrame& frame, std::optional<std::uint16_t> session);
@@ -68,7 +68,7 @@ struct Decoded {
 /// numbers: of 256 it takes one for the same.
 [[nodiscard]] bool told_apart(std::uint16_t session, std::uint16_t other);
 
-/// What a bench may hear.
+/// The messages that a bench may receive.
 [[nodiscard]] Decoded<FromAvionics> decode_from_avionics(const BusFrame& frame);
 
 /// The 4-bit counter of one kind of frame, at its sender: 0 to 15, and around.

@@ -21,7 +21,7 @@ inline constexpr std::uint8_t bus_protocol_version = 2;
 
 // From the avionics: reports, which move nothing.
 
-/// What the servos are told; empty: not driven.
+/// The commands to the servos; empty: not driven.
 struct CommandReport {
   PerCanard angle{};
 };

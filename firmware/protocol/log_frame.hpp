@@ -25,7 +25,7 @@ namespace fantail::protocol {
 inline constexpr std::byte log_sync{0xA5};
 inline constexpr std::size_t log_head_size = 14;
 inline constexpr std::size_t log_frame_overhead = log_head_size + 4;
-/// What claims to be longer is no frame.
+/// A longer one is not a frame.
 inline constexpr std::size_t largest_log_payload = 4096;
 
 /// Every record that this version writes. A reader passes over the types it does not know.

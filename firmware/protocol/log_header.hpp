@@ -31,7 +31,7 @@ inline constexpr std::size_t second_rate_scale_size = 4;
 
 struct LogHeader {
   std::uint16_t format_version = log_format_version;
-  std::uint32_t flight = 0;    ///< what one flight is told from another by: the place in flash where it begins
+  std::uint32_t flight = 0;    ///< distinguishes flights: the place in flash where it begins
   std::uint32_t power_up = 0;  ///< 0: not counted
   std::uint32_t state_layout = 0;
   float rate_scale_rad_s = 0.0F;
@@ -46,7 +46,7 @@ struct LogHeader {
   std::string_view schema{};
 };
 
-/// Everything before the plan block, but for what only two gyros have.
+/// Everything before the plan block, except for the fields of two gyros.
 [[nodiscard]] std::array<std::byte, log_header_fixed_size> encode(const LogHeader& header);
 /// That, where it has a second gyro's scale.
 [[nodiscard]] std::array<std::byte, second_rate_scale_size> encode_second_rate_scale(const LogHeader& header);

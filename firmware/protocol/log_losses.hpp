@@ -10,7 +10,7 @@
 
 namespace fantail::protocol {
 
-// What is not there of a flight log and is no damage.
+// Gaps in a flight log that are not damage.
 
 /// Whether `rest`, all that lies behind the last intact frame of a flight, is what a power cut or the end of a file
 /// left of the frame that came next: less than that, or than a page of flash more, because a page that was being

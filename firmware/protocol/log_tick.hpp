@@ -54,7 +54,7 @@ struct LogTick {
   bool saturated = false;
   bool timing_fault = false;
   core::Angle command{};  ///< of the roll, every bit of it
-  /// What the shafts are told, to 0.001 degrees; empty: not driven.
+  /// The commanded shaft angles, to 0.001 degrees; empty: not driven.
   std::array<std::optional<core::Angle>, core::canard_count> canard_commands{};
   core::Microseconds duration_before{};  ///< of the tick before this one; saturates at 65535 us
   std::uint32_t digest = 0;              ///< tick_digest() of the whole record

@@ -6,7 +6,7 @@
 
 namespace fantail::hal::emulator {
 
-/// Bytes to and from whoever plays the world.
+/// Bytes to and from the simulator of the world.
 class Channel {
  public:
   virtual ~Channel() = default;

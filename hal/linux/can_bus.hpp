@@ -25,11 +25,11 @@ class CanBus final : public hal::CanBus {
  public:
   static constexpr std::size_t queue_size = 64;  ///< frames that wait for the kernel
 
-  /// Hears the frames that pass one of the filters; without any, all with 11-bit identifiers. Throws CanError when the
-  /// interface is not there, is not up, is not CAN, or may not be used.
+  /// Receives the frames that pass one of the filters; without any, all with 11-bit identifiers. Throws CanError when
+  /// the interface is not there, is not up, is not CAN, or may not be used.
   explicit CanBus(std::string interface, std::span<const CanFilter> filters = {});
 
-  /// True: sent, or in the queue. Other programs on this PC hear the frame too; this object does not.
+  /// True: sent, or in the queue. Other programs on this PC receive the frame too; this object does not.
   bool send(const CanFrame& frame) override;
   std::optional<CanFrame> receive() override;
   [[nodiscard]] CanState state() const override { return state_; }

@@ -5,7 +5,7 @@
 
 namespace fantail::hal::on_linux {
 
-/// There is no bus to talk on; the message names the interface and says what to do.
+/// There is no bus to use; the message names the interface and tells what to do.
 class CanError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -19,7 +19,7 @@ struct CanFilter {
   bool extended = false;  ///< 29-bit frames; else 11-bit frames
 };
 
-/// What a controller or its driver says in an error frame.
+/// The content of an error frame from a controller or its driver.
 struct ErrorFrame {
   std::optional<CanState> state{};  ///< empty when the frame says nothing about it
   bool controller_overrun = false;  ///< frames were lost before the kernel saw them
@@ -56,7 +56,7 @@ enum class Wake : std::uint8_t { arrived, time_out, signal };
 /// Sleeps without listening.
 [[nodiscard]] Wake sleep_deaf(std::chrono::microseconds longest);
 
-/// One raw CAN socket, bound to one interface; hears no CAN FD frames and not its own.
+/// One raw CAN socket, bound to one interface; receives no CAN FD frames and not its own.
 class CanSocket {
  public:
   /// Throws CanError.

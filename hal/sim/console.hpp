@@ -5,7 +5,7 @@
 
 namespace fantail::hal::sim {
 
-/// Nobody listens.
+/// Discards all text.
 class Console final : public hal::Console {
  public:
   void write(std::string_view /*text*/) override {}

@@ -19,7 +19,7 @@ class Clock final : public hal::Clock {
   /// Time goes on at `time`, as after a reset in flight. Before anybody has read the clock.
   void begin_at(Microseconds time) { base_ = time - (now() - base_); }
 
-  /// For the interrupt handler of the timer, and for nobody else.
+  /// For the interrupt handler of the timer only.
   void tick() { ticks_ = ticks_ + 1; }
 
   [[nodiscard]] Microseconds now() const override;

@@ -25,15 +25,15 @@ class Console final : public hal::Console {
   void write(std::string_view text) override { send(std::as_bytes(std::span{text})); }
   /// What does not fit is dropped and counted.
   void send(std::span<const std::byte> bytes);
-  /// The oldest byte that has arrived and nobody has taken.
+  /// The oldest byte that has arrived and has not been taken.
   [[nodiscard]] std::optional<std::byte> take() { return arrived_.pop(); }
 
-  /// The interrupt handler, and nobody else calls it.
+  /// Called only by the interrupt handler.
   void on_interrupt();
 
   /// Bytes that were not sent because the queue was full, since power-up.
   [[nodiscard]] std::uint32_t dropped() const { return dropped_; }
-  /// Losses of one byte or more on arrival, since power-up: the handler came too late, or nobody took them.
+  /// Losses of one byte or more on arrival, since power-up: the handler came too late, or they were not taken in time.
   [[nodiscard]] std::uint32_t overruns() const { return overruns_; }
 
  private:

@@ -105,22 +105,17 @@ nb::tuple each_canard(const TickRecord& tick) {
 }
 
 constexpr const char* inputs_text =
-    "What one step of the control law may know.\n\n"
-    "time_us: of this step, on any clock that begins before the flight; a step is due every 1000 us.\n"
-    "rate_rad_s: angular rate (x, y, z) in the body frame, x to the nose; None: the gyro said nothing.\n"
-    "specific_force_m_s2: likewise; x reads +9.80665 on the pad.\n"
-    "encoders_rad: angle of each canard about its shaft; None: not known.\n"
-    "arm_switch_closed, arm_command: both arm; the command is one step long.\n"
-    "start_command: begins control in a plan with run.start = \"tunnel\", one step long.\n"
-    "second_...: of a second gyro or accelerometer, where the plan asks for one.\n"
-    "sample_time_us: when all this was measured, where it was not at time_us; a sample that was seen before keeps its "
-    "time.\n"
-    "..._saturated: it stands at the end of its range.";
+    "Inputs of one step of the control law.\n\ntime_us: time of this step, on any clock that starts before the flight; "
+    "a step is due every 1000 us.\nrate_rad_s: angular rate (x, y, z) in the body frame, x to the nose; None: no "
+    "reading.\nspecific_force_m_s2: (x, y, z) likewise; x reads +9.80665 on the pad.\nencoders_rad: angle of each "
+    "canard about its shaft; None: unknown.\narm_switch_closed, arm_command: together they arm; the command lasts one "
+    "step.\nstart_command: starts control with run.start = \"tunnel\", one step long.\nsecond_...: of a second gyro or "
+    "accelerometer, if the plan requires one.\nsample_time_us: time of the measurement, if it is not time_us; a "
+    "repeated sample keeps its time.\n..._saturated: the reading is at the end of its range.";
 
 constexpr const char* autopilot_text =
-    "The control law that flies in the rocket, for a simulator of your own.\n\n"
-    "Feed it every millisecond from the pad on (a still window of 3 s gives it the gyro's bias), arm it, and move the "
-    "canards to canards_rad of what step() returns.";
+    "The control law that flies in the rocket, for your own simulator.\n\nCall step() every millisecond from the pad "
+    "on (3 s at rest give the gyro's bias), arm it, and move the canards to canards_rad of the result.";
 
 }  // namespace
 
@@ -134,33 +129,33 @@ void bind_autopilot(nb::module_& m) {
            nb::arg("specific_force_saturated") = false)
       .def_prop_ro("time_us", [](const core::Inputs& inputs) { return inputs.time.count(); });
 
-  nb::class_<TickRecord>(m, "Tick", "What one step of the control law came to.")
+  nb::class_<TickRecord>(m, "Tick", "Result of one step of the control law.")
       .def_prop_ro("time_us", [](const TickRecord& t) { return t.time.count(); })
       .def_prop_ro(
           "phase", [](const TickRecord& t) { return core::name(t.phase); },
           "safe, armed, launched, controlling or finished")
       .def_prop_ro(
-          "reason", [](const TickRecord& t) { return core::name(t.reason); }, "Why the phase is what it is")
+          "reason", [](const TickRecord& t) { return core::name(t.reason); }, "Reason for the phase")
       .def_prop_ro(
           "command_rad", [](const TickRecord& t) { return t.command.radians(); },
-          "Canard angle asked for of the roll, within the plan's limit")
+          "Roll command as a canard angle, within the plan's limit")
       .def_prop_ro(
-          "saturated", [](const TickRecord& t) { return t.saturated; }, "The limit cut the command")
+          "saturated", [](const TickRecord& t) { return t.saturated; }, "The command was cut to its limit")
       .def_prop_ro("canards_rad", &each_canard<[](const core::CanardCommand& c) { return c.angle.radians(); }>,
-                   "Shaft angle that each canard is told, positive as its encoder counts")
+                   "Shaft angle commanded to each canard, positive as its encoder counts")
       .def_prop_ro("pulses_us", &each_canard<[](const core::CanardCommand& c) { return c.pulse_us; }>,
                    "Pulse for each servo")
       .def_prop_ro("driven", &each_canard<[](const core::CanardCommand& c) { return c.driven; }>,
                    "False: this servo's output stays off")
       .def_prop_ro(
           "roll_angle_rad", [](const TickRecord& t) { return t.motion.roll_angle.radians(); },
-          "Since launch detection, in the tunnel since control start; not wrapped")
+          "Roll angle since launch detection, in the tunnel since control start; not wrapped")
       .def_prop_ro("roll_rate_rad_s", [](const TickRecord& t) { return t.motion.roll_rate_rad_s; })
       .def_prop_ro("reference_rad", [](const TickRecord& t) { return t.reference.radians(); })
       .def_prop_ro(
-          "height_m", [](const TickRecord& t) { return t.motion.height_m; }, "Above the place of lift-off")
+          "height_m", [](const TickRecord& t) { return t.motion.height_m; }, "Height above the place of lift-off")
       .def_prop_ro(
-          "speed_m_s", [](const TickRecord& t) { return t.motion.speed_m_s; }, "Along the guide")
+          "speed_m_s", [](const TickRecord& t) { return t.motion.speed_m_s; }, "Speed along the guide")
       .def_prop_ro("signals", &signals, "Every signal by its name with its unit; an enumeration as a word");
 
   auto bound_autopilot =

@@ -31,7 +31,7 @@ void translate(const std::exception_ptr& trouble, void*) {
 }  // namespace fantail::python
 
 NB_MODULE(_core, m) {
-  m.doc() = "The libraries of Fantail; the package fantail is what to use.";
+  m.doc() = "The libraries of Fantail; use the package fantail instead.";
   nb::register_exception_translator(fantail::python::translate);
   fantail::text::check_while_reading(fantail::python::give_up_if_interrupted);
   fantail::python::bind_plans(m);

@@ -45,16 +45,16 @@ def campaign(client, scenario, out, shards, **options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scenario", help="a shipped name, or a path that every worker sees")
+    parser.add_argument("scenario", help="a shipped name, or a path that every worker can read")
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=1000)
-    parser.add_argument("--shards", type=int, default=4, help="parts, of 64 runs at least; several for each worker")
-    parser.add_argument("--scheduler", help="of a cluster that is there, as tcp://10.0.0.1:8786")
+    parser.add_argument("--shards", type=int, default=4, help="number of parts, each of at least 64 runs; several for each worker")
+    parser.add_argument("--scheduler", help="address of a running cluster, for example tcp://10.0.0.1:8786")
     parser.add_argument("--workers", type=int, default=2, help="processes on this machine, without --scheduler")
     options = parser.parse_args()
     for name in ("runs", "shards", "workers"):
         if getattr(options, name) < 1:
-            parser.error(f"--{name} {getattr(options, name)}; allowed: 1 and more")
+            parser.error(f"--{name} {getattr(options, name)}; allowed: 1 or more")
     parts = math.ceil(options.runs / RUNS_OF_A_PART)
     if options.shards > parts:
         parser.error(f"--shards {options.shards}; allowed: 1 to {parts}, because {options.runs} runs are flown by "

@@ -5,13 +5,13 @@
 >>> flight = fantail.fly("tasha3_launch2", set={"controller.canard_limit_deg": 9})
 >>> flight["roll_angle_deg"]        # numpy, one value a row of flight.csv
 >>> flight.events["apogee_s"]       # seconds after lift-off
->>> flight.summary["verdict"]       # what summary.json says
+>>> flight.summary["verdict"]       # as in summary.json
 
-Each verb of the programs that answers with --json is a function with its options as arguments, of which help() tells:
+Each verb of the programs that answers with --json is a function whose arguments are its options; help() lists them:
 
 >>> fantail.predict("tasha3_launch1", swirl_deg=-2)["answer"]
 
-Names carry their units. What the programs refuse is a ValueError in the same words.
+Names carry their units. What the programs refuse raises a ValueError with the same message.
 """
 import os as _os
 import pathlib as _pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What arguments of the functions must be, beyond what the programs' own code refuses."""
+"""Checks of arguments, beyond those that the programs' own code makes."""
 from __future__ import annotations
 
 import numbers
@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 
 
 def in_range(name: str, value: Any, least: float, most: float) -> None:
-    """A whole number where both ends are; None is nobody's choice."""
+    """A whole number if both bounds are whole; None means not given."""
     if value is None:
         return
     whole = isinstance(least, int) and isinstance(most, int)
@@ -20,21 +20,21 @@ def in_range(name: str, value: Any, least: float, most: float) -> None:
 
 
 def utf8(name: str, value: str) -> str:
-    """Python keeps bytes of a name that are not UTF-8 as halves of characters, and no library takes those for text."""
+    """Python keeps bytes that are not UTF-8 as surrogates, which no library accepts as text."""
     try:
         value.encode()
     except UnicodeEncodeError:
-        raise ValueError(f"{name} = {value!r}; allowed: text in UTF-8; rename the file if this is the name of one") from None
+        raise ValueError(f"{name} = {value!r}; allowed: text in UTF-8; if this is the name of a file, rename it") from None
     return value
 
 
 def path(name: str, value: Union[str, os.PathLike[str]]) -> str:
-    """The name of a file, or of what is shipped."""
+    """The name of a file, or a shipped name."""
     return utf8(name, os.fsdecode(value))
 
 
 def folder(name: str, value: Union[str, os.PathLike[str]]) -> str:
-    """An empty name would be the folder that one happens to be in."""
+    """An empty name would mean the current folder."""
     text = path(name, value)
     if not text:
         raise ValueError(f"{name}: it is empty")
@@ -42,7 +42,7 @@ def folder(name: str, value: Union[str, os.PathLike[str]]) -> str:
 
 
 def several(name: str, values: Optional[Iterable[Any]], what: str) -> list[Any]:
-    """A text is no list, though Python would take it for one of letters."""
+    """A text is not a list, although Python would iterate over its letters."""
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise ValueError(f"{name} = {values!r}; allowed: a list of {what}")
     return list(values)

@@ -18,13 +18,13 @@ _TYPES = {"run": np.uint64, "seed": np.uint64, "outcome": str, "note": str}
 
 
 class Campaign:
-    """The runs of a campaign, one value a run in every column; those of a shard, where one was flown."""
+    """The runs of a campaign, or of a shard of one: each column has one value per run."""
 
     def __init__(self, said: dict[str, Any], folder: str) -> None:
-        #: The folder with runs.csv.gz, campaign.json and, of a whole campaign, summary.json, campaign.html and the flight
+        #: The folder with runs.csv.gz, campaign.json and, for a whole campaign, summary.json, campaign.html and the flight
         #: reports of its worst runs.
         self.folder = folder
-        #: summary.json as a dict; None of a shard.
+        #: summary.json as a dict; None for a shard.
         self.summary: Optional[dict[str, Any]] = None if "shard" in said else said
         with gzip.open(os.path.join(folder, "runs.csv.gz"), "rt", encoding="utf-8", newline="") as table:
             names, *self._rows = csv.reader(table)
@@ -32,14 +32,14 @@ class Campaign:
 
     @property
     def quantities(self) -> list[str]:
-        """What was drawn: the names of its columns."""
+        """The names of the columns with drawn quantities."""
         return self.columns[self.columns.index("seed") + 1:self.columns.index("outcome")]
 
     def __len__(self) -> int:
         return len(self._rows)
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """A column, as in runs.csv.gz, that nobody can write to; NaN where a run has no such figure."""
+        """A read-only column, as in runs.csv.gz; NaN where a run has no such figure."""
         if name not in self.columns:
             raise KeyError(_changes.unknown(name, self.columns))
         place, kind = self.columns.index(name), _TYPES.get(name, float)
@@ -65,12 +65,12 @@ def campaign(scenario: Name, set: Optional[_changes.Changes] = None, *, out: Pat
 
 
 campaign.__doc__ = (campaign.__doc__ or "").replace(
-    "What `fantail campaign --json` says, as a dict. Files are kept where `out` names a folder.",
-    "Returns the runs, with what `fantail campaign --json` says as `summary`. Its files are kept in the folder `out`.")
+    "Returns the output of `fantail campaign --json` as a dict. Files are kept if `out` names a folder.",
+    "Returns the runs, with the output of `fantail campaign --json` as `summary`. Its files are kept in the folder `out`.")
 
 
 def merge_campaign(shards: Sequence[Path], out: Path) -> int:
-    """Puts the folders of all shards of one campaign together: the bytes of the campaign flown as one. Returns its runs.
+    """Merges the folders of all shards of one campaign, with the same bytes as one flown whole. Returns its runs.
 
     Then `campaign()` with the same arguments, without `shard`, flies nothing and makes the summary. Raises ValueError.
     """

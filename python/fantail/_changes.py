@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Changes of a scenario or a plan, as `--set` has them."""
+"""Changes of a scenario or a plan, as in `--set`."""
 from __future__ import annotations
 
 import difflib
@@ -38,9 +38,9 @@ def text(name: str, value: Any, *, in_list: bool = False) -> str:
 
 
 def unknown(name: object, known: Iterable[str]) -> str:
-    """A complaint, with the name that was probably meant."""
+    """An error message, with the name that was probably meant."""
     meant = difflib.get_close_matches(str(name), list(known), n=1)
-    return f"{name!r} is not there" + (f"; did you mean {meant[0]}?" if meant else "")
+    return f"{name!r} does not exist" + (f"; did you mean {meant[0]}?" if meant else "")
 
 
 def words(changes: Changes | None) -> list[str]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The libraries of Fantail; the package fantail is what to use."""
+"""The libraries of Fantail; use the package fantail instead."""
 
 from collections.abc import Sequence
 from typing import Annotated
@@ -188,17 +188,17 @@ def read_flight(path: str) -> Flight: ...
 
 class Inputs:
     """
-    What one step of the control law may know.
+    Inputs of one step of the control law.
 
-    time_us: of this step, on any clock that begins before the flight; a step is due every 1000 us.
-    rate_rad_s: angular rate (x, y, z) in the body frame, x to the nose; None: the gyro said nothing.
-    specific_force_m_s2: likewise; x reads +9.80665 on the pad.
-    encoders_rad: angle of each canard about its shaft; None: not known.
-    arm_switch_closed, arm_command: both arm; the command is one step long.
-    start_command: begins control in a plan with run.start = "tunnel", one step long.
-    second_...: of a second gyro or accelerometer, where the plan asks for one.
-    sample_time_us: when all this was measured, where it was not at time_us; a sample that was seen before keeps its time.
-    ..._saturated: it stands at the end of its range.
+    time_us: time of this step, on any clock that starts before the flight; a step is due every 1000 us.
+    rate_rad_s: angular rate (x, y, z) in the body frame, x to the nose; None: no reading.
+    specific_force_m_s2: (x, y, z) likewise; x reads +9.80665 on the pad.
+    encoders_rad: angle of each canard about its shaft; None: unknown.
+    arm_switch_closed, arm_command: together they arm; the command lasts one step.
+    start_command: starts control with run.start = "tunnel", one step long.
+    second_...: of a second gyro or accelerometer, if the plan requires one.
+    sample_time_us: time of the measurement, if it is not time_us; a repeated sample keeps its time.
+    ..._saturated: the reading is at the end of its range.
     """
 
     def __init__(self, time_us: int, rate_rad_s: Sequence[float] | None = None, specific_force_m_s2: Sequence[float] | None = None, encoders_rad: Sequence[float | None] = [None, None, None, None], *, arm_switch_closed: bool = False, arm_command: bool = False, start_command: bool = False, second_rate_rad_s: Sequence[float] | None = None, second_specific_force_m_s2: Sequence[float] | None = None, sample_time_us: int | None = None, rate_saturated: bool = False, specific_force_saturated: bool = False) -> None: ...
@@ -207,7 +207,7 @@ class Inputs:
     def time_us(self) -> int: ...
 
 class Tick:
-    """What one step of the control law came to."""
+    """Result of one step of the control law."""
 
     @property
     def time_us(self) -> int: ...
@@ -218,19 +218,19 @@ class Tick:
 
     @property
     def reason(self) -> str:
-        """Why the phase is what it is"""
+        """Reason for the phase"""
 
     @property
     def command_rad(self) -> float:
-        """Canard angle asked for of the roll, within the plan's limit"""
+        """Roll command as a canard angle, within the plan's limit"""
 
     @property
     def saturated(self) -> bool:
-        """The limit cut the command"""
+        """The command was cut to its limit"""
 
     @property
     def canards_rad(self) -> tuple:
-        """Shaft angle that each canard is told, positive as its encoder counts"""
+        """Shaft angle commanded to each canard, positive as its encoder counts"""
 
     @property
     def pulses_us(self) -> tuple:
@@ -242,7 +242,7 @@ class Tick:
 
     @property
     def roll_angle_rad(self) -> float:
-        """Since launch detection, in the tunnel since control start; not wrapped"""
+        """Roll angle since launch detection, in the tunnel since control start; not wrapped"""
 
     @property
     def roll_rate_rad_s(self) -> float: ...
@@ -252,11 +252,11 @@ class Tick:
 
     @property
     def height_m(self) -> float:
-        """Above the place of lift-off"""
+        """Height above the place of lift-off"""
 
     @property
     def speed_m_s(self) -> float:
-        """Along the guide"""
+        """Speed along the guide"""
 
     @property
     def signals(self) -> dict:
@@ -264,9 +264,9 @@ class Tick:
 
 class Autopilot:
     """
-    The control law that flies in the rocket, for a simulator of your own.
+    The control law that flies in the rocket, for your own simulator.
 
-    Feed it every millisecond from the pad on (a still window of 3 s gives it the gyro's bias), arm it, and move the canards to canards_rad of what step() returns.
+    Call step() every millisecond from the pad on (3 s at rest give the gyro's bias), arm it, and move the canards to canards_rad of the result.
     """
 
     def __init__(self, plan: Plan) -> None: ...

@@ -22,9 +22,9 @@ _PHASES = numpy.array(_core.phase_names())
 class Flight(Mapping):
     """A flown flight: its columns by name, `flight["roll_angle_deg"]`.
 
-    The columns are those of flight.csv, a value a row, as numpy arrays that nobody can write to: float64, NaN where
-    nobody knew it; bool for flags; words for `phase`. `time_s` is 0 at lift-off, in the tunnel at control start. The
-    true_ columns are what only a simulator knows. A column is made when it is first asked for.
+    The columns are those of flight.csv, a value a row, as read-only numpy arrays: float64, NaN where
+    the value is unknown; bool for flags; words for `phase`. `time_s` is 0 at lift-off, in the tunnel at control start. The
+    true_ columns hold values that only a simulator has. A column is made at its first use.
     """
 
     def __init__(self, core: _core.Flight) -> None:
@@ -56,22 +56,22 @@ class Flight(Mapping):
 
     @functools.cached_property
     def events(self) -> dict[str, Optional[float]]:
-        """When what happened, in seconds on the clock of `time_s`; None: it did not, or nobody could see it."""
+        """Times of the events in seconds on the clock of `time_s`; None: it did not happen, or is unknown."""
         return self._core.events
 
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
-        """What summary.json says."""
+        """The content of summary.json."""
         return json.loads(self._core.summary_json)
 
     @property
     def verdict(self) -> str:
-        """A sentence on what the flight came to."""
+        """The verdict on the flight, one sentence."""
         return self._core.verdict
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Faults, assumptions and what is doubtful, a sentence each."""
+        """Faults, assumptions and doubts, a sentence each."""
         return tuple(self._core.notes)
 
     @property
@@ -84,17 +84,17 @@ class Flight(Mapping):
 
     @property
     def seed(self) -> Optional[int]:
-        """Of a simulated flight."""
+        """The seed of a simulated flight."""
         return self._core.seed
 
     @property
     def plan(self) -> Optional[Plan]:
-        """The flight plan that flew; None where it is not known."""
+        """The flight plan that flew; None if it is unknown."""
         return Plan(self._core.plan) if self._core.knows_plan else None
 
     @property
     def log(self) -> bytes:
-        """What the avionics recorded itself: the content of flight.ftl. Empty: nothing."""
+        """The avionics' own record: the content of flight.ftl. Empty if there is none."""
         return self._core.log
 
     def write(self, folder: Union[str, os.PathLike[str]]) -> None:
@@ -103,7 +103,7 @@ class Flight(Mapping):
 
     @functools.cached_property
     def _folder(self) -> str:
-        """With its files, for the verbs; it is gone with the flight."""
+        """A folder with the files of the flight, for the verbs; deleted with the flight."""
         place = tempfile.mkdtemp()
         weakref.finalize(self, shutil.rmtree, place, True)
         folder = os.path.join(place, self.scenario)
@@ -122,9 +122,9 @@ class Flight(Mapping):
 
 def fly(scenario: Union[Scenario, Name], set: Optional[_changes.Changes] = None,  # noqa: A002  the word of the programs
         seed: Optional[int] = None) -> Flight:
-    """Flies a scenario as `fantail fly` does; the flight is the same byte for byte.
+    """Flies a scenario as `fantail fly` does; the result is the same byte for byte.
 
-    `set` and `seed` as in `Scenario.load`. Other threads run meanwhile.
+    `set` and `seed` as in `Scenario.load`. Other Python threads run meanwhile.
     """
     return Flight(_core.fly(asked_for(scenario, set, seed)._core))
 
@@ -133,9 +133,9 @@ def fly_many(scenarios: Union[Scenario, Name, Iterable[Union[Scenario, Name]]], 
              threads: int = 0, columns: Optional[Sequence[str]] = None) -> list[Flight]:
     """Flies several scenarios on several threads at once (0: as many as the machine has).
 
-    One scenario with several `seeds` is flown with each; of several scenarios each takes its own seed. The results are
-    in that order and depend on no number of threads. A whole flight is some 10 MB: with `columns` only these are kept
-    beside the summary. Other Python threads run meanwhile.
+    One scenario with several `seeds` is flown once with each; several scenarios take one seed each. The results are in
+    that order and do not depend on the number of threads. A whole flight takes about 10 MB; with `columns`, only these
+    and the summary are kept. Other Python threads run meanwhile.
     """
     one = isinstance(scenarios, (Scenario, str, os.PathLike))
     all_scenarios = [each if isinstance(each, Scenario) else Scenario.load(each)
@@ -144,7 +144,7 @@ def fly_many(scenarios: Union[Scenario, Name, Iterable[Union[Scenario, Name]]], 
         seeds = _arguments.several("seeds", seeds, "seeds")
         all_scenarios *= len(seeds) if one else 1
         if len(seeds) != len(all_scenarios):
-            raise ValueError(f"seeds: {len(seeds)} for {len(all_scenarios)} scenarios; allowed: as many of each")
+            raise ValueError(f"seeds: {len(seeds)} for {len(all_scenarios)} scenarios; allowed: the same number of both")
         all_scenarios = [each.changed(seed=seed) for each, seed in zip(all_scenarios, seeds)]
     kept = None if columns is None else _arguments.several("columns", columns, "names")
     _arguments.in_range("threads", threads, 0, 1024)

@@ -25,7 +25,7 @@ class LoggedFlight:
 
     @property
     def number(self) -> int:
-        """In its file, from 1 on."""
+        """Its number in its file, from 1."""
         return self._core.number
 
     @property
@@ -38,12 +38,12 @@ class LoggedFlight:
 
     @property
     def plan(self) -> Optional[Plan]:
-        """The flight plan that flew; None where it cannot be used."""
+        """The flight plan that flew; None if it cannot be used."""
         return None if self._core.plan is None else Plan(self._core.plan)
 
     @property
     def ticks(self) -> int:
-        """How many are on record."""
+        """The number of recorded ticks."""
         return self._core.ticks
 
     @property
@@ -60,24 +60,24 @@ class LoggedFlight:
 
     @property
     def integrity(self) -> str:
-        """The same in words: how many records are there and are missing."""
+        """The same in words: how many records are present and missing."""
         return self._core.integrity
 
     @property
     def events(self) -> list[tuple[float, str]]:
-        """When (s) and what."""
+        """Time (s) and text of each event."""
         return self._core.events
 
     def inputs(self) -> list[_core.Inputs]:
-        """What went into the control law, one a tick."""
+        """Inputs of the control law, one per tick."""
         return self._core.inputs()
 
     def commands_rad(self) -> numpy.ndarray:
-        """The roll command that was recorded, float32, one a tick."""
+        """The recorded roll commands, float32, one per tick."""
         return self._core.commands_rad()
 
     def autopilot(self) -> tuple[_core.Autopilot, int]:
-        """The control law as it was on board, and the index of the tick whose inputs it is to be given first."""
+        """The control law as it was on board, and the index of the tick whose inputs it needs first."""
         return self._core.autopilot(self._log)
 
     def __repr__(self) -> str:
@@ -96,7 +96,7 @@ class Log(Sequence):
 
     @property
     def intact(self) -> bool:
-        """Every record is there, and nothing else."""
+        """All records are present and undamaged, with nothing between them."""
         return self._core.intact
 
     def __len__(self) -> int:
@@ -118,23 +118,23 @@ class Log(Sequence):
 class Replay:
     """The recorded inputs of a flight, run through the control code again."""
 
-    equal: bool  #: every output byte of every tick that was replayed is as recorded
+    equal: bool  #: every output byte of every replayed tick is as recorded
     ticks: int  #: on record
     compared: int
-    unreachable: int  #: no memory of the law leads to them
+    unreachable: int  #: ticks that no recorded state of the law leads to
     differing: int
     first_difference: Optional[dict[str, Any]]
     flight: Flight  #: as replayed, without truth
 
 
 def read_log(path: Path) -> Log:
-    """A flight log (.ftl), or a folder with a flight.ftl. Raises ValueError when it is none; what a damaged one still
-    holds is read."""
+    """A flight log (.ftl), or a folder with a flight.ftl. Raises ValueError if it is not one; the readable part of a
+    damaged log is read."""
     return Log(_core.Log.read(_arguments.path("path", path)))
 
 
 def read_flight(path: Path) -> Flight:
-    """A flight that is on the disk: a log (.ftl), a table with columns of flight.csv, or a folder of `fantail fly`.
+    """A flight on the disk: a log (.ftl), a table with columns of flight.csv, or a folder of `fantail fly`.
     Raises ValueError."""
     return Flight(_core.read_flight(_arguments.path("path", path)))
 
@@ -142,13 +142,13 @@ def read_flight(path: Path) -> Flight:
 def replay(log: Union[Log, LoggedFlight, Path], set: Optional[_changes.Changes] = None) -> Replay:  # noqa: A002
     """Replays a recorded flight, the only one of its log.
 
-    `set` changes values of its plan. Then the differences are what the change would have done to the commands in open
-    loop: the recorded sensors do not answer to them, so only what follows at once is what would have flown.
+    `set` changes values of its plan. Then the differences are the effect of the change on the commands in open loop:
+    the recorded sensors do not react to it, so only its immediate effect is what would have flown.
     """
     if not isinstance(log, LoggedFlight):
         log = log if isinstance(log, Log) else read_log(log)
         if len(log) != 1:
-            raise ValueError(f"{log.name} holds {len(log)} flights; which one? replay(log[0]) to replay(log[-1])")
+            raise ValueError(f"{log.name} contains {len(log)} flights; choose one: replay(log[0]) to replay(log[-1])")
         log = log[0]
     result, flown = log._core.replay(log._log, _changes.words(set))
     return Replay(**json.loads(result), flight=Flight(flown))

@@ -13,17 +13,17 @@ from . import _arguments, _changes, _core
 
 @dataclasses.dataclass(frozen=True)
 class PlanField:
-    """One row of the table that plans, their manual and the boards are made from."""
+    """One row of the table from which plans, their manual and the firmware are made."""
 
     section: str
     key: str
     kind: str  #: "number", "integer", "choice" or "flag"
-    unit: str  #: of the value here and in files; empty for a pure number
-    minimum: Optional[float]  #: of a number or integer; allowed, as maximum
+    unit: str  #: of the value, here and in files; empty for a pure number
+    minimum: Optional[float]  #: smallest allowed number or integer
     maximum: Optional[float]
     choices: tuple[str, ...]  #: of a choice
-    default: Any  #: of each of several
-    slots: int  #: 1; 4: one a canard; the most of a list
+    default: Any  #: for each value, if there are several
+    slots: int  #: 1; 4: one per canard; the longest list
     is_list: bool
     meaning: str
 
@@ -33,17 +33,17 @@ class PlanField:
 
 
 class Plan(Mapping):
-    """A flight plan, every number of the avionics: `plan["controller.canard_limit_deg"]`, or
+    """A flight plan, with every number of the avionics: `plan["controller.canard_limit_deg"]`, or
     `plan.controller.canard_limit_deg`.
 
-    Values have the units of their names; `fields` says range, default and meaning of each. A plan does not change.
+    Values have the units of their names; `fields` has range, default and meaning of each. A plan is immutable.
     """
 
     def __init__(self, core: _core.Plan) -> None:
         object.__setattr__(self, "_core", core)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"{name}: a plan does not change; plan.changed() makes another")
+        raise AttributeError(f"{name}: a plan is immutable; plan.changed() makes another")
 
     def __delattr__(self, name: str) -> None:
         self.__setattr__(name, None)
@@ -55,11 +55,11 @@ class Plan(Mapping):
 
     @functools.cached_property
     def fields(self) -> dict[str, PlanField]:
-        """What is known of every value, by its name."""
+        """The description of every value, by its name."""
         return _fields()
 
     def changed(self, set: _changes.Changes) -> Plan:  # noqa: A002
-        """The same with some values changed; all others keep all their bits. Raises ValueError."""
+        """A copy with some values changed; all others keep all their bits. Raises ValueError."""
         return Plan(self._core.changed(_changes.words(set)))
 
     @functools.cached_property
@@ -88,7 +88,7 @@ class Plan(Mapping):
 
     @property
     def block(self) -> bytes:
-        """What a board is loaded with, as `fantail plan compile` writes it."""
+        """The block that is loaded into a board, as `fantail plan compile` writes it."""
         return self._core.block
 
     def __eq__(self, other: object) -> bool:
@@ -107,7 +107,7 @@ class Plan(Mapping):
 
 def plan(name_or_path: Union[str, os.PathLike[str], None] = None,
          set: Optional[_changes.Changes] = None) -> Plan:  # noqa: A002  the word of the programs
-    """A shipped plan or a file; without a name every default."""
+    """A shipped plan or a file; without a name, all defaults."""
     if name_or_path is not None:
         return Plan.load(name_or_path, set)
     return Plan(_core.Plan.default().changed(_changes.words(set)))
@@ -115,7 +115,7 @@ def plan(name_or_path: Union[str, os.PathLike[str], None] = None,
 
 @functools.cache
 def _section(name: str) -> type:
-    """Of values that cannot be assigned to: a plan does not change."""
+    """A type for the values of one section, which cannot be assigned to."""
     keys = [field.key for field in _fields().values() if field.section == name]
     return dataclasses.make_dataclass(name, keys, frozen=True)
 

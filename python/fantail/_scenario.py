@@ -13,7 +13,7 @@ Name = Union[str, "os.PathLike[str]"]
 
 
 class Scenario:
-    """A vehicle, a flight plan and a world. Made by `Scenario.load`; it does not change."""
+    """A vehicle, a flight plan and a world. Made by `Scenario.load`; immutable."""
 
     def __init__(self, core: _core.Scenario) -> None:
         self._core = core
@@ -23,8 +23,8 @@ class Scenario:
              seed: Optional[int] = None) -> Scenario:
         """A shipped scenario or a file.
 
-        `set` changes values of plan, vehicle or scenario: {"section.key": value}, in the units of the keys. `seed`: of
-        all random streams, instead of the scenario's. What is doubtful in the files becomes a UserWarning. Raises
+        `set` changes values of plan, vehicle or scenario: {"section.key": value}, in the units of the keys. `seed`: for
+        all random streams, instead of the scenario's. Doubts about the files become a UserWarning. Raises
         ValueError.
         """
         return cls._load(_arguments.path("name_or_path", name_or_path), _changes.words(set), _seed_text(seed))
@@ -38,7 +38,7 @@ class Scenario:
 
     def changed(self, set: Optional[_changes.Changes] = None,  # noqa: A002
                 seed: Optional[int] = None) -> Scenario:
-        """The same with further changes, which go before earlier ones of the same value. Its files are read again."""
+        """A copy with further changes, which override earlier ones of the same value. Its files are read again."""
         return self._load(self._core.source, self._core.changes + _changes.words(set),
                           self._core.seed_text if seed is None else _seed_text(seed))
 
@@ -48,12 +48,12 @@ class Scenario:
 
     @property
     def vehicle(self) -> str:
-        """What the vehicle is called."""
+        """The name of the vehicle."""
         return self._core.vehicle
 
     @property
     def seed(self) -> int:
-        """Of all random streams."""
+        """The seed of all random streams."""
         return self._core.seed
 
     @property
@@ -63,7 +63,7 @@ class Scenario:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What is doubtful in the files, a sentence each."""
+        """Doubts about the files, a sentence each."""
         return tuple(self._core.warnings)
 
     def __repr__(self) -> str:
@@ -71,12 +71,12 @@ class Scenario:
 
 
 def shipped_scenarios() -> list[str]:
-    """The names that `Scenario.load` knows."""
+    """The shipped names that `Scenario.load` accepts."""
     return _core.shipped_scenarios()
 
 
 def data_folder() -> str:
-    """Where the shipped files lie: what the environment variable FANTAIL_DATA names, else those of this package."""
+    """The folder of the shipped files: the environment variable FANTAIL_DATA, or else that of this package."""
     return _core.data_folder()
 
 

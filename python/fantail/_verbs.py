@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every verb of the programs that answers with --json, as a function: made of the options that its program declares."""
+"""Every verb of the programs that answers with --json, as a function, made from the options that its program declares."""
 from __future__ import annotations
 
 import contextlib
@@ -24,14 +24,14 @@ _OF_A_TERMINAL = {"--help", "--color", "--json"}
 
 
 def _name(row: dict[str, Any]) -> str:
-    """Of the argument: with its unit, as every name has it."""
+    """The name of the argument, with its unit."""
     name = row["name"].lstrip("-").lower() + (f"_{row['value'].lower()}" if row["value"] in _UNITS else "")
     name = name.replace("-", "_").replace("/", "_")
     return name + "_" if keyword.iskeyword(name) else name
 
 
 class _Call:
-    """The words of a command line, and the folders that are gone with it."""
+    """The words of a command line, and temporary folders that are deleted with it."""
 
     def __init__(self, folders: contextlib.ExitStack) -> None:
         self._folders = folders
@@ -110,7 +110,7 @@ def _function(verb: str, meaning: str, rows: list[dict[str, Any]]) -> Callable[.
         return _call(verb, named, signature.bind(*args, **given).arguments)
 
     function.__name__ = function.__qualname__ = verb.replace(" ", "_")
-    function.__doc__ = (f"{meaning}.\n\nWhat `fantail {verb} --json` says, as a dict. Files are kept where `out` names a folder. "
+    function.__doc__ = (f"{meaning}.\n\nReturns the output of `fantail {verb} --json` as a dict. Files are kept if `out` names a folder. "
                         "Raises ValueError.\n\n" + "\n".join(_line(name, named[name]) for name in first))
     function.__signature__ = signature  # type: ignore[attr-defined]
     return function

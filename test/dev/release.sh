@@ -79,11 +79,11 @@ expect 64 "usage:"
 expect 64 "usage:" 0.2.0 0.3.0
 expect 64 "usage:" 0.2.0 --push
 for none in 0.2 v0.2.0 0.2.0-rc1 0.02.0 0.2.0.0; do
-  expect 64 "\"$none\" is no version" "$none"
+  expect 64 "\"$none\" is not a version" "$none"
 done
 expect 64 "0.1.0 is not greater than 0.1.0, the last version" 0.1.0
 expect 64 "0.0.9 is not greater than 0.1.0" 0.0.9
-expect 69 'below "## Unreleased" of CHANGELOG.md stands nothing' 0.2.0
+expect 69 '"## Unreleased" in CHANGELOG.md is empty' 0.2.0
 unreleased "New [page](docs\\/new.md)."
 : >untracked
 expect 69 "the sources differ from their commit" 0.2.0 --dry-run
@@ -130,9 +130,9 @@ grep -qxF "## Gates" release.md && grep -qF "[proofs](docs/proofs.md#all) and [t
 
 # And the next one.
 cd "$here"
-expect 69 'below "## Unreleased" of CHANGELOG.md stands nothing' 0.3.0
+expect 69 '"## Unreleased" in CHANGELOG.md is empty' 0.3.0
 unreleased Newer.
-expect 69 "there is a tag v0.2.0 already" 0.2.0
+expect 69 "the tag v0.2.0 exists already" 0.2.0
 git tag v0.9.0
 git tag v0.10.0
 expect 64 "0.9.1 is not greater than 0.10.0, the last version" 0.9.1

@@ -131,7 +131,7 @@ first=$!
 sleep 3
 expect 0 "waiting for another ./dev in this folder: ./dev fly" identify
 wait "$first"
-grep -q "building what flies: 40 of 90 (44 %)" "$work/first" || {
+grep -q "building the flight simulator: 40 of 90 (44 %)" "$work/first" || {
   echo "FAILED: in ten seconds nothing was said of a build: $(cat "$work/first")"
   failures=$((failures + 1))
 }

@@ -69,7 +69,7 @@ quick() {
   call 74 watch --lcm file:///nowhere/x.lcmlog
   call 3 with-vcan sh -c 'exit 3'
   call 0 flash --help # says how, and installs nothing for it
-  grep -q 'write it into the board' said || { echo "FAILED: what is flash? $(cat said)" && exit 1; }
+  grep -q 'write the image into the board' said || { echo "FAILED: what is flash? $(cat said)" && exit 1; }
   call 64 test --foo
   grep -q 'test does not take "--foo"' said || { echo "FAILED: the wrong word was not named: $(cat said)" && exit 1; }
   call 64 test --only NoSuchSuite.NoSuchTest

@@ -47,7 +47,7 @@ def test_words_are_places_in_a_list():
         read(time_s=TIME, phase=[[1], [3]], words={"phase": two})
     with pytest.raises(files.BadFile, match="the value 1.5"):
         read(time_s=TIME, phase=[[1], [1.5]], words={"phase": two})
-    with pytest.raises(files.BadFile, match="words.phase is no list"):
+    with pytest.raises(files.BadFile, match="words.phase is not a list"):
         read(time_s=TIME, phase=[[1], [2]], words={"phase": TIME})
 
 

@@ -89,7 +89,7 @@ def test_convert_writes_what_the_end_of_a_name_says(program, table, tmp_path):
 @pytest.mark.parametrize("words, code, part", [
     (["none.mat"], 66, "none.mat: no such file"), (["a.txt"], 65, 'files that end in ".txt" are not converted'),
     (["flight.ftl"], 65, "fantail log export"), ([], 64, "FILE is missing"), (["--install", "a.mat"], 64, "--install takes no file"),
-    (["a.mat"], 65, "a.mat: it is no MAT-file"), (["a.mat", "--out", "a.txt"], 64, "its ending is not an output format"),
+    (["a.mat"], 65, "a.mat: it is not a MAT-file"), (["a.mat", "--out", "a.txt"], 64, "its ending is not an output format"),
     (["a.mat", "--to", "csv", "--out", "a.txt"], 74, "this file exists"), (["a.mat", "--to", "xls"], 64, "xls")])
 def test_convert_refuses_with_the_reason_and_without_a_file(program, tmp_path, words, code, part):
     for name in ("a.mat", "a.txt", "flight.ftl"):

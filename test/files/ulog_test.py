@@ -60,13 +60,13 @@ def test_there_is_a_row_for_each_message_of_the_two_topics_in_order_of_time():
     assert (time[2], axial[2], str(height[2])) == (1_004_000, 10.5, "nan")
     assert abs(table["gyro_rad[2]"][2] - 0.3) < 1e-7
     assert (table["accelerometer_m_s2[2]"][2], table["baro_device_id"][1]) == (-1.0, 12.0)
-    assert table.notes == ["The logger says that it dropped 25 ms."]
+    assert table.notes == ["The logger reports that it dropped 25 ms."]
 
 
 def test_without_the_topic_those_that_are_there_are_named():
     with pytest.raises(files.BadFile, match="no message of the topic sensor_combined; its topics are: cpuload"):
         read(HEAD + message("D", struct.pack("<HQf", 11, 1_000_000, 0.5)))
-    with pytest.raises(files.BadFile, match="is no ULog; it begins with 'time_s,'"):
+    with pytest.raises(files.BadFile, match="is not a ULog; it begins with 'time_s,'"):
         read(b"time_s,a\n")
 
 
@@ -144,7 +144,7 @@ def test_time_that_goes_back_is_refused():
     with pytest.raises(files.BadFile, match="topic sensor_combined: from 1.076000 s to 1.050000 s"):
         read(whole() + back)
     often = b"".join(motion(1_100_000 + 4000 * i - (8000 if i % 50 == 49 else 0), 9.5) for i in range(200))
-    with pytest.raises(files.BadFile, match="again and again: 4 of 220"):
+    with pytest.raises(files.BadFile, match="repeatedly: 4 of 220"):
         read(whole() + often)
 
 

@@ -93,8 +93,8 @@ def test_the_example_runs_from_the_command_line_and_a_second_time_flies_nothing(
 
 
 @pytest.mark.parametrize("words, complaint", [
-    (["no_such_rocket"], 'no_such_rocket'), (["tasha3_launch2", "--shards", "0"], "--shards 0; allowed: 1 and more"),
-    (["tasha3_launch2", "--runs", "0"], "--runs 0; allowed: 1 and more"),
+    (["no_such_rocket"], 'no_such_rocket'), (["tasha3_launch2", "--shards", "0"], "--shards 0; allowed: 1 or more"),
+    (["tasha3_launch2", "--runs", "0"], "--runs 0; allowed: 1 or more"),
     (["tasha3_launch2", "--runs", "129", "--shards", "4"], "--shards 4; allowed: 1 to 3, because 129 runs are flown by 64 together"),
     (["tasha3_launch2", "--scheduler", "nonsense://here"], "--scheduler nonsense://here: unknown address scheme"),
     (["tasha3_launch2", "--scheduler", "tcp://127.0.0.1:1"], "--scheduler tcp://127.0.0.1:1: Timed out")])

@@ -113,7 +113,7 @@ def test_a_name_that_is_no_utf8_is_refused_in_words(ask, tmp_path):
     name = os.fsencode(tmp_path) + b"/fl\xfcg.ftl"
     with open(name, "wb"):
         pass
-    with pytest.raises(ValueError, match=r"fl\\udcfcg.ftl'; allowed: text in UTF-8; rename the file"):
+    with pytest.raises(ValueError, match=r"fl\\udcfcg.ftl'; allowed: text in UTF-8; if this is the name of a file, rename it"):
         ask(os.fsdecode(name))
 
 

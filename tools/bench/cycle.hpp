@@ -27,11 +27,11 @@ struct CanardLap {
 
 struct Lap {
   double begin_s = 0.0;  ///< by the rocket's clock, since the first lap began
-  std::string doubt{};   ///< why nothing is said of this lap; empty: it was measured
+  std::string doubt{};   ///< why this lap is not judged; empty: it was measured
   Each<CanardLap> canards{};
-  std::optional<double> battery_v{};  ///< lowest that was reported in it
+  std::optional<double> battery_v{};  ///< lowest reported during it
   bool passed = false;
-  std::vector<std::string> conclusions{};  ///< a sentence for each thing that failed
+  std::vector<std::string> conclusions{};  ///< a sentence for each failure
 
   [[nodiscard]] bool measured() const { return doubt.empty(); }
 };
@@ -43,29 +43,29 @@ struct Cycle {
   double lap_s = 0.0;
   std::size_t planned_laps = 0;
   std::vector<Lap> laps{};
-  std::string ended_because{};  ///< empty: it went on to its end
+  std::string ended_because{};  ///< empty: it ran to its end
 };
 
-/// Laps that fail one behind the other before the run ends by itself, to spare the servos.
+/// Number of laps that fail in a row before the run ends itself, to spare the servos.
 inline constexpr std::size_t most_failing_laps = 3;
-/// Of all planned laps, the share that may be left out because too much of them was not received.
+/// Share of all planned laps that may be left out because too much of them was not received.
 inline constexpr double most_void_share = 0.05;
 
-/// Adds lap by lap to `cycle` until all that are planned are done, so whatever ends it, what has been measured is
-/// there. `progress` is told the seconds done after each lap and in between; it may throw to give up. Throws
-/// Unmeasured when more laps had to be left out than may be.
+/// Adds lap by lap to `cycle` until all planned laps are done, so that finished laps are kept whatever ends it.
+/// `progress` is called with the seconds done, during and after each lap; it may throw to give up. Throws Unmeasured
+/// when too many laps had to be left out.
 void perform_laps(Cycle& cycle, const Exercise& lap, link::Session& session, link::AvionicsLink& link,
                   const std::function<void(double)>& progress);
 
 /// The sheet of one lap, as an entry of a cycle.
 [[nodiscard]] Lap lap_of(const Sheet& sheet);
 
-/// Pass or fail of the laps that were measured; none when there is none.
+/// Pass or fail of the measured laps; none if there are none.
 [[nodiscard]] Judgement judgement(const Cycle& cycle);
-/// A sentence or more: how many laps, what failed first, what was left out, what ended it.
+/// One or more sentences: number of laps, first failure, laps left out, reason for the end.
 [[nodiscard]] std::vector<std::string> conclusions(const Cycle& cycle);
 
-/// One figure over the run. Empty values: in no lap of that time could it be measured.
+/// One figure over the run. Empty values: not measured in any lap of that time.
 struct Course {
   std::optional<double> first{};  ///< lap
   std::optional<double> last{};
@@ -81,7 +81,7 @@ struct Course {
 /// The battery voltage was on the bus.
 [[nodiscard]] bool knows_battery(const Cycle& cycle);
 
-/// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
+/// For a terminal: plain ASCII, aligned, at most 100 columns except for sentences.
 [[nodiscard]] std::string cycle_text(const Cycle& cycle, std::size_t columns = text::any_width);
 /// One object; every figure with its unit in its name.
 [[nodiscard]] std::string cycle_json(const Cycle& cycle, const result::Made& made = {});

@@ -17,17 +17,17 @@
 
 namespace fantail::bench {
 
-inline constexpr double widest_request_deg = 20.47;  ///< that the bus has room for
+inline constexpr double widest_request_deg = 20.47;  ///< that fits into a frame
 
 using link::Each;
 
-/// Between what the canards may be moved. Shaft angles.
+/// The range in which the canards may be moved. Shaft angles.
 struct Bounds {
   Each<double> limit_rad{};   ///< largest angle that the avionics commands, both ways
-  Each<double> centre_rad{};  ///< the trim: where a canard stands that is not asked
+  Each<double> centre_rad{};  ///< the trim: where a canard stands without a request
 };
 
-/// `trims` beyond a limit stand at it, as in the avionics.
+/// `trims` beyond a limit are clamped to it, as in the avionics.
 [[nodiscard]] Bounds bounds(const protocol::LimitReport& limits, const Each<core::Angle>& trims);
 
 enum class ExerciseKind : std::uint8_t { limits, step, sine };
@@ -67,8 +67,8 @@ struct Turn {
   std::size_t last = 0;                 ///< stretch, included
 };
 
-/// What is asked of the canards, and when. A pure function of the time since its start; it ends with every canard asked
-/// to its centre.
+/// The requested canard angles over time: a pure function of the time since its start. It ends with a request to centre
+/// every canard.
 class Exercise {
  public:
   /// Each canard alone and then all together: beyond both limits and back at 20 deg/s, then at once to the positive
@@ -105,7 +105,7 @@ class Exercise {
   [[nodiscard]] std::size_t turns_before(std::size_t stretch) const;
   /// Its first turns, one at least, as an exercise of their own.
   [[nodiscard]] Exercise beginning(std::size_t first_turns) const;
-  /// What is done in it, for people: "canard 2 alone: slowly beyond the + limit".
+  /// What happens in it, for people: "canard 2 alone: slowly beyond the + limit".
   [[nodiscard]] std::string doing(std::size_t stretch) const;
 
  private:
@@ -124,11 +124,11 @@ class Exercise {
   Each<double> now_rad_{};
 };
 
-/// Smaller steps from the trim show nothing: a canard that stands where its tolerances allow, and does not move at all,
-/// would have reached the angle.
+/// A smaller step from the trim shows nothing: within its tolerances, a canard that does not move at all would have
+/// reached the angle.
 [[nodiscard]] double least_step_rad(const sim::CanardTolerances& tolerances);
-/// Smaller amplitudes show nothing: most of the way of a canard that is just quick enough could be missing. Infinite
-/// where it goes less far than that at any amplitude.
+/// A smaller amplitude shows nothing: most of the movement of a canard that is just fast enough could be missing.
+/// Infinite if it moves less than that at any amplitude.
 [[nodiscard]] double least_amplitude_rad(double frequency_hz, const sim::CanardTolerances& tolerances);
 
 /// Throws std::invalid_argument, for a person, when a step or a sine, within the limit, is smaller.

@@ -11,7 +11,7 @@
 
 namespace fantail::bench {
 
-/// What was recorded says nothing of the canards. what() says it for a person, and what is known of the cause.
+/// The recording is too poor to judge the canards. what() tells a person so, with the known cause.
 class Unmeasured : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,14 +21,14 @@ class TooSlow : public Unmeasured {
   using Unmeasured::Unmeasured;
 };
 
-/// What else may be done when an exercise was given up after so long: one canard alone, where this PC kept up for as
-/// long as that takes. Goes on behind what(); empty where it would not help.
+/// Advice after an exercise was given up after `done_s`: exercise one canard alone, if this PC kept up for as long as
+/// that takes. Appended to what(); empty if it would not help.
 [[nodiscard]] std::string advice(const Exercise& exercise, double done_s);
 
 /// Goes through an exercise and records it, on the rocket's clock: time passes with the ticks that it reports.
-/// `progress` is told the seconds done; it may throw to give up. `seen` is told every tick that is kept; while it works
-/// the rocket waits for a heartbeat. Throws Unmeasured as soon as too much of it is missing, and then nothing is asked
-/// of the canards any more.
+/// `progress` is called with the seconds done; it may throw to give up. `seen` is called with every tick that is kept;
+/// while it works, the rocket waits for a heartbeat. Throws Unmeasured as soon as too much is missing, and then
+/// requests nothing more of the canards.
 [[nodiscard]] link::Recording perform(const Exercise& exercise, link::Session& session, link::AvionicsLink& link,
                                       const std::function<void(double)>& progress,
                                       const std::function<void(const link::Tick&)>& seen = {});

@@ -9,9 +9,9 @@
 
 namespace fantail::bench {
 
-/// Whether this PC hears the rocket soon enough, and whole, for what it records to say something of the canards. Times
-/// are the rocket's, by the number of its ticks, except where they are said to be this PC's. Every call throws
-/// Unmeasured when that is over: TooSlow only if this PC read late, or lost frames.
+/// Whether this PC receives the rocket's reports completely and early enough to judge the canards. Times are the
+/// rocket's, by the number of its ticks, unless stated to be this PC's. Every call throws Unmeasured when this no
+/// longer holds: TooSlow only if this PC read late or lost frames.
 class Punctuality {
  public:
   /// From now on, by this PC's clock, with every tick reported.
@@ -25,7 +25,7 @@ class Punctuality {
   /// At the bus, by this PC's clock.
   void begin_look(hal::Microseconds now);
   void note(const link::Tick& tick);
-  /// Everything that had come has been noted.
+  /// All received ticks have been noted.
   void end_look();
   /// The exercise is over.
   void end() const;

@@ -21,21 +21,21 @@
 
 namespace fantail::bench {
 
-/// What the caller knows and the recording does not. Texts may be anything; they are escaped where they are shown.
+/// Facts from the caller that the recording does not have. Texts may be anything; they are escaped when shown.
 struct Heading {
   std::string vehicle{};
   std::string plan{};      ///< its name; empty: not known
   std::string plan_crc{};  ///< of the plan in force, as text
   std::string date{};
-  std::string avionics{};  ///< what answered, and where: "can0, protocol 1"
+  std::string avionics{};  ///< the avionics that answered, and where: "can0, protocol 1"
   std::string version{};   ///< of Fantail
   std::vector<std::string> notes{};
   /// Limits that the plan given here has; the avionics must report the same.
   std::optional<Each<double>> planned_limit_rad{};
   /// The last verdict of the avionics' own monitor; shown and not judged.
   Each<std::optional<core::CanardVerdict>> monitor{};
-  /// As the board last reported itself, with every fault that it had while the bench listened. Empty: the caller does
-  /// not know, and nothing is said of it.
+  /// The last report of the board, with every fault that it had while the bench received. Empty: unknown, and the sheet
+  /// does not mention it.
   std::optional<protocol::BoardReport> board{};
 };
 
@@ -56,14 +56,14 @@ struct CanardResult {
 
 /// What must hold for the whole sheet, beyond each canard's own figures.
 struct GeneralCheck {
-  std::string text{};  ///< a sentence that says what was found
+  std::string text{};  ///< a sentence with the result
   bool passed = false;
 };
 
 enum class Judgement : std::uint8_t {
   pass,
   fail,
-  none,  ///< the recording has holes: nothing is said of the canards
+  none,  ///< the recording has gaps, so the canards are not judged
 };
 
 [[nodiscard]] result::Answer answer(Judgement judgement);
@@ -101,7 +101,7 @@ struct Sheet {
 /// The series behind the sheet, one row a tick that was received. Empty: not driven, or no valid reading.
 [[nodiscard]] std::string sheet_csv(const link::Recording& recording, const Exercise& exercise);
 
-/// For a terminal: plain ASCII, aligned, at most 100 columns but for sentences.
+/// For a terminal: plain ASCII, aligned, at most 100 columns except for sentences.
 [[nodiscard]] std::string sheet_text(const Sheet& sheet, std::size_t columns = text::any_width);
 
 /// A printable page, complete in itself: no script, nothing loaded.
@@ -114,7 +114,7 @@ struct Sheet {
 [[nodiscard]] std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recording,
                                             const Exercise& exercise, std::size_t turns_to_come,
                                             const std::string& given_up_because = {});
-/// The same where nothing is said of the canards, and `why`. `title`: the rocket.
+/// The same if the canards are not judged, with the reason `why`. `title`: the rocket.
 [[nodiscard]] std::string no_sheet_html(const std::string& title, const std::string& why);
 
 /// The inside of a page, as HTML, while an exercise goes on: the sheet of the turns that are over. They are cut as in
@@ -126,7 +126,7 @@ class FillingSheet {
 
   /// The next tick. The sheet when another turn is over with it; with the last turn comes the whole sheet instead.
   [[nodiscard]] std::optional<std::string> take(const link::Tick& tick);
-  /// The exercise was given up, and `why`: what the turns that are over have shown stays.
+  /// The exercise was given up, and `why`: the results of finished turns stay.
   [[nodiscard]] std::string given_up(const std::string& why) const;
 
  private:

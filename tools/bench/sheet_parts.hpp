@@ -26,20 +26,20 @@ struct SheetRow {
   std::vector<Cell> cells{};
 };
 
-/// What the caller knows of rocket and avionics, a line each, for a terminal.
+/// The heading: facts about rocket and avionics, a line each, for a terminal.
 [[nodiscard]] std::string heading_lines(const Heading& heading);
 
 /// In the order of Sheet::canards.
 [[nodiscard]] std::vector<SheetRow> sheet_rows(const Sheet& sheet);
 
-/// What is found of a canard. A step or a sine does not show enough for "healthy"; without a verdict nothing is found.
+/// The finding on a canard. A step or a sine does not show enough for "healthy"; without a verdict there is none.
 struct Finding {
   std::string_view name;  ///< for files: "reversed", "no_fault_seen"
   std::string_view text;  ///< for readers: "is reversed"
 };
 [[nodiscard]] Finding finding(const Sheet& sheet, const CanardResult& result, bool judged);
 
-/// Why it may differ from the finding.
+/// Why the avionics' own verdict may differ from the finding.
 inline constexpr std::string_view about_monitor =
     "The avionics' own verdict is from the end of the exercise, with all canards commanded to their trims. It forgets "
     "past differences, so it shows less than this sheet.";

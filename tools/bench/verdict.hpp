@@ -21,7 +21,7 @@ enum class Measure : std::uint8_t {
   reached_negative,
   reached,  ///< of a step: held against the angle commanded
   limit_kept,
-  limit_reported,  ///< asked beyond it, the avionics has to say that it gave less
+  limit_reported,  ///< after a request beyond it, the avionics must report that it limited the command
   tracking_error,
   centring_error,
   backlash,
@@ -33,7 +33,7 @@ enum class Measure : std::uint8_t {
   others_moved,
 };
 
-/// One figure held against its tolerance, in the units in which people read it.
+/// One figure compared with its tolerance, in display units.
 struct Check {
   Measure measure{};
   std::optional<double> value{};  ///< empty: could not be measured, and so not passed
@@ -59,8 +59,8 @@ struct MeasureText {
 /// Commanded farther than the limit that the avionics itself reported.
 [[nodiscard]] bool beyond_limit(const Figures& figures, double limit_rad);
 
-/// Slew rate that a canard must show in a step this wide. A short way ends before a good servo is at full speed: no
-/// more is asked than a lag that just passes the step time reaches.
+/// Slew rate that a canard must show in a step this wide. A short movement ends before a good servo is at full
+/// speed, so no more is required than a lag that just passes the step time reaches.
 [[nodiscard]] double required_slew_rad_s(double way_rad, const sim::CanardTolerances& tolerances);
 
 /// Limit beyond the trim, to both sides, with which a movement is judged; less shows neither scale nor speed.
@@ -80,11 +80,11 @@ enum class Cause : std::uint8_t {
   slow,                ///< gets there, but late
   encoder_unplugged,   ///< nothing valid to read
   encoder_noisy,       ///< reads unsteadily at rest
-  wrong_trim,          ///< moves right, and stands off by the same angle everywhere
-  wrong_canard_moves,  ///< another canard answers, alone or too
+  wrong_trim,          ///< follows, but is off by the same angle everywhere
+  wrong_canard_moves,  ///< another canard moves, alone or as well
   out_of_tolerance,    ///< some figure fails, with no pattern
   limit_not_kept,      ///< commanded beyond its limit
-  not_measured,        ///< nothing it showed fails, but some figure could not be measured
+  not_measured,        ///< no measured figure fails, but some could not be measured
 };
 [[nodiscard]] std::string_view name(Cause cause);        ///< for files: "reversed", as the faults of a scenario
 [[nodiscard]] std::string_view cause_text(Cause cause);  ///< for readers: "is reversed"

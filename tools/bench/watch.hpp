@@ -19,14 +19,14 @@ namespace fantail::bench {
 /// "no fault; reset by power-on, battery not measured, 0 control ticks missed"
 [[nodiscard]] std::string board_text(const protocol::BoardReport& report);
 
-/// Each fault of board, flash or stored plan with which the avionics does not arm, in the words of docs/can.md.
+/// Each fault of board, flash or stored plan that keeps the avionics from arming, with the names of docs/can.md.
 [[nodiscard]] std::vector<std::string> bars_to_arming(const protocol::BoardReport& report);
 
 /// Puts board_faults, reset_cause, battery_v, ticks_missed, plan_source and flash_failed into an object; all null when
 /// the board has not reported. `plan_key`: the name of plan_source there.
 void add_board(json::Value& to, const std::optional<protocol::BoardReport>& report, const char* plan_key);
 
-/// What is known about the bus and whoever speaks on it, made once a look.
+/// The state of the bus and its senders, updated at every look.
 class Watch {
  public:
   Watch(std::string interface, const link::AvionicsLink& link, const hal::CanBus& bus)

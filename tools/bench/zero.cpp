@@ -161,8 +161,8 @@ ZeroFields measured_fields(const core::CanardPlan& canard, const CanardZero& zer
 }
 
 std::string what_an_encoder_cannot_show() {
-  return "An encoder measures the shaft angle from its own zero. Only a gauge at the fin shows where the fin makes no "
-         "roll moment, and whether the servo, the encoder or both are off (fantail bench hold N 0).";
+  return "An encoder measures the shaft angle from its own zero. Only a gauge at the fin (fantail bench hold N 0) "
+         "shows where its roll moment is zero, and whether servo, encoder or both are off.";
 }
 
 }  // namespace fantail::bench

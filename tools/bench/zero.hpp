@@ -14,7 +14,7 @@
 
 namespace fantail::bench {
 
-// Where the shaft stands for what is commanded: encoder = centre + scale * command, at rest. Both are measured at three
+// The shaft angle at rest for a command: encoder = centre + scale * command. Both are measured at three
 // places, the trim and both limits, each approached from either side or corrected by the play.
 
 /// One canard in one run of the `limits` exercise alone.
@@ -44,8 +44,8 @@ struct CanardZero {
 /// Of two runs or more. The interval is Student's, and half a step of the bus is added.
 [[nodiscard]] CanardZero combined(std::span<const ZeroRun> runs);
 
-/// Which of the two stands right at the centre. The encoder cannot say; the scale is the servo's in any case, because
-/// an encoder counts whole turns.
+/// Which of the two is right at the centre. The encoder cannot show it. The scale is always the servo's, because
+/// that of an encoder is fixed by its full turn.
 enum class Trusted : std::uint8_t { encoder, servo };
 
 /// Fields of the plan, in the units of its file.
@@ -55,12 +55,12 @@ struct ZeroFields {
   Measured encoder_zero_deg{};
 };
 [[nodiscard]] ZeroFields present_fields(const core::CanardPlan& canard);
-/// With these the encoder reads what is commanded.
+/// With these the encoder reads the commanded angle.
 [[nodiscard]] ZeroFields measured_fields(const core::CanardPlan& canard, const CanardZero& zero, Trusted trusted);
 
 /// For a terminal.
 [[nodiscard]] std::string zero_text(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted);
-/// What no encoder can show, in one sentence.
+/// The limits of an encoder, in two sentences.
 [[nodiscard]] std::string what_an_encoder_cannot_show();
 /// One object; every figure with its unit in its name.
 [[nodiscard]] std::string zero_json(std::span<const CanardZero> zeros, const core::CanardsPlan& plan, Trusted trusted,

@@ -39,7 +39,7 @@ class Build:
         """The file of this name that is linked."""
         found = [output for output, (rule, _) in self.made_of.items() if output.split("/")[-1] == name and "_LINKER__" in rule]
         if len(found) != 1:
-            raise LookupError(f"{self.folder} links {len(found)} files that are called {name}, instead of one")
+            raise LookupError(f"{self.folder} links {len(found)} files named {name}, instead of one")
         return found[0]
 
     def files(self, target):

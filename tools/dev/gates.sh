@@ -8,7 +8,7 @@ source_folders() {
   shift
   for folder in "$@"; do
     case "$folder" in [a-z]*) ;; *) false ;; esac && [ -d "$folder" ] || {
-      echo "dev: $called: there is no source folder $folder; an example is firmware/core" >&2
+      echo "dev: $called: there is no source folder $folder; example: firmware/core" >&2
       exit 64
     }
   done
@@ -28,7 +28,7 @@ sanitize() {
   fi
   for folder in "$@"; do
     tests="test_$(basename "$folder")"
-    [ -d "test/$(basename "$folder")" ] || { echo "dev: $folder has no test program of its own" >&2 && continue; }
+    [ -d "test/$(basename "$folder")" ] || { echo "dev: $folder has no test program" >&2 && continue; }
     build "$tests under the sanitizers" build/host-asan 3000 sanitized_commands "$tests"
     LD_PRELOAD="" "build/host-asan/test/$(basename "$folder")/$tests" --gtest_brief=1
   done

@@ -55,7 +55,7 @@ check_package() {
   (install --prefix "$prefix")
   (cd build && "$prefix/bin/fantail" fly --out "$prefix/out" >/dev/null && [ -s "$prefix/out/report.html" ])
   rm -rf "$prefix"
-  echo "package: what is installed into a folder with spaces and other letters flies: passed"
+  echo "package: installed into a folder with spaces and other letters, it flies: passed"
   /usr/bin/python3 -B test/package/check.py "$1" "$2" build/bare
 }
 

@@ -7,7 +7,7 @@ playground() {
   take_turn
   # shellcheck disable=SC2086
   need $playground_packages
-  host_build "what flies" fantail-fly
+  host_build "the flight simulator" fantail-fly
   build "the module of the page" build/playground 100 playground_commands
   playground_digests >build/playground/native.json
   cmake -D MODULE=build/playground/tools/playground/playground.wasm -D NATIVE=build/playground/native.json \
@@ -15,7 +15,7 @@ playground() {
     -D HASH="$(sed -n 's/.*git_hash() { return "\(.*\)"; }/\1/p' build/playground/tools/playground/identity.cpp)" \
     -D OUT=docs/playground.html -P tools/playground/make_page.cmake
   leave_turn
-  echo "docs/playground.html: $(($(wc -c <docs/playground.html) / 1024)) kB; open it in a browser, from the disk or from anywhere"
+  echo "docs/playground.html: $(($(wc -c <docs/playground.html) / 1024)) kB; open it in a browser, from the disk or a server"
 }
 
 playground_commands() {

@@ -39,29 +39,29 @@ def section(changelog, head):
 
 def present_version():
     found = PROJECT.search(pathlib.Path("CMakeLists.txt").read_text())
-    return found[2] if found else refuse(69, "CMakeLists.txt has no line project(fantail VERSION ...), where the version stands")
+    return found[2] if found else refuse(69, "CMakeLists.txt has no line project(fantail VERSION ...) with the version")
 
 
 def check(version):
     wanted = numbers(version)
     if not wanted:
-        refuse(64, f'"{version}" is no version; one is MAJOR.MINOR.PATCH, as 0.2.0')
+        refuse(64, f'"{version}" is not a version; allowed: MAJOR.MINOR.PATCH, for example 0.2.0')
     tags = subprocess.run(["git", "tag", "--list", "v*"], capture_output=True, text=True, check=True).stdout.split()
     if f"v{version}" in tags:
-        refuse(69, f"there is a tag v{version} already")
+        refuse(69, f"the tag v{version} exists already")
     present = present_version()
     last = max([present, *(tag[1:] for tag in tags if numbers(tag[1:]))], key=numbers)
     if wanted <= numbers(last):
         refuse(64, f"{version} is not greater than {last}, the last version")
     if not section(pathlib.Path("CHANGELOG.md").read_text(), HEAD):
-        refuse(69, 'below "## Unreleased" of CHANGELOG.md stands nothing, so there is nothing to release')
+        refuse(69, '"## Unreleased" in CHANGELOG.md is empty, so there is nothing to release')
 
 
 def replaced(file, pattern, text):
     path = pathlib.Path(file)
     content, count = re.subn(pattern, text, path.read_text(), flags=re.MULTILINE)
     if count != 1:
-        refuse(69, f"{file} has {count} places for what the release writes there, instead of one")
+        refuse(69, f"{file} has {count} places for the text of the release, instead of one")
     path.write_text(content)
 
 

@@ -32,13 +32,13 @@ release() {
   mkdir -p "$new"
   release_in_clone || {
     rm -rf "$new"
-    echo "dev: release: $version was not made; see the reasons above. Here nothing was committed or tagged; what was tried is in $tree" >&2
+    echo "dev: release: $version was not made; see the reasons above. Nothing was committed or tagged here; the attempt is in $tree" >&2
     exit 70
   }
   mv "$new" "$out"
   if [ -z "$dry" ]; then
     git fetch -q --no-tags "$tree" "refs/tags/v$version:refs/tags/v$version" && git merge -q --ff-only "v$version" || {
-      ! git tag -d "v$version" >/dev/null 2>&1 || echo "dev: release: the tag v$version was taken back" >&2
+      ! git tag -d "v$version" >/dev/null 2>&1 || echo "dev: release: the tag v$version was removed again" >&2
       refuse "the commit of the release could not be put on main (see above); the files of $out are of no commit here"
     }
     echo "release: main and the tag v$version are this release, and nothing was pushed: git push origin main v$version"

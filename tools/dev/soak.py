@@ -269,7 +269,7 @@ def main():
     builds = Builds(root)
     unknown = set(arguments.only) - {row[0] for row in STEPS}
     if unknown:
-        print(f"soak: no step {', '.join(sorted(unknown))}; there are {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
+        print(f"soak: unknown step {', '.join(sorted(unknown))}; allowed: {', '.join(row[0] for row in STEPS)}", file=sys.stderr)
         return 64
     steps = [Step(row, arguments, folder, builds) for row in STEPS
              if (not arguments.only or row[0] in arguments.only) and not (arguments.short and row[0] == "cuts")]
@@ -288,7 +288,7 @@ def main():
     try:
         passed = run(to_run, root)
     except KeyboardInterrupt:
-        print("soak: interrupted; ./dev soak --resume goes on with what is not finished", file=sys.stderr)
+        print("soak: interrupted; ./dev soak --resume runs the unfinished steps", file=sys.stderr)
         return 130
     result = figures(steps, len(steps) - len(to_run), time.monotonic() - begun, arguments, root)
     (root / "build/figures").mkdir(exist_ok=True)

@@ -138,7 +138,7 @@ one_test() {
     done
   done
   [ -n "$found" ] || {
-    echo "dev: test: no test is called $1; an example is ./dev test --only 'FlightPhase.*'" >&2
+    echo "dev: test: no test is called $1; example: ./dev test --only 'FlightPhase.*'" >&2
     exit 64
   }
   [ -z "$failed" ]

@@ -16,15 +16,15 @@
 
 namespace fantail::tool {
 
-/// What every verb of the bench is told.
+/// Options of every verb of the bench.
 struct BenchOptions {
   std::string interface;
   bool json = false;
   std::optional<double> wait_s;
 };
 
-/// Until the avionics has been heard. With --wait also until the rocket is at rest, or that time is over: then the
-/// avionics itself says what it refuses. Throws link::LinkError.
+/// Waits until the avionics reports. With --wait also until the rocket is at rest or the time is over; in that case the
+/// avionics itself refuses. Throws link::LinkError.
 void await_rocket(const BenchOptions& options, link::Place& place, link::AvionicsLink& link);
 
 /// --can, --wait and --json.
@@ -46,7 +46,7 @@ void add_bench_plan(const Verb& bench);
 void add_bench_log(const Verb& bench);
 void add_bench_zero(const Verb& bench);
 
-/// What is on the desk beside the rocket: the tolerances, and the plan that it should have.
+/// The given files: the tolerances, and the plan that the rocket should have.
 struct Desk {
   sim::CanardTolerances tolerances{};
   bench::Heading heading{};
@@ -56,22 +56,22 @@ struct Desk {
 /// --vehicle and --plan.
 void add_desk_options(const Verb& verb, std::string& vehicle_name, std::string& plan_name);
 
-/// Either name may be empty. Whatever is wrong with a file is said here, before anything moves.
+/// Either name may be empty. Errors in a file are reported here, before anything moves.
 [[nodiscard]] Desk desk(const std::string& vehicle_name, const std::string& plan_name);
 
-/// Throws RequirementNotMet when the desk has a plan and the rocket holds another one.
+/// Throws RequirementNotMet if a plan is given and the rocket has another one.
 void expect_plan_in_force(const Desk& desk, const BenchOptions& options, const link::AvionicsLink& link);
 
-/// A folder that cannot be made is said now, and not after the work with the canards. `for_what`: "the sheet with
+/// Reports a folder that cannot be made now, and not after the work with the canards. `for_what`: "the sheet with
 /// --out".
 void expect_room(const std::filesystem::path& folder, const std::string& for_what);
 
 [[nodiscard]] std::unique_ptr<link::Session> open_session(link::Place& place, link::AvionicsLink& link);
 
-/// What the avionics has reported, into the heading of a sheet.
+/// Puts the avionics' reports into the heading of a sheet.
 void complete(bench::Heading& heading, const BenchOptions& options, const link::AvionicsLink& link);
 
-/// Centres the canards after an interrupt, and says what came of it.
+/// Centres the canards after an interrupt, and returns a sentence on the result.
 [[nodiscard]] std::string centre_after_interrupt(link::Session& session);
 
 }  // namespace fantail::tool

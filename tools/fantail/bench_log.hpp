@@ -53,7 +53,7 @@ struct LogVisit {
   link::LogCheck check{};           ///< of that
 };
 
-/// Asks, and erases the record of the rocket if what was downloaded of it is whole, or nothing better is to be had.
+/// Asks, and erases the record of the rocket if the download is complete, or nothing better can be downloaded.
 /// Throws RequirementNotMet when it is kept.
 void erase_record(LogVisit& visit);
 

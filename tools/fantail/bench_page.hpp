@@ -29,7 +29,7 @@ class BenchPage {
   void take(const link::Tick& tick);
   /// So much of the exercise is done.
   void progress(double done_s);
-  /// It ends before its end, and the page says why. `turns_count`: what the turns that are over have shown stays.
+  /// It ends before its end, and the page shows why. `turns_count`: the results of finished turns stay.
   /// Nothing is done when the end has been shown.
   void give_up(const std::string& why, bool turns_count);
   /// The whole sheet is shown; one sentence on the viewers, empty without the option.

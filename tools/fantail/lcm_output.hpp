@@ -13,7 +13,8 @@ namespace fantail::tool {
 /// --lcm, checked: where messages go or come from.
 Option add_lcm_option(const Verb& verb, std::string& url, const std::string& meaning);
 
-/// One sentence about what was published. Throws telemetry::TelemetryError when the network or the disk refused a part.
+/// One sentence about what was published. Throws telemetry::TelemetryError when the network or the disk did not accept
+/// a part.
 [[nodiscard]] std::string report_of(const telemetry::PublisherFigures& figures, const std::string& url);
 
 /// The ticks of a flight as LCM messages. Without a URL it does nothing.
@@ -29,7 +30,7 @@ class LcmOutput {
   }
   [[nodiscard]] bool is_on() const { return publisher_ != nullptr; }
 
-  /// Waits until everything has gone its way, and reports on it; empty without a URL.
+  /// Waits until everything is sent, and returns a report; empty without a URL.
   std::string finish();
 
  private:

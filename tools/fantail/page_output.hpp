@@ -27,8 +27,8 @@ void add_page_options(const Verb& verb, PageOptions& options, const std::string&
 [[nodiscard]] live::Address address_of(const PageOptions& options);
 /// On standard error.
 void say_where(const live::Broadcast& page);
-/// For what begins with the program: says so, and waits until a browser has opened the page, or 10 s. Throws
-/// Interrupted.
+/// For a run that starts with the program: prints so, and waits until a browser has opened the page, at most 10 s.
+/// Throws Interrupted.
 void wait_for_viewer(const live::Broadcast& page);
 /// One sentence.
 [[nodiscard]] std::string viewers_text(const live::ServerFigures& figures);
@@ -36,8 +36,8 @@ void wait_for_viewer(const live::Broadcast& page);
 /// A verb's page for browsers. Without the option it does nothing.
 class PageOutput {
  public:
-  /// Says on standard error where the page is. Throws std::runtime_error when it cannot be there. `command` made it, as
-  /// a person would type it.
+  /// Prints the address of the page on standard error. Throws std::runtime_error if it cannot be served there.
+  /// `command` made it, as a person would type it.
   PageOutput(const PageOptions& options, live::Source source, const std::string& command);
 
   [[nodiscard]] bool is_on() const { return page_ != nullptr; }

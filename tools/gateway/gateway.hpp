@@ -12,8 +12,8 @@
 
 namespace fantail::gateway {
 
-/// The avionics' clock, as far as its heartbeats let a listener know it: ten a second, in milliseconds, and a frame may
-/// be held up on its way. Never goes backwards, except when the avionics has been switched on again.
+/// The avionics' clock, as far as its heartbeats show it: ten a second, in milliseconds, and a frame may be delayed on
+/// its way. Never goes backwards, except when the avionics has been switched on again.
 class AvionicsClock {
  public:
   /// A heartbeat came. True: the avionics has been switched on again since the one before.
@@ -31,7 +31,7 @@ class AvionicsClock {
   hal::Microseconds told_{};
 };
 
-/// A bus on which nothing can be said.
+/// A bus on which nothing can be sent.
 class ListenOnlyBus final : public hal::CanBus {
  public:
   explicit ListenOnlyBus(hal::CanBus& bus) : bus_{bus} {}
@@ -44,9 +44,9 @@ class ListenOnlyBus final : public hal::CanBus {
   hal::CanBus& bus_;
 };
 
-/// From the frames of a real bus to the same messages that a simulated flight sends. What no frame says stays unknown:
-/// reference, excitation, specific force and the command before its limit. Until the first heartbeat, which tells the
-/// avionics' time, nothing is sent.
+/// From the frames of a real bus to the same messages that a simulated flight sends. Values that no frame contains stay
+/// unknown: reference, excitation, specific force and the command before its limit. Until the first heartbeat, which
+/// tells the avionics' time, nothing is sent.
 class Gateway {
  public:
   Gateway(hal::CanBus& bus, telemetry::Sink& sink) : bus_{bus}, sink_{sink} { changes_.begin_with_first_look(); }

@@ -54,7 +54,7 @@ class Link {
   std::uint32_t asked_again_ = 0;
 };
 
-/// What a flight computer says of itself.
+/// The identity of a flight computer.
 struct TargetIdentity {
   std::string image;
   std::string version;
@@ -66,7 +66,7 @@ struct TargetIdentity {
 /// A flight computer at the end of a wire, to be flown by a world.
 class Target {
  public:
-  /// Throws TargetError when nobody answers, and text::Error when who answers speaks another language.
+  /// Throws TargetError without an answer, and text::Error if the answer is of another version of the link.
   explicit Target(std::unique_ptr<Wire> wire, Waiting waiting = {}, const Timeouts& timeouts = {});
 
   [[nodiscard]] const TargetIdentity& identity() const { return identity_; }
@@ -95,7 +95,7 @@ class RemoteBoard final : public sim::FlightComputer {
   [[nodiscard]] hal::sim::WorldSide& hardware() override { return hardware_; }
   /// Throws TargetError.
   const core::TickRecord& tick() override;
-  /// Throws TargetError: nobody can reset it from here.
+  /// Throws TargetError: it cannot be reset from here.
   core::Microseconds restart(const sim::Reset& reset) override;
 
  private:

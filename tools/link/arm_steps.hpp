@@ -12,7 +12,7 @@
 
 namespace fantail::link {
 
-/// The avionics did not begin the self-test. what() is the reason; an earlier test is as good as it was.
+/// The avionics did not begin the self-test. what() is the reason; an earlier test stays valid.
 class SelfTestRefused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -27,13 +27,13 @@ class CanardUnderTest {
   std::optional<std::size_t> last_;
 };
 
-/// The steps of arming. All throw LinkError when nobody answers for two seconds, and TwoRockets. A report does not say
-/// who sent it, so what one frame alone says decides nothing: a state must be reported again.
+/// The steps of arming. All throw LinkError without an answer for two seconds, and TwoRockets. A report does not name
+/// its sender, so a single frame decides nothing: a state must be reported twice.
 class ArmSteps {
  public:
   ArmSteps(Place& place, AvionicsLink& link) : place_{place}, link_{link} {}
 
-  /// Until the self-test has passed or failed. `progress` is told every new state. Throws SelfTestRefused.
+  /// Until the self-test has passed or failed. `progress` is called with every new state. Throws SelfTestRefused.
   [[nodiscard]] protocol::ArmReply run_self_test(const std::function<void(const protocol::ArmReply&)>& progress);
 
   /// The answer to `begin`: a nonce or a refusal.

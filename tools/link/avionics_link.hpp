@@ -26,7 +26,7 @@ namespace fantail::link {
 template <typename T>
 using Each = std::array<T, core::canard_count>;
 
-/// What the avionics reported of one millisecond.
+/// The avionics' reports of one millisecond.
 struct Tick {
   std::int64_t number = 0;                    ///< milliseconds by the frames' own counter
   Each<std::optional<double>> command_rad{};  ///< empty: not driven
@@ -61,11 +61,11 @@ class Recording {
   std::vector<Tick> ticks_;
 };
 
-/// How well the bench hears.
+/// How well the bench receives.
 struct LinkFigures {
-  std::uint64_t frames = 0;     ///< of the avionics, understood
-  std::uint64_t foreign = 0;    ///< with an identifier of nobody we know, or of another bench
-  std::uint64_t damaged = 0;    ///< of the avionics, but not understood: length, CRC-8 or range
+  std::uint64_t frames = 0;     ///< from the avionics, valid
+  std::uint64_t foreign = 0;    ///< with an unknown identifier, or from another bench
+  std::uint64_t damaged = 0;    ///< from the avionics, but invalid: length, CRC-8 or range
   std::uint64_t lost = 0;       ///< command and encoder frames that never came, by their counters
   std::uint64_t wire_bits = 0;  ///< of all frames, stuff bits included
 };
@@ -78,14 +78,14 @@ struct Heard {
   std::uint64_t count = 0;   ///< how many there have been
 };
 
-/// Listens to the avionics: the newest message of every kind and when it came, and the ticks in order.
+/// Receives from the avionics: the newest message of every kind with its time, and the ticks in order.
 class AvionicsLink {
  public:
   explicit AvionicsLink(hal::CanBus& bus) : bus_{bus} {}
 
   /// Takes in what has arrived: all of it, unless frames come faster than they are read. True: there is more.
   bool listen(hal::Microseconds now, int most_frames = 1'000);
-  /// There were status reports, and for two seconds of listening there has been none.
+  /// There were status reports, but none for the last two seconds of receiving.
   [[nodiscard]] bool has_fallen_silent() const { return silent_; }
 
   /// Empty when no such message has ever come.
@@ -93,7 +93,7 @@ class AvionicsLink {
   [[nodiscard]] const std::optional<Heard<Message>>& newest() const {
     return std::get<std::optional<Heard<Message>>>(heard_);
   }
-  /// The newest message. Throws LinkError when none has ever come; `what` it says, for the sentence: "canard limits".
+  /// The newest message. Throws LinkError if none has ever arrived; `what` names it in the sentence: "canard limits".
   template <typename Message>
   [[nodiscard]] const Message& reported(const char* what) const {
     const auto& heard = newest<Message>();
@@ -126,13 +126,13 @@ class AvionicsLink {
   [[nodiscard]] const LinkFigures& figures() const { return figures_; }
   /// Frames that reached this PC and were lost there, because nobody read them in time.
   [[nodiscard]] std::uint32_t overrun() const { return bus_.counters().overrun; }
-  /// Throws TwoRockets as soon as the reports heard cannot be those of one avionics.
+  /// Throws TwoRockets as soon as the received reports cannot come from one avionics.
   void expect_one_rocket() const {
     if (const auto why = two_rockets()) {
       throw TwoRockets{*why};
     }
   }
-  /// The sentence that it throws; empty: one rocket alone.
+  /// The message that it throws; empty: only one rocket.
   [[nodiscard]] std::optional<std::string> two_rockets() const;
   /// The newest report of the board, with every fault that any of its reports had.
   [[nodiscard]] const std::optional<protocol::BoardReport>& board() const { return board_; }

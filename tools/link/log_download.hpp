@@ -17,11 +17,11 @@
 namespace fantail::link {
 
 /// What has been downloaded so far, in a file that outlives this program. Verified bytes only are written to it, in
-/// order; a program that is killed can leave it shorter. A power cut, a disk or a person can leave it wrong, so what is
-/// read back is to be verified again. Every call throws text::OutputError with the path and the system's reason.
+/// order; a program that is killed can leave it shorter. A power cut, a disk or a person can damage it, so data
+/// read back must be verified again. Every call throws text::OutputError with the path and the system's reason.
 class LogPart {
  public:
-  /// Goes on with the file that is there; makes its folder.
+  /// Continues an existing file; makes its folder.
   explicit LogPart(std::filesystem::path path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -57,8 +57,8 @@ struct LogStretch {
 
 /// Fills the part until it holds the stretch, and returns the bytes that were there already. It goes on with those when
 /// their first and last 1792 bytes are still what the avionics has; otherwise they are of another record, and it starts
-/// anew. `progress` is told the bytes done; it may throw to give up, and so may the place where the bench waits: then
-/// the part stays.
+/// anew. `progress` is called with the bytes done; it may throw to give up, and so may the place where the bench waits:
+/// then the part stays.
 std::uint32_t download(LogReader& reader, const LogStretch& stretch, LogPart& part,
                        const std::function<void(std::uint32_t)>& progress);
 
@@ -71,13 +71,13 @@ struct ListedFlight {
 
 /// Looks where flights begin. Each begins on a fresh sector with its header, so the first bytes of every sector are
 /// asked for: 3 MB take some 20 s. A flight whose first header is damaged is taken for a part of the one before it.
-/// `progress` is told the bytes looked through.
+/// `progress` is called with the bytes searched.
 [[nodiscard]] std::vector<ListedFlight> list_flights(LogReader& reader, std::uint32_t used_bytes,
                                                      const std::function<void(std::uint32_t)>& progress);
 
-/// What a second look at a downloaded stretch has found.
+/// The result of verifying a downloaded stretch.
 struct LogCheck {
-  std::uint32_t mended_bytes = 0;    ///< were not as the avionics has them, and now are
+  std::uint32_t mended_bytes = 0;    ///< differed from the avionics' and were corrected
   std::uint32_t unsteady_bytes = 0;  ///< in chunks that were read differently each time
   bool intact = false;               ///< every record is there, by its CRC-32C and its number, up to a last cut-off one
   /// All that is on this PC is what the avionics has: each byte stands under the CRC-32C of its record, or two fetches
@@ -88,7 +88,7 @@ struct LogCheck {
 /// Verifies a part that holds the whole stretch, and fetches again what fails. Of the first `resumed_bytes`, which this
 /// run did not fetch, everything that no intact record covers is fetched again. If a flight is not whole then, so is
 /// the whole stretch: only two fetches that agree make it damage in the flash, or a record that was cut off there.
-/// `progress` is told the bytes fetched again; it may throw to give up, and the part stays.
+/// `progress` is called with the bytes fetched again; it may throw to give up, and the part stays.
 [[nodiscard]] LogCheck verify(LogReader& reader, const LogStretch& stretch, LogPart& part, std::uint32_t resumed_bytes,
                               const std::function<void(std::uint32_t)>& progress);
 

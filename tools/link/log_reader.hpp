@@ -18,9 +18,9 @@ struct LogInfo {
   std::uint32_t free_bytes = 0;  ///< in whole KiB
 };
 
-/// Asks the avionics about its flight record, and for the plan in force. Whatever is lost on the way is asked for
-/// again; what comes back is whole. Every call throws LinkError when the avionics refuses, with the reason, or when for
-/// five seconds it is silent or what it sends does not arrive whole.
+/// Reads the flight record of the avionics, and the plan in force. Lost parts are requested again, so results are
+/// complete. Every call throws LinkError when the avionics refuses, with the reason, or when nothing complete arrives
+/// for five seconds.
 class LogReader {
  public:
   LogReader(Place& place, AvionicsLink& link) : place_{place}, link_{link} {}
@@ -28,18 +28,18 @@ class LogReader {
   /// Waits while the avionics looks through its flash, some seconds after power-up.
   [[nodiscard]] LogInfo info();
 
-  /// Bytes of the record from `offset` on: as many as are to be had at once, at most `size`, at least one. Verified by
+  /// Bytes of the record from `offset` on: as many as one request yields, at most `size`, at least one. Verified by
   /// the CRC-32C that the avionics gave. On a bus that loses frames they become fewer.
   [[nodiscard]] std::vector<std::byte> read(std::uint32_t offset, std::uint32_t size);
 
   /// The block of the plan in force, as long as its header says it is; it is not looked into further.
   [[nodiscard]] std::vector<std::byte> plan_block();
 
-  /// Erases the record, once so many heartbeats of one rocket alone came that there is no second. `progress` is told
-  /// the bytes that are left. Throws LinkError when the session ends; TwoRockets.
+  /// Erases the record, after enough heartbeats to exclude a second rocket. `progress` is called with the bytes that
+  /// are left. Throws LinkError when the session ends; TwoRockets.
   void erase(Session& session, const std::function<void(std::uint32_t)>& progress);
 
-  /// Chunks that had to be asked for again.
+  /// Chunks that had to be requested again.
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
 
  private:

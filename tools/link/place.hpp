@@ -9,12 +9,12 @@
 
 namespace fantail::link {
 
-/// The avionics does not answer, refuses, or has ended the session. what() says it for a person.
+/// The avionics does not answer, refuses, or has ended the session. what() is a sentence for a person.
 class LinkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// More than one avionics reports on the bus, so no report says which rocket it is about.
+/// More than one avionics reports on the bus, so a report cannot be assigned to a rocket.
 class TwoRockets : public LinkError {
   using LinkError::LinkError;
 };
@@ -31,8 +31,8 @@ class Place {
   virtual void wait(hal::Microseconds at_most) = 0;
 };
 
-/// How long something is waited for. To be asked at every look, and what lies between two looks counts for 0.25 s at
-/// the most: while a busy PC held this process up nobody listened, and an avionics on the same PC could not speak.
+/// A timeout. To be checked at every look; the time between two looks counts for 0.25 s at most, because a PC that held
+/// up this process received nothing meanwhile, and an avionics on the same PC could not send.
 class Timeout {
  public:
   Timeout(hal::Microseconds longest, hal::Microseconds now) : longest_{longest}, last_look_{now} {}

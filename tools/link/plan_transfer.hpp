@@ -25,8 +25,8 @@ struct PlanInForce {
 
 /// Sends a plan block, seven bytes at a time, each waited for, and returns the avionics' last word: stored, when its
 /// heartbeat has named the plan as the one in force, or refused.
-/// `progress` is told the bytes that have arrived. Throws LinkError when the avionics does not answer for two seconds,
-/// or has written a plan and keeps it back for ten, because somebody has a bench session or a self-test going.
+/// `progress` is called with the bytes that have arrived. Throws LinkError when the avionics does not answer for two
+/// seconds, or has written a plan and keeps it back for ten, because a bench session or a self-test is running.
 [[nodiscard]] protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const std::byte> block,
                                             const std::function<void(std::size_t)>& progress);
 

@@ -9,13 +9,13 @@
 
 namespace fantail::link {
 
-/// Waits until the avionics has been heard, as long as it takes to hear a second one too: half a second. Throws
-/// LinkError with what to look at when it stays silent for so long, or speaks another version of the protocol;
-/// TwoRockets when it is not alone.
+/// Waits until the avionics has reported, and half a second, long enough for a second one to report too. Throws
+/// LinkError with advice if it stays silent for that long or uses another version of the protocol; TwoRockets if it is
+/// not alone.
 void await_avionics(Place& place, AvionicsLink& link, hal::Microseconds longest = hal::Microseconds{2'000'000});
 
-/// Listens for ten heartbeats, a second of a rocket's: by then a second rocket has told itself from the first. Throws
-/// TwoRockets. For whoever would blame something else for what does not fit. `meanwhile` is called at every look.
+/// Receives for ten heartbeats, a second of a rocket's time: by then a second rocket is detected. Throws TwoRockets. To
+/// be called before another cause is given for reports that do not fit. `meanwhile` is called at every look.
 void look_for_second_rocket(Place& place, AvionicsLink& link, const std::function<void()>& meanwhile = [] {});
 
 /// The right to move the canards. It opens with the object and lives on heartbeats, which are sent while the bench
@@ -23,13 +23,13 @@ void look_for_second_rocket(Place& place, AvionicsLink& link, const std::functio
 class Session {
  public:
   /// Asks for nothing while another bench has a session. Throws LinkError then, and with the reason when the avionics
-  /// refuses. `number`: drawn at random, because it is what tells the frames of this bench from those of another.
+  /// refuses. `number`: drawn at random, because it distinguishes the frames of this bench from those of another.
   Session(Place& place, AvionicsLink& link, std::uint16_t number);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Asks for these angles from now on.
+  /// Requests these angles from now on.
   void request(const protocol::PerCanard& angles) { wanted_ = angles; }
 
   /// Lets time pass, with heartbeats and requests as they fall due. Throws LinkError when the session has ended.
@@ -40,7 +40,7 @@ class Session {
   /// As the function of this name, with the session's heartbeats and requests; whether or not it goes on.
   void look_for_second_rocket();
 
-  /// Ends the session and waits until the avionics has said so. True when all canards that are driven then stand at
+  /// Ends the session and waits until the avionics confirms it. True when all canards that are driven then stand at
   /// their trims by command.
   bool close();
 
@@ -48,7 +48,7 @@ class Session {
   /// By the clock of this PC.
   [[nodiscard]] hal::Microseconds now() const { return place_.now(); }
 
-  /// Where the canards stand when nothing is asked.
+  /// Where the canards stand without a request.
   [[nodiscard]] const Each<core::Angle>& trims() const { return trims_; }
 
  private:

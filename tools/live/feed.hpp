@@ -17,7 +17,7 @@
 
 namespace fantail::live {
 
-/// What a page is told beside the messages.
+/// Facts for a page beyond the messages.
 struct Source {
   std::string name{};  ///< where the messages come from, for people: "tasha3_launch2, simulated", "udpm://"
   /// How far from its reference the roll comes to rest: disturbance over proportional gain. Known of a simulation
@@ -27,7 +27,7 @@ struct Source {
   std::string what_ends{"The program behind this page"};
 };
 
-/// Turns what is heard of a rocket into frames for the page: the newest values, and what there is to plot since the
+/// Turns the messages of a rocket into frames for the page: the newest values, and what there is to plot since the
 /// frame before. take() and frame() are for one thread, greeting() for any.
 class Feed {
  public:
@@ -41,7 +41,7 @@ class Feed {
 
   /// One line of JSON.
   [[nodiscard]] std::string frame(hal::Microseconds now);
-  /// The frame for who comes now: all that the frames up to here have told, as far as it is kept.
+  /// The frame for a new viewer: everything in the frames so far, as far as it is kept.
   [[nodiscard]] std::string greeting(hal::Microseconds now) const;
 
  private:

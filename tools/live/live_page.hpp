@@ -14,7 +14,7 @@
 
 namespace fantail::live {
 
-/// A page of what is heard of a rocket, for browsers.
+/// A page for browsers with the messages of a rocket.
 class LivePage {
  public:
   /// Throws std::runtime_error when the address cannot be listened at.

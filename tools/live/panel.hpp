@@ -24,7 +24,7 @@ struct PanelWords {
   std::string version{};
 };
 
-/// The whole page of a rocket that is heard; it loads nothing but the frames at /events (Feed). The words are escaped.
+/// The whole page of a rocket; it loads only the frames at /events (Feed). The words are escaped.
 [[nodiscard]] Page panel(const PanelWords& words);
 /// The same of the sheet of a bench, which fills while canards move (SheetFeed).
 [[nodiscard]] Page sheet_panel(const PanelWords& words);

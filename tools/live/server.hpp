@@ -10,7 +10,7 @@
 
 namespace fantail::live {
 
-/// Where a page is served. Without a word from the user nobody but this computer reaches it.
+/// Where a page is served. By default only this computer reaches it.
 struct Address {
   std::string host = "127.0.0.1";  ///< a number or a name; without the brackets of IPv6
   int port = 8080;                 ///< 1 to 65535; 0: one that is free
@@ -25,12 +25,12 @@ struct Address {
 /// Of a text without objection.
 [[nodiscard]] Address address_of(const std::string& text);
 
-/// Is this Host header that of somebody who asked for this address? A web site whose own name leads to this computer
+/// Does this Host header belong to a request for this address? A web site whose own name leads to this computer
 /// would read the page otherwise (DNS rebinding), and no browser would stop it. `own_name` is what the computer is
 /// called.
 [[nodiscard]] bool may_ask(const Address& address, std::string_view host_header, std::string_view own_name);
 
-/// What has become of the frames, over all viewers so far.
+/// The fate of the frames, over all viewers so far.
 struct ServerFigures {
   std::size_t viewers = 0;           ///< now
   std::size_t most_viewers = 0;      ///< at the same time

@@ -34,7 +34,7 @@ class SheetFeed {
 
   /// One line of JSON; the sheet is in it when it is new.
   [[nodiscard]] std::string frame();
-  /// For who comes now: all that the frames up to here have told.
+  /// For a new viewer: everything in the frames so far.
   [[nodiscard]] std::string greeting() const;
 
  private:

@@ -5,7 +5,7 @@
 
 namespace fantail::playground {
 
-/// What a page lets a person turn in this scenario, as JSON: {"surroundings", "controls": [{"key", "label", "unit",
+/// The controls of a page for this scenario, as JSON: {"surroundings", "controls": [{"key", "label", "unit",
 /// "value", "low", "high", "step", "meaning"}, ...], "faults": [{"kind", "meaning", "fields": [{"key",
 /// "unit", "meaning"}, ...]}, ...]}. Throws text::Error.
 [[nodiscard]] std::string controls(const std::string& scenario);

@@ -10,7 +10,7 @@
 
 namespace fantail::replies {
 
-// What the avionics answers with one word, as a sentence for whoever has to do something about it.
+// The one-word answers of the avionics, as sentences for the person who has to act on them.
 
 [[nodiscard]] std::string sentence(protocol::SessionReason reason);
 [[nodiscard]] std::string sentence(protocol::SelfTestFailure failure, const std::optional<std::size_t>& canard);

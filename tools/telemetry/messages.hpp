@@ -15,7 +15,7 @@
 
 namespace fantail::telemetry {
 
-// What the LCM messages of types/*.lcm say, in the words of the program: what is not known is empty here and NaN or -1
+// The content of the LCM messages of types/*.lcm in the program's types: unknown values are empty here, and NaN or -1
 // on the wire. The channel's name is that of the struct: FANTAIL_STATE, FANTAIL_CANARDS, FANTAIL_EVENT, FANTAIL_HEALTH.
 
 enum class Channel : std::uint8_t { state, canards, event, health };
@@ -90,7 +90,7 @@ struct Health {
     std::int64_t errors = 0;
     friend bool operator==(const Bus&, const Bus&) = default;
   };
-  /// How well a gateway hears the avionics.
+  /// How well a gateway receives the avionics.
   struct Gateway {
     hal::CanState state = hal::CanState::error_active;
     std::int64_t frames = 0;

@@ -15,7 +15,7 @@
 
 namespace fantail::telemetry {
 
-/// What a person or a script is shown of a sender, made once a look. Angles in degrees.
+/// The display of a sender for a person or a script, updated at every look. Angles in degrees.
 class Panel {
  public:
   Panel(std::string url, Receiver& receiver) : url_{std::move(url)}, receiver_{receiver} {}

@@ -82,11 +82,11 @@ class PacketQueue {
 struct PublisherFigures {
   std::uint64_t published = 0;
   std::uint64_t dropped = 0;  ///< no room in the queue
-  std::uint64_t failed = 0;   ///< not taken by the network or the disk
+  std::uint64_t failed = 0;   ///< not accepted by the network or the disk
   bool complete = true;       ///< false: the disk has lost some of what it took
 };
 
-/// Publishes from a thread of its own, so that whoever flies never waits: not for a network, not for a disk.
+/// Publishes from a thread of its own, so that the flight never waits for a network or a disk.
 class Publisher final : public Sink {
  public:
   /// All messages of five minutes of flight.

@@ -22,7 +22,7 @@
 
 namespace fantail::telemetry {
 
-/// Hears our channels on an LCM network, or in a log at the log's own pace.
+/// Receives our channels from an LCM network, or from a log at its own pace.
 class Subscription {
  public:
   /// Takes one message: its channel and its bytes.
@@ -50,13 +50,13 @@ class Subscription {
   std::unique_ptr<Log> log_;
 };
 
-/// How well one channel is heard. Of the numbers from the first one heard to the highest, each is received or lost.
+/// How well one channel is received. Of the numbers from the first received to the highest, each is received or lost.
 struct ChannelFigures {
   std::int64_t received = 0;    ///< different messages
   std::int64_t lost = 0;        ///< numbers that have not come; one that comes late is lost no more
   std::int64_t late = 0;        ///< came after one with a higher number
   std::int64_t duplicate = 0;   ///< came again
-  std::int64_t ignored = 0;     ///< of another sender, or so far off that it cannot belong here
+  std::int64_t ignored = 0;     ///< from another sender, or with a number far from the others
   std::int64_t unreadable = 0;  ///< no message of this channel's type
   friend bool operator==(const ChannelFigures&, const ChannelFigures&) = default;
 };
@@ -75,7 +75,7 @@ class SequenceWatch {
  public:
   /// Numbers so far below the highest can still be told apart, late from twice: 10 s of the fastest channel.
   static constexpr std::int64_t window = 1024;
-  /// Nobody loses more in one piece and is still the same: 100 s of the fastest channel.
+  /// A larger gap means another sender: 100 s of the fastest channel.
   static constexpr std::int64_t longest_gap = 10'000;
 
   Arrival take(std::int64_t sequence, ChannelFigures& figures);
@@ -95,11 +95,11 @@ struct Heard {
   hal::Microseconds came{};
 };
 
-/// What a listener knows of one sender, over a link that may lose, reorder and repeat: an older message never takes the
+/// The state of one sender, received over a link that may lose, reorder and repeat: an older message never takes the
 /// place of a newer one.
 class Receiver {
  public:
-  /// As long as nothing new comes, what is known is old after this time.
+  /// Without new messages, values are old after this time.
   static constexpr hal::Microseconds stale_after{1'000'000};
   /// So long back go the recent figures.
   static constexpr hal::Microseconds recent_time{5'000'000};

@@ -46,8 +46,8 @@ class TickReporter {
   std::optional<double> longest_tick_s_;
 };
 
-/// Stands between the avionics and its bus and reads what it says of its canards' limits: which plan is in force, its
-/// own or one from the flash, only the avionics knows.
+/// Stands between the avionics and its bus and reads the reported canard limits, because only the avionics knows which
+/// plan is in force, the built-in one or one from the flash.
 class LimitTap final : public hal::CanBus {
  public:
   explicit LimitTap(hal::CanBus& bus) : bus_{bus} {}

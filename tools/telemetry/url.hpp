@@ -9,7 +9,7 @@
 
 namespace fantail::telemetry {
 
-/// The network or the log file did not take or give messages. what() says what to do about it.
+/// The network or the log file did not accept or deliver messages. what() tells what to do about it.
 class TelemetryError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -25,7 +25,7 @@ class Url {
   [[nodiscard]] const std::string& path() const { return path_; }        ///< of a file, without options
   [[nodiscard]] const std::string& address() const { return address_; }  ///< of a network
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  [[nodiscard]] double speed() const { return speed_; }  ///< of a file; 0: as fast as it goes
+  [[nodiscard]] double speed() const { return speed_; }  ///< of a file; 0: as fast as possible
   [[nodiscard]] const std::optional<int>& receive_buffer_bytes() const { return receive_buffer_bytes_; }
 
  private:
@@ -44,7 +44,7 @@ class Url {
 /// Empty when the text is a URL: for the command line.
 [[nodiscard]] std::string objection_to_url(const std::string& text);
 
-/// Throws TelemetryError, with the command that mends it, when multicast packets have no way out of this computer.
+/// Throws TelemetryError, with the command that corrects it, if multicast packets have no route out of this computer.
 void require_route(const Url& url);
 
 }  // namespace fantail::telemetry

@@ -10,7 +10,7 @@
 namespace fantail::hal {
 
 /// Memory that a reset of the processor leaves alone and a power cut need not. What lies in it at power-up is anything:
-/// whoever keeps something here seals it with a CRC.
+/// seal what is kept here with a CRC.
 class BackupMemory {
  public:
   virtual ~BackupMemory() = default;

@@ -22,7 +22,7 @@ enum class BoardFault : std::uint8_t {
   accelerometer_wrong_id,  ///< something answers, and it is not that accelerometer
   encoder_silent,          ///< one of the four, at power-up
   flash_silent,            ///< does not answer
-  flash_wrong_id,          ///< something answers, and it is no flash that the driver knows
+  flash_wrong_id,          ///< a device answers that is not a flash known to the driver
   flash_stuck,             ///< busy for longer than its data sheet allows
   can_failed,              ///< the controller did not leave initialisation
   entropy_failed,      ///< the random numbers repeat themselves, or their generator has no clock, no noise or no answer
@@ -95,7 +95,7 @@ enum class ResetCause : std::uint8_t {
   brown_out,  ///< the supply was too low for a moment
   pin,        ///< the reset button, or a probe
   software,   ///< asked for by the firmware itself, as after a hard fault
-  watchdog,   ///< nobody fed it in time
+  watchdog,   ///< it was not fed in time
 };
 /// How many values ResetCause has: one that is read must be below.
 inline constexpr std::size_t reset_causes = 5;
@@ -110,14 +110,14 @@ inline constexpr std::size_t reset_causes = 5;
 struct BoardStatus {
   BoardFaults faults{};
   ResetCause reset_cause = ResetCause::power_on;
-  std::optional<std::uint16_t> battery_mv{};  ///< empty where nobody measures it, not yet, or no longer
+  std::optional<std::uint16_t> battery_mv{};  ///< empty: not measured, not yet, or no longer
   std::uint32_t overruns = 0;                 ///< control ticks that were due and did not come, since power-up
   /// Those that a simulated board left out, with the time of the world around it, because its PC was too slow. For the
   /// rocket no time has passed, so they are told and are no fault.
   std::uint32_t ticks_left_out = 0;
 };
 
-/// Lights and tones: what a person at the pad sees and hears.
+/// Lights and tones for a person at the pad.
 enum class Signal : std::uint8_t {
   safe,             ///< Safe, and nothing is wrong with the board or its flash
   faulty,           ///< Safe, and it cannot be armed
@@ -134,7 +134,7 @@ class Board {
   virtual ~Board() = default;
   /// Now; never waits.
   [[nodiscard]] virtual BoardStatus status() = 0;
-  /// Cycles of the processor that the longest tick took since this was asked last; none where nobody counts them.
+  /// Cycles of the processor that the longest tick took since this was asked last; empty if they are not counted.
   virtual std::optional<std::uint32_t> take_longest_tick_cycles() { return std::nullopt; }
   /// Once a tick.
   virtual void show(Signal signal) = 0;

@@ -17,7 +17,7 @@ struct CanFrame {
   friend bool operator==(const CanFrame&, const CanFrame&) = default;
 };
 
-/// What the controller says about the bus, in the words of ISO 11898.
+/// The controller's state of the bus, in the terms of ISO 11898.
 enum class CanState : std::uint8_t {
   error_active,   ///< all is well
   error_warning,  ///< an error counter has reached 96

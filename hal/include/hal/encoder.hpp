@@ -9,7 +9,7 @@
 
 namespace fantail::hal {
 
-/// What one encoder says.
+/// The reading of one encoder.
 struct EncoderSample {
   std::uint16_t counts = 0;  ///< one turn is 16384, counted in the shaft's positive direction
   Status status = Status::no_reading;

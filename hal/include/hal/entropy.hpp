@@ -5,11 +5,11 @@
 
 namespace fantail::hal {
 
-/// Numbers that nobody can foretell, from noise in the hardware.
+/// Unpredictable numbers, from noise in the hardware.
 class Entropy {
  public:
   virtual ~Entropy() = default;
-  /// Never waits. A generator that has failed may repeat itself, so nobody may rely on numbers that differ.
+  /// Never waits. A generator that has failed may repeat itself, so do not rely on numbers that differ.
   virtual std::uint32_t draw() = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace fantail::hal {
 
-/// What the device said about its own reading.
+/// The quality of a reading, as reported by the device.
 enum class Status : std::uint8_t {
   ok,          ///< as far as the device knows
   error,       ///< it answered with an error flag, a bad parity or a failed self-check

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Files of other programs as columns, and columns as files, by the packages that are made for each (fantail[files]).
+"""Files of other programs as columns, and columns as files, with the packages for each kind (fantail[files]).
 
 >>> from fantail import files
 >>> table = files.read("log.parquet")      # .mat .parquet .feather .xlsx .h5 .hdf5 .csv.gz .csv .mcap .ulg
->>> table["time_s"], table.units           # numpy; what the file says of units
+>>> table["time_s"], table.units           # numpy; the units that the file states
 >>> files.write("log.mat", table)          # .mat .parquet .feather .xlsx .mcap .json .csv
 
-What is no such file is BadFile, a ValueError. A package is imported where a kind of file needs it: one that is missing is an
-ImportError. The programs of Fantail run this folder by itself (__main__.py): nothing in it needs the rest of the package.
+A file of another kind raises BadFile, a ValueError. A package is imported when a kind of file needs it; a missing one raises an
+ImportError. The programs of Fantail run this folder by itself (__main__.py), so nothing in it needs the rest of the package.
 """
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ WRITERS = {".mat": "_mat.write_mat", ".parquet": "_arrow.write_parquet", ".feath
 
 
 def __getattr__(name: str) -> Any:
-    """Table needs numpy, and not everything here does."""
+    """Table is imported when it is used: it needs numpy, which other parts do not need."""
     if name == "Table":
         return importlib.import_module(f"{__name__}._table").Table
     raise AttributeError(name)
@@ -45,7 +45,7 @@ def _function(place: str) -> Callable[..., Any]:
 
 
 def read_stream(stream: BinaryIO, ending: str) -> Table:
-    """`stream` can be read from any place."""
+    """`stream` must be seekable."""
     if ending not in READERS:
         raise BadFile(f"files that end in {ending} are not read; allowed: {' '.join(READERS)}")
     table: Table = _function(READERS[ending])(stream)
@@ -66,7 +66,7 @@ def written(table: Table, ending: str) -> bytes:
 
 
 def write(path: Union[str, os.PathLike[str]], table: Table) -> None:
-    """Whole or not at all."""
+    """Writes the whole file or none."""
     target = pathlib.Path(path)
     content = written(table, target.suffix)
     with tempfile.NamedTemporaryFile(dir=target.parent, prefix=target.name, delete=False) as part:

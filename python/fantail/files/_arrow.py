@@ -21,7 +21,7 @@ def read_parquet(stream: BinaryIO) -> Table:
     except (pyarrow.ArrowException, OSError, ValueError) as error:
         raise BadFile(_why(stream, b"PAR1", "Parquet file", error)) from None
     if len(read) != file.metadata.num_rows:
-        raise BadFile(f"is damaged: it has {len(read)} rows, and its description says {file.metadata.num_rows}")
+        raise BadFile(f"is damaged: it has {len(read)} rows, but its description states {file.metadata.num_rows}")
     table = _table(read)
     _expect_described(read.schema, table)
     return table
@@ -39,13 +39,12 @@ def read_feather(stream: BinaryIO) -> Table:
 def _why(stream: BinaryIO, beginning: bytes, kind: str, error: Exception) -> str:
     stream.seek(0)
     if stream.read(len(beginning)) != beginning:
-        return f"is no {kind}"
+        return f"is not a {kind}"
     return f"is damaged: {' '.join(str(error).split())[:200]}"
 
 
 def _expect_described(schema: Any, table: Table) -> None:
-    """Of a file that Fantail wrote: its columns are those that its description lists, so that a damaged name or type is
-    found."""
+    """Compares the columns of a file that Fantail wrote with its description, to find a damaged name or type."""
     said = (schema.metadata or {}).get(b"fantail")
     if said is None:
         return
@@ -54,14 +53,14 @@ def _expect_described(schema: Any, table: Table) -> None:
     except (ValueError, KeyError, TypeError):
         raise BadFile("is damaged: its description cannot be read") from None
     if listed != list(table.columns):
-        raise BadFile("is damaged: its description names other columns than it has")
+        raise BadFile("is damaged: its columns differ from its description")
 
 
 def _table(read: Any) -> Table:
     import pyarrow
     types = pyarrow.types
     if len(set(read.column_names)) != len(read.column_names):
-        raise BadFile("two of its columns have one name")
+        raise BadFile("two of its columns have the same name")
     table = Table({})
     for name, column in zip(read.column_names, read.columns):
         kind = column.type

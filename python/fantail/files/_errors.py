@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
 class BadFile(ValueError):
-    """A file that cannot be what its name says, or holds no table; str() says why, without its name."""
+    """A file that is not of the kind in its name, or has no table; str() gives the reason, without its name."""

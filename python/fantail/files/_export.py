@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A flight that fantail log export hands over, as a file of another program: a line of JSON, then of every column its
-values as float64, of which NaN is unknown. Flags are 0 and 1, words places in a list. Nothing but Python itself is needed
-for JSON."""
+"""A flight from fantail log export, as a file of another program: a line of JSON, then the values of every column as
+float64, NaN if unknown. Flags are 0 and 1, words are places in a list. JSON needs only Python itself."""
 from __future__ import annotations
 
 import array

@@ -17,7 +17,7 @@ from ._table import Table, words
 
 @dataclasses.dataclass
 class Other:
-    """What a column cannot be made of, and a single value or a matrix of texts."""
+    """A value from which no column can be made: a single value, or a matrix of texts."""
 
     kind: str
     empty: bool = False
@@ -41,15 +41,15 @@ def read_mat(stream: BinaryIO) -> Table:
     if beginning.startswith(b"MATLAB 7.3 MAT-file") or beginning.startswith(b"\x89HDF"):
         return table_of(_hdf5_variables(stream))
     if beginning.startswith((b"# Created by Octave", b"Octave-1-")):
-        raise BadFile("it is in a format of Octave's own; save it with -v7")
+        raise BadFile("it is in Octave's own format; save it with -v7")
     if not beginning.startswith(b"MATLAB 5.0"):
-        raise BadFile("it is no MAT-file of version 5 or 7.3, which save -v7, -v6 and -v7.3 write")
+        raise BadFile("it is not a MAT-file of version 5 or 7.3, which save -v7, -v6 and -v7.3 write")
     _expect_whole(stream)
     return table_of(_scipy_variables(stream))
 
 
 def _expect_whole(stream: BinaryIO) -> None:
-    """SciPy reads what it needs of a packed variable, and so misses its checksum."""
+    """SciPy reads only part of a packed variable, and so misses its checksum."""
     file = stream.read()
     stream.seek(0)
     order = "<" if file[126:128] == b"IM" else ">"
@@ -60,7 +60,7 @@ def _expect_whole(stream: BinaryIO) -> None:
         kind, size = struct.unpack_from(order + "II", file, at)
         at += 8
         if kind not in (14, 15):
-            raise BadFile(f"something of type {kind} stands where a variable must")
+            raise BadFile(f"it has an element of type {kind} in place of a variable")
         if at + size > len(file):
             raise BadFile("it ends within a variable")
         if kind == 15:
@@ -87,7 +87,7 @@ def _scipy_variables(stream: BinaryIO) -> dict[str, Variable]:
             read = scipy.io.loadmat(stream)
     except Exception as error:  # SciPy raises what its parts do: of a damaged file that may be anything
         twice = "Duplicate variable name" in str(error)
-        raise BadFile(f"has two variables with one name: {_short(error)}" if twice else f"is damaged: {_short(error)}") from None
+        raise BadFile(f"has two variables with the same name: {_short(error)}" if twice else f"is damaged: {_short(error)}") from None
     for name in names:
         if names.count(name) > 1:
             raise BadFile(f"has two variables with the name {name}")
@@ -151,7 +151,7 @@ def _hdf5_variables(stream: BinaryIO) -> dict[str, Variable]:
 
 
 def _of_hdf5(h5py: Any, file: Any, value: Any) -> Variable:
-    """MATLAB keeps its arrays turned, says by an attribute of which class they are, and of an empty one the size alone."""
+    """MATLAB stores arrays transposed, with their class in an attribute, and only the size of an empty one."""
     kind = value.attrs.get("MATLAB_class", b"").decode()
     if isinstance(value, h5py.Group):
         return Other("a sparse matrix") if "MATLAB_sparse" in value.attrs else {name: _of_hdf5(h5py, file, value[name]) for name in value}
@@ -213,8 +213,8 @@ def _place(variables: dict[str, Variable]) -> dict[str, Variable]:
     places += [(f"the struct {name}", value) for name, value in variables.items()
                if isinstance(value, dict) and name != "words" and _columns(value, 2)]
     if len(places) > 1:
-        raise BadFile(f"has columns in more than one place: {', '.join(name for name, _ in places)}; keep one, or call the struct "
-                      "of the flight flight")
+        raise BadFile(f"has columns in more than one place: {', '.join(name for name, _ in places)}; keep one, or name the struct "
+                      "of the flight 'flight'")
     return places[0][1] if places else variables
 
 
@@ -226,7 +226,7 @@ def _kind(value: Variable) -> str:
 
 def _placed(name: str, column: numpy.ndarray, texts: Variable) -> numpy.ndarray:
     if not isinstance(texts, Texts) or column.dtype == object:
-        raise BadFile(f"words.{name} is no list of texts for the numbers of {name}")
+        raise BadFile(f"words.{name} is not a list of texts for the numbers of {name}")
     lines: list[str | None] = [None, *texts.lines]
     for value in column:
         if value == value and not (1 <= value < len(lines) and value == int(value)):

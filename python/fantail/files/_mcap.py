@@ -90,7 +90,7 @@ def write_mcap(table: Table) -> bytes:
     """One topic with a message a row, by its column time_s, time_us or timestamp (microseconds)."""
     clock = next((name for name in ("time_us", "timestamp", "time_s") if name in table.columns), None)
     if clock is None or table[clock].dtype == object:
-        raise BadFile("MCAP wants a time: a column time_s, time_us or timestamp with numbers")
+        raise BadFile("MCAP needs a time: a column time_s, time_us or timestamp with numbers")
     scale = 1e6 if clock == "time_s" else 1.0
     times = table[clock].astype(float) * scale
     begin = min(0.0, min((time for time in times.tolist() if time == time), default=0.0))  # MCAP has no time before zero

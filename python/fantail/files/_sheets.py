@@ -13,13 +13,13 @@ from ._table import Table, read_csv, table_of_rows, words
 
 
 def read_xlsx(stream: BinaryIO) -> Table:
-    """The first sheet, whose first row has the names. A formula is what it had when the file was saved."""
+    """The first sheet, whose first row has the names. A formula has the value from when the file was saved."""
     import openpyxl
     try:
         rows = openpyxl.load_workbook(stream, read_only=True, data_only=True).worksheets[0].iter_rows(values_only=True)
         listed = [list(row) for row in rows if any(cell is not None for cell in row)]
     except Exception as error:  # a workbook is a ZIP archive of XML: of a damaged one that may be anything
-        raise BadFile(f"is no Excel workbook, or is damaged: {' '.join(str(error).split())[:200] or type(error).__name__}") from None
+        raise BadFile(f"is not an Excel workbook, or is damaged: {' '.join(str(error).split())[:200] or type(error).__name__}") from None
     if not listed:
         raise BadFile("its first sheet is empty")
     return table_of_rows(listed[0], listed[1:])
@@ -38,11 +38,11 @@ def write_xlsx(table: Table) -> bytes:
 
 
 def read_gzip(stream: BinaryIO) -> Table:
-    """A CSV file that is packed."""
+    """A compressed CSV file."""
     try:
         return read_csv(io.BytesIO(gzip.GzipFile(fileobj=stream).read()))
     except (OSError, EOFError, zlib.error) as error:
-        raise BadFile(f"is no gzip file, or is damaged: {error}") from None
+        raise BadFile(f"is not a gzip file, or is damaged: {error}") from None
 
 
 def read_hdf5(stream: BinaryIO) -> Table:
@@ -54,7 +54,7 @@ def read_hdf5(stream: BinaryIO) -> Table:
             file.visititems(lambda _, item: groups.append(item) if isinstance(item, h5py.Group) else None)
             tables = [table for table in map(_of_group, [file, *groups]) if table.columns]
     except (OSError, RuntimeError, KeyError, TypeError) as error:
-        raise BadFile(f"is no HDF5 file, or is damaged: {' '.join(str(error).split())[:200]}") from None
+        raise BadFile(f"is not an HDF5 file, or is damaged: {' '.join(str(error).split())[:200]}") from None
     if len(tables) != 1:
         raise BadFile("has no columns: no group with vectors" if not tables else "has columns in more than one group; keep one")
     return tables[0]

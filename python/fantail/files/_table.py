@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What every reader returns and every writer takes, and its text as CSV."""
+"""The table that readers return and writers take, and its text as CSV."""
 from __future__ import annotations
 
 import csv
@@ -34,7 +34,7 @@ class Table:
         return self.columns[name]
 
     def __len__(self) -> int:
-        """How many rows."""
+        """The number of rows."""
         return len(next(iter(self.columns.values()), ()))
 
 
@@ -87,7 +87,7 @@ def read_csv(stream: BinaryIO) -> Table:
     try:
         text = stream.read().decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise BadFile(f"is no text in UTF-8: byte {error.start + 1}") from None
+        raise BadFile(f"is not text in UTF-8: byte {error.start + 1}") from None
     lines = (line for line in text.splitlines() if line.strip(" ,") and not line.startswith("#"))
     rows = csv.reader(lines, skipinitialspace=True)
     header = next(rows, [])

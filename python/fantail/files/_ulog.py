@@ -41,7 +41,7 @@ def read_ulog(stream: BinaryIO) -> Table:
     import pyulog
     file = _Watched(stream.read())
     if not file.getvalue().startswith(b"ULog\x01\x12\x35"):
-        raise BadFile(f"is no ULog; it begins with {file.getvalue()[:7].decode('ascii', 'replace')!r}")
+        raise BadFile(f"is not a ULog; it begins with {file.getvalue()[:7].decode('ascii', 'replace')!r}")
     names = [name for group in TOPICS for name in group]
     try:
         with contextlib.redirect_stdout(io.StringIO()):  # pyulog prints what it finds damaged
@@ -61,7 +61,7 @@ def read_ulog(stream: BinaryIO) -> Table:
     parts = [_in_order(name, there[name], log.start_timestamp, notes) for name in group if name in there]
     dropped = sum(dropout.duration for dropout in log.dropouts)
     if dropped:
-        notes.append(f"The logger says that it dropped {dropped} ms.")
+        notes.append(f"The logger reports that it dropped {dropped} ms.")
     return Table(_one_tick_a_row(parts) if group is TOPICS[1] else _one_message_a_row(parts), notes=notes)
 
 
@@ -87,7 +87,7 @@ def _in_order(topic: str, data: dict[str, numpy.ndarray], start: int, notes: lis
         else:
             raise BadFile(f"time goes back in the topic {topic}: from {last * 1e-6:.6f} s to {times[i] * 1e-6:.6f} s")
     if 100 * alone > len(times):
-        raise BadFile(f"time goes back again and again: {alone} of {len(times)} messages")
+        raise BadFile(f"time goes back repeatedly: {alone} of {len(times)} messages")
     if alone:
         notes.append("One message that stands alone with its time is left out." if alone == 1 else
                      f"{alone} messages that stand alone with their time are left out.")
@@ -112,7 +112,7 @@ def _one_message_a_row(parts: list[dict[str, numpy.ndarray]]) -> dict[str, numpy
 
 
 def _one_tick_a_row(parts: list[dict[str, numpy.ndarray]]) -> dict[str, numpy.ndarray]:
-    """The topics of fantail log export have the same times, but for ticks to which no replay leads."""
+    """The topics of fantail log export have the same times, except for ticks that a replay cannot reach."""
     columns = dict(parts[0])
     for part in parts[1:]:
         at = numpy.searchsorted(part["timestamp"], columns["timestamp"]).clip(max=len(part["timestamp"]) - 1)
