@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <variant>
 
 #include "input/fault_file.hpp"
@@ -186,6 +187,9 @@ const FaultWords& words_of(const sim::Fault& fault) {
         found = &words;
       }
     }
+  }
+  if (found == nullptr) {
+    throw std::logic_error{"a fault that no table has"};
   }
   return *found;
 }

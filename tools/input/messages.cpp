@@ -31,9 +31,9 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string plain_number(double value) {
   std::array<char, 32> text{};
-  std::string exact{text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-  std::string rounded{text.data(),
-                      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12).ptr};
+  const std::string exact{text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+  const std::string rounded{
+      text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12).ptr};
   return rounded.size() + 2 < exact.size() ? rounded : exact;
 }
 

@@ -88,7 +88,7 @@ std::vector<double> values_in(const Document& document, const std::string& secti
 }  // namespace
 
 Override NumberField::with(const std::vector<double>& new_values) const {
-  std::string text = fmt::format("{}", fmt::join(new_values, ", "));
+  const std::string text = fmt::format("{}", fmt::join(new_values, ", "));
   return {.section = section, .key = key, .value = new_values.size() == 1 && !is_list ? text : '[' + text + ']'};
 }
 

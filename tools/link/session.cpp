@@ -76,7 +76,7 @@ void Session::look_for_another_bench() {
 }
 
 void Session::open() {
-  protocol::SessionReply answer = ask_to_open();
+  protocol::SessionReply answer = ask_to_open();  // NOLINT(misc-const-correctness): it is assigned below
   if (answer.reason == protocol::SessionReason::number_too_similar) {
     number_ ^= 1U;  // a single bit always makes another CRC-8
     answer = ask_to_open();
@@ -207,7 +207,7 @@ void Session::check_still_open() const {
 
 void Session::tell_end(protocol::SessionReason reason) const {
   link::look_for_second_rocket(place_, link_);
-  std::string known;
+  std::string known;  // NOLINT(misc-const-correctness): it is assigned below
   if (reason == protocol::SessionReason::heartbeat_lost) {
     known =
         longest_gap_ > longest_pause

@@ -147,6 +147,7 @@ Json clipped(const H& h) {
 
 std::vector<Entered> entered_of(const H& h) {
   std::vector<Entered> entered;
+  entered.reserve(h.events.size());
   for (const Event& event : h.events) {
     entered.push_back({event, h.since_lift_off_s(event.time_s)});
   }

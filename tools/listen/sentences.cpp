@@ -106,7 +106,7 @@ std::string why_no_rest(const Heard& heard) {
 
 std::string pad_sentence(const Heard& heard, const Question& question) {
   const bool has_mean = heard.lift_off_s && heard.log.begin_s() < *heard.lift_off_s - 0.1;
-  const std::string padded =
+  std::string padded =
       question.pad_s > 0.0
           ? fmt::format("The rocket was assumed to stand still for {} s before the log begins, with {}.",
                         text::brief(question.pad_s, 3),
@@ -126,7 +126,7 @@ std::string pad_sentence(const Heard& heard, const Question& question) {
 std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
   const bool is_rate = clipped.what.ends_with("rate");
   const RangeEnd& end = clipped.end;
-  std::string sentence = fmt::format(
+  const std::string sentence = fmt::format(
       "{} stands at {} {} in {} samples, for up to {} ms, the first at {:.3f} s of the log's clock: that looks like "
       "the end of its range",
       clipped.what, text::brief(is_rate ? text::degrees(end.value) : end.value, 2),

@@ -72,9 +72,9 @@ void PlotHistory::widen(std::optional<Extremes>& extremes, double value) {
   }
 }
 
-Json PlotHistory::json_of(const Stretch& stretch) {
-  Json row = Json::array({stretch.begin.count() / 1000, stretch.end.count() / 1000});
-  for (const auto& extremes : stretch.extremes) {
+Json PlotHistory::json_of(const Stretch& one) {
+  Json row = Json::array({one.begin.count() / 1000, one.end.count() / 1000});
+  for (const auto& extremes : one.extremes) {
     const bool low_first = !extremes || extremes->low_came_first;
     row.push_back(extremes ? hundredths(low_first ? extremes->low : extremes->high) : Json{});
     row.push_back(extremes ? hundredths(low_first ? extremes->high : extremes->low) : Json{});

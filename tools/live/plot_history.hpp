@@ -54,7 +54,7 @@ class PlotHistory {
     std::vector<std::optional<Extremes>> extremes{};
   };
   static void widen(std::optional<Extremes>& extremes, double value);
-  static json::Value json_of(const Stretch& stretch);
+  static json::Value json_of(const Stretch& one);
 
   std::size_t signal_count_;
   hal::Microseconds kept_;

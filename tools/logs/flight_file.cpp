@@ -142,6 +142,7 @@ flight::Flight read_flight_log(const std::filesystem::path& file) {
     }
   }
   std::vector<flight_log::Part> parts;
+  parts.reserve(replays.size());
   for (std::size_t i = 0; i < replays.size(); ++i) {
     parts.push_back({log.flights[i], replays[i]});
   }

@@ -19,7 +19,6 @@ namespace fantail::logs {
 namespace {
 
 using flight::Flight;
-using flight::Row;
 
 constexpr std::string_view true_prefix = "true_";
 
@@ -152,7 +151,7 @@ class FoundColumns {
     }
   }
 
-  void add(const flight::Column& column, std::string name, const files::Source* source, bool must_be_there,
+  void add(const flight::Column& column, const std::string& name, const files::Source* source, bool must_be_there,
            bool needed) {
     const files::KnownQuantity& quantity = quantity_of(column);
     files::Found found{.needed = needed, .is_flag = column.unit == flight::Column::Unit::flag};

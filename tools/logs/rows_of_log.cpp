@@ -144,11 +144,11 @@ class Beside {
   [[nodiscard]] std::optional<Difference> difference(std::size_t row, std::size_t signal, Place first,
                                                      Place last) const {
     const auto [name, value] = signals[signal];
-    if (std::any_of(first, last, [value = value](const Tick& tick) { return std::isnan(tick.*value); })) {
+    if (std::any_of(first, last, [of = value](const Tick& tick) { return std::isnan(tick.*of); })) {
       return {};
     }
     const auto [low, high] =
-        std::minmax_element(first, last, [value = value](const Tick& a, const Tick& b) { return a.*value < b.*value; });
+        std::minmax_element(first, last, [of = value](const Tick& a, const Tick& b) { return a.*of < b.*of; });
     constexpr double turn_rad = 2.0 * std::numbers::pi;
     const double table_rad = rows_[row].*value;
     double turns = std::round((0.5 * (*low.*value + *high.*value) - table_rad) / turn_rad);  // it may be kept in one
@@ -243,12 +243,14 @@ void expect_rows_of_log(const flight::Flight& rows, const flight_log::LogFile& l
   const Beside beside{table.controlled, ticks};
   std::optional<Difference> latest;
   const auto [from_s, to_s] = possible_begin_s(table, ticks);
-  for (double begin_s = from_s; begin_s < to_s + beside.reach_s(); begin_s += beside.reach_s()) {
+  double begin_s = from_s;
+  while (begin_s < to_s + beside.reach_s()) {
     const auto found = beside.difference(begin_s - table.controlled.front().time_s);
     if (!found) {
       return;
     }
     latest = latest && latest->row > found->row ? latest : found;
+    begin_s += beside.reach_s();
   }
   refuse(folder, text_of(*latest, table.controlled[latest->row].time_s));
 }

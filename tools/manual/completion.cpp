@@ -38,14 +38,13 @@ Place place_of_last(const Command& command, std::span<const std::string> words) 
   for (const std::string& word : words.first(words.size() - 1)) {
     if (place.option != nullptr) {
       place.option = nullptr;
-    } else if (place.behind_dashes) {
-      place.arguments += 1;
-    } else if (word == "--") {
+    } else if (!place.behind_dashes && word == "--") {
       place.behind_dashes = true;
-    } else if (word.starts_with('-')) {
+    } else if (!place.behind_dashes && word.starts_with('-')) {
       const Option* option = find_option(*place.command, word);  // none for --name=value
       place.option = option != nullptr && !option->value.empty() ? option : nullptr;
-    } else if (const Command* inner = place.arguments == 0 ? find_command(*place.command, word) : nullptr) {
+    } else if (const Command* inner =
+                   !place.behind_dashes && place.arguments == 0 ? find_command(*place.command, word) : nullptr) {
       place.command = inner;
     } else {
       place.arguments += 1;

@@ -24,6 +24,7 @@ double draw_factor(const AreaFactor& area, std::uint64_t seed) {
 
 std::vector<campaign::NextRow::Row> rows(const std::vector<TunnelStep>& steps) {
   std::vector<campaign::NextRow::Row> all;
+  all.reserve(steps.size());
   for (const TunnelStep& step : steps) {
     all.push_back({step.damping_m2, step.torque_m, step.offset_begin_rad, step.offset_end_rad});
   }

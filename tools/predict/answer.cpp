@@ -18,7 +18,6 @@ namespace {
 using page::Role;
 using text::brief;
 using text::degrees;
-using text::fixed;
 using Json = json::Value;
 namespace u = result::units;
 
@@ -49,6 +48,7 @@ Json tunnel(const Prediction& p) {
 
 result::Table band(const P& p) {
   std::vector<Instant> instants;
+  instants.reserve(p.band.time_s.size());
   for (std::size_t i = 0; i < p.band.time_s.size(); ++i) {
     instants.push_back({p.band.time_s[i], p.band.roll_angle_rad[i], p.band.roll_rate_rad_s[i]});
   }
