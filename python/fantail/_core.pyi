@@ -242,7 +242,9 @@ class Tick:
 
     @property
     def roll_angle_rad(self) -> float:
-        """Roll angle since launch detection, in the tunnel since control start; not wrapped"""
+        """
+        Roll angle since launch detection, in the tunnel since control start; not wrapped
+        """
 
     @property
     def roll_rate_rad_s(self) -> float: ...

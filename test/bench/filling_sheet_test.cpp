@@ -189,7 +189,7 @@ TEST_F(Filling, AnExerciseThatIsGivenUpSaysWhyAndKeepsWhatItHasShown) {
     (void)sheet.take(tick);
   }
   const std::string html = sheet.given_up("interrupted; the canards are centred");
-  EXPECT_TRUE(holds(html, "<h2>Given up with 3 more turns to do</h2>"));
+  EXPECT_TRUE(holds(html, "<h2>Ended early with 3 turns left</h2>"));
   EXPECT_TRUE(holds(html, "Interrupted; the canards are centred."));
   EXPECT_TRUE(holds(html, "<b>Canard 2 slips:</b>"));
   EXPECT_FALSE(holds(html, "to come"));

@@ -138,7 +138,7 @@ TEST(Zero, TheTextSaysWhatAnEncoderCannotShow) {
       std::string::npos)
       << text;
   EXPECT_NE(text.find("  pulse_centre_us           1500.0   1481.0 +- 1.0\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("  encoder_zero_deg            0.00   as it is\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  encoder_zero_deg            0.00   unchanged\n"), std::string::npos) << text;
   EXPECT_NE(text.find(what_an_encoder_cannot_show()), std::string::npos);
 }
 

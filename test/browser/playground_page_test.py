@@ -125,7 +125,7 @@ class PlaygroundPage(unittest.TestCase):
         turn = """const field = document.getElementById('controller-proportional_gain');
                   field.value = arguments[0]; field.dispatchEvent(new Event('change')); return field.value"""
         self.assertEqual(page.run(turn, "0,4"), "0,4")
-        self.assertIn("a number is written with a point, as in 0.4", text_of(page, "refusal-text"))
+        self.assertIn("write it with a decimal point, as in 0.4", text_of(page, "refusal-text"))
         self.assertEqual(page.run("return location.hash"), "#tasha3_launch2")
         page.run(turn, "0.4")
         page.wait_until(IDLE)

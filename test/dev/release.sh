@@ -141,4 +141,4 @@ expect 64 "0.3.0 is not greater than 1.0.0, the last version" 0.3.0
 expect 0 "build/release/1.0.1-dry-run:" 1.0.1 --dry-run
 sed -i 's/^version: .*//' CITATION.cff
 git commit -q -a -m "No version"
-expect 70 "CITATION.cff has 0 places for what the release writes there" 1.0.1
+expect 70 "CITATION.cff has 0 places for the text of the release" 1.0.1

@@ -84,7 +84,7 @@ class BillOfMaterials(unittest.TestCase):
         shutil.copy("/bin/true", self.tree / "usr/bin")
         self.assertEqual(self.bill(), b"")
         self.assertEqual(self.ended.returncode, 69)
-        self.assertIn("links 0 files that are called true", self.ended.stderr)
+        self.assertIn("links 0 files named true", self.ended.stderr)
 
     def test_takes_licences_only_from_what_programs_can_read(self):
         head = "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\n"

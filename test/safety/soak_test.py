@@ -121,7 +121,7 @@ def main():
         while not (root / "pid").exists() or not (root / "pid").read_text().strip():
             time.sleep(0.02)
         module.terminate()
-        assert b"--resume goes on" in module.communicate(timeout=60)[1] and module.returncode == 130
+        assert b"--resume runs the unfinished steps" in module.communicate(timeout=60)[1] and module.returncode == 130
         pid = int((root / "pid").read_text())
         assert not pathlib.Path(f"/proc/{pid}").exists() or "State:\tZ" in pathlib.Path(f"/proc/{pid}/status").read_text()
 

@@ -241,7 +241,7 @@ TEST(BenchPlan, ADamagedPlanIsAskedForAgainAndNeverTakenForThePlan) {
     (void)link::read_plan_in_force(place, link);
     FAIL() << "a damaged plan was taken";
   } catch (const link::LinkError& error) {
-    EXPECT_TRUE(says(error.what(), "whole")) << error.what();
+    EXPECT_TRUE(says(error.what(), "complete")) << error.what();
   }
 }
 

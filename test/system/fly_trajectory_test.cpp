@@ -34,7 +34,7 @@ TEST(FlyTrajectory, ReachesTheHeightOfTheFileAndSaysWhereThePathIsFrom) {
   expect_said(content(results / "report.html"), {"that of other.csv"});
   expect_said(content(results / "report.html"), {"The path"});
   EXPECT_EQ(content(results / "trajectory.csv").find("time_s,across_m,height_m,across_m_s,up_m_s,tilt_deg\n"), 0U);
-  EXPECT_EQ(summary["notes"][1].text().find("The next 5 sentences are of vehicle and scenario."), 0U)
+  EXPECT_EQ(summary["notes"][1].text().find("The next 5 sentences are from vehicle and scenario."), 0U)
       << summary["notes"];
 }
 
@@ -110,7 +110,7 @@ TEST(FlyOn, AnImageThatIsMissingIsNamed) {
           {"fly", "--on", "emulator", "--image", "/nowhere/fantail-emulator.elf"},
           66,
           {"/nowhere/fantail-emulator.elf: no such file",
-           "Only the source tree can build it: ./dev fly --on emulator builds build/arm/fantail-emulator.elf"}};
+           "In the sources, ./dev fly --on emulator builds build/arm/fantail-emulator.elf"}};
 }
 
 // Whether there is one depends on what has been built.

@@ -92,7 +92,7 @@ TEST(IdentifyForeignLog, TheManualsLogOfAnotherLoggerGivesWhatTheManualSays) {
       {"identify", "run7.csv", "--speed", "22", "--inertia", "0.00393", "--area", "5.0265e-5", "--elevation", "1400"},
       {.working_folder = folder.path()});
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.out.find("Columns as run7.csv.columns.toml says"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("Columns from run7.csv.columns.toml"), std::string::npos) << again.out;
 }
 
 TEST(IdentifyForeignLog, RefusesAMapThatItWouldHaveToGuessAt) {

@@ -97,7 +97,7 @@ TEST(Listen, OverwritesThePageOfTheSameFileAndNoOthers) {
   const Outcome other = listen_to("b/log.csv");
   ASSERT_EQ(other.exit_code, 0) << other.err;
   EXPECT_NE(
-      other.err.find("out/listen/log has the page of another file, a/log.csv, which is not overwritten. This one is "
+      other.err.find("out/listen/log has the page of another file, a/log.csv, which is not overwritten. This page is "
                      "in out/listen/log_2"),
       std::string::npos)
       << other.err;
@@ -192,7 +192,7 @@ TEST(Listen, RefusesWhatItCannotHear) {
           {"log.csv:2004", "ms is 19000 after", "in line 2003: time must increase"});
   Refusal({{"log.csv", made}}, with("time=alt:s,axial=Ay:g"), 65, {"1 samples of the axial"});
   Refusal({{"log.csv", made}}, with("time=ms:us,axial=-Ay:g"), 65,
-          {"it is 20 ms, shorter than 1 s", "is the time ms really in us?"});
+          {"it is 20 ms, shorter than 1 s", "check that the time ms is in us"});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altus"}, 64, {"altus", "altos", "px4"});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altos"}, 65, {"no column time", "--columns time="});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--barometer", "log.csv"}, 64, {"--barometer-columns"});

@@ -222,7 +222,7 @@ TEST(LogExportRefuses, WithTheReasonAndWithoutAFile) {
   Refusal({{"flown.ftl", log}}, words({"--to", "xls"}), 64, {"xls", "csv"});
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--fields", "time_s,roll_angel_deg"}), 64,
           {"no field \"roll_angel_deg\" (did you mean roll_angle_deg?)", "time_us", "encoder_4_count"});
-  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--fields", "time_s,time_s"}), 64, {"time_s stands there twice"});
+  Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--fields", "time_s,time_s"}), 64, {"time_s appears twice"});
   Refusal({{"flown.ftl", log}}, words({"--to", "candump", "--fields", "time_s"}), 64, {"fixed messages"});
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "2", "--until", "1"}), 64, {"--from 2 is after"});
   Refusal({{"flown.ftl", log}}, words({"--to", "csv", "--from", "nan"}), 64, {"nan"});

@@ -220,9 +220,12 @@ std::vector<result::Section> sections(const Report& report, const std::vector<Re
   using enum result::Readers;
   std::vector<result::Section> list;
   if (const std::string bounds = bounds_svg(report, page::full_page); !bounds.empty()) {
-    list.push_back({"Events that are not launches, both accelerometers healthy",
-                    {result::Drawing{bounds, bounds_svg(report, page::half_page)}},
-                    files});
+    list.push_back(
+        {"Events that are not launches, both accelerometers healthy",
+         {result::Drawing{bounds, bounds_svg(report, page::half_page),
+                          "A dot is the count, and its line ends at the 95 % bound. An arrow: none was counted, "
+                          "and the share lies below its tip."}},
+         files});
   }
   for (std::size_t rule = 0; rule < report.campaign.rules.size(); ++rule) {
     std::ranges::move(of_rule(report, rule), std::back_inserter(list));

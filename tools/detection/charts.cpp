@@ -148,7 +148,7 @@ std::string bounds_svg(const Report& report, double width) {
   for (const page::Tick& tick : ticks) {
     plot.add("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", plot.x(tick.value), top, bottom);
   }
-  plot.x_axis(ticks, "moves a canard / %: dot: counted, bar: up to its 95 % bound; none seen: below the arrow");
+  plot.x_axis(ticks, "events that move a canard / %");
   draw_legend(plot, report, width);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     draw_row(plot, report, rows[i], top + row * static_cast<double>(i) + 0.5 * gap);

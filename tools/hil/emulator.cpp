@@ -103,7 +103,7 @@ Emulator::Emulator(const EmulatorOptions& options) {
   if (!std::filesystem::is_regular_file(options.image)) {
     throw text::Error{text::ErrorKind::no_such_input,
                       options.image.string() +
-                          ": no such file. Only the source tree can build it: ./dev fly --on emulator builds "
+                          ": no such file. In the sources, ./dev fly --on emulator builds "
                           "build/arm/fantail-emulator.elf. Pass that file to an installed program with --image"};
   }
   auto [target_in, to_target] = make_pipe();

@@ -32,7 +32,7 @@ struct Page {
   std::string verdict_heading{};  ///< empty: no verdict
   std::string verdict{};
   std::vector<Finding> findings{};  ///< below the verdict
-  bool stamped = false;             ///< the verdict's heading is large: PASS
+  bool stamped = false;             ///< a sheet to be signed: it runs no script, and its verdict stands in a box
   std::string body_html{};
   std::string footer{};
   std::string
