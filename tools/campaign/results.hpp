@@ -32,7 +32,7 @@ struct Report {
   Analysis analysis{};
   result::Made made{};        ///< with the version of the program
   std::string command{};      ///< that flies it again
-  std::string run_command{};  ///< that flies one run again, but for its number
+  std::string run_command{};  ///< that flies one run again, without its number
   Fan fan{};
   std::vector<std::string> run_folders{};  ///< one a worst run, where its flight report is; empty: it has none
 };

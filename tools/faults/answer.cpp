@@ -126,19 +126,20 @@ std::string meaning_of_phases() {
 std::vector<std::string> how() {
   return {
       // NOLINT(bugprone-suspicious-missing-comma): sentences that go on in the next line
-      "A cell is a device, a fault and the phase in which the fault begins. Its flights differ by when it begins and "
-      "by the seed.",
-      "In every flight no command may go beyond the smallest of plan limit, hard limit and mechanical stop; none may "
-      "be off trim in Armed, Launched or Finished; none may move away from trim in Safe after ignition; each tick "
-      "comes to its end; and Controlling comes from Launched alone, or from a resumed flight.",
-      "The true shafts are held to the same, by the play and the spread of the servos, and with the time that a servo "
-      "needs to get there. What the shaft of a failed servo may do is stated with its fault, below; the shafts of the "
-      "others are held to all of it.",
-      "\"Not judged further\" are flights of which nothing is asked beyond that: where no servo obeys, the air alone "
-      "turns the rocket.",
-      "Roll is held against the same flight, of the same seed, without the fault: degrees apart are degrees from it.",
-      "Judged are the true roll angle, the true canard shafts, the pulses on the servo lines and the phase. What the "
-      "avionics believes does not count."};
+      "A cell is a device, a fault and the phase in which the fault begins. Its flights differ in the start of the "
+      "fault and in the seed.",
+      "These rules hold for every flight. No command exceeds the smallest of plan limit, hard limit and mechanical "
+      "stop. No command is off trim in Armed, Launched or Finished. No command moves away from trim in Safe after "
+      "ignition. Every tick completes. Controlling follows only Launched, or a resumed flight.",
+      "The same rules hold for the true shaft angles, with allowance for the play, spread and travel time of the "
+      "servos. The permitted angles of a failed servo's shaft are stated with its fault, below. All other shafts must "
+      "keep every rule.",
+      "\"Not judged further\" means that only these rules are checked: where no servo obeys, the air alone turns the "
+      "rocket.",
+      "Roll is compared with the same flight, with the same seed, without the fault. Degrees off are the difference "
+      "between the two.",
+      "The verdict uses the true roll angle, the true shaft angles, the pulses on the servo lines and the phase. "
+      "Estimates of the avionics are not used."};
 }
 
 std::vector<result::Section> sections(const Result& result) {
