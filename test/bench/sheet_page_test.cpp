@@ -40,7 +40,8 @@ TEST_F(Page, SaysWhatIsWrongWhereItIsSeenFirst) {
   EXPECT_NE(html.find("<b>Canard 3 is reversed:</b>"), std::string::npos);
   EXPECT_NE(html.find("Signature"), std::string::npos);
   std::size_t plots = 0;
-  for (std::size_t at = html.find("<svg class=\"chart"); at != std::string::npos; at = html.find("<svg class=\"chart", at + 1)) {
+  for (std::size_t at = html.find("<svg class=\"chart"); at != std::string::npos;
+       at = html.find("<svg class=\"chart", at + 1)) {
     ++plots;
   }
   EXPECT_EQ(plots, 16U);  // of each canard: alone, together, two steps

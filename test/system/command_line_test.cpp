@@ -62,8 +62,9 @@ TEST(CommandLine, WithoutAVerbTheVerbsStandOnStandardErrorInGroupsWithExitCode64
   EXPECT_EQ(outcome.exit_code, 64);
   EXPECT_EQ(outcome.out, "");
   std::size_t at = 0;
-  for (const char* const part : {"Usage: fantail VERB", "\nYour rocket:\n", "\n  new ", "\nFlights:\n", "\n  fly ",
-                                 "\nLogs and the roll model:\n", "\n  identify ", "\nA rocket on the bench:\n", "\n  watch "}) {
+  for (const char* const part :
+       {"Usage: fantail VERB", "\nYour rocket:\n", "\n  new ", "\nFlights:\n", "\n  fly ",
+        "\nLogs and the roll model:\n", "\n  identify ", "\nA rocket on the bench:\n", "\n  watch "}) {
     const std::size_t found = outcome.err.find(part, at);
     ASSERT_NE(found, std::string::npos) << part << outcome.err;
     at = found;
@@ -90,8 +91,8 @@ TEST_P(WrongUsage, IsSaidOnStandardErrorWithExitCode64) {
 
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, WrongUsage,
-    testing::Values(Wrong{"UnknownVerb", {"frobnicate"}, "frobnicate"},
-                    Wrong{"NearlyAVerb", {"flY"}, "flY"}, Wrong{"UnknownOption", {"fly", "--bogus"}, "--bogus"},
+    testing::Values(Wrong{"UnknownVerb", {"frobnicate"}, "frobnicate"}, Wrong{"NearlyAVerb", {"flY"}, "flY"},
+                    Wrong{"UnknownOption", {"fly", "--bogus"}, "--bogus"},
                     Wrong{"OptionOfAnotherVerb", {"plan", "show", "tasha3_launch1", "--seed", "1"}, "--seed"},
                     Wrong{"OptionWithoutAVerb", {"--json"}, "--json"},
                     Wrong{"OutWithoutAValue", {"fly", "--out"}, "--out"},
