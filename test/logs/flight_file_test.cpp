@@ -164,7 +164,7 @@ TEST_F(FlightFile, FilesOfTwoFlightsInOneFolderAreRefused) {
   control(R"(},"control_time_s":1,"roll_turns":0.0056)");
   EXPECT_EQ(read_flight(folder_.path() / "mixed").rows.size(), 4U);
   control(R"(},"control_time_s":1,"roll_turns":0.5)");
-  refused({"mixed: its files are of two flights", "turns by 0.006 turns", "it was 0.500"});
+  refused({"mixed: its files are of two flights", "makes 0.006 turns in flight.csv, but 0.500 in"});
   control(R"(},"control_time_s":1.5,"roll_turns":0.5)");  // of more rows
   EXPECT_EQ(read_flight(folder_.path() / "mixed").rows.size(), 4U);
   folder_.write("mixed/summary.json", R"({"events":{"control_start_s":1,"control_end_s":2.0}})");

@@ -38,7 +38,7 @@ TEST_F(KeptColumns, BesideALogAreFollowedAndNamed) {
   const RollLog read = read_roll_log(file, {}, {.canard = true});
   EXPECT_DOUBLE_EQ(read.time_s[1], 0.01);
   EXPECT_DOUBLE_EQ(read.canard_rad[0], 0.1);
-  EXPECT_NE(all_text(read.warnings).find("Columns as run.csv.columns.toml says"), std::string::npos)
+  EXPECT_NE(all_text(read.warnings).find("Columns from run.csv.columns.toml"), std::string::npos)
       << all_text(read.warnings);
 }
 
