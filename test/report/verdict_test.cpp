@@ -19,7 +19,7 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   EXPECT_EQ(v.outcome, Outcome::held);
   EXPECT_EQ(v.text,
             "Steady, 10.0 deg from the command: roll stayed within 2.1 deg of where this law settles; canards at their "
-            "limit 6.0 % of control time, 4.0 deg to spare against the fin offset.");
+            "limit 6.0 % of control time; the canards can give 4.0 deg more than the fins need.");
 }
 
 TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
@@ -70,8 +70,7 @@ TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_EQ(v.text,
             "Roll not held: up to 24.0 deg from where this law settles, in the mean 34.0 deg from the command; canards "
-            "at their limit 0.0 % of control time, "
-            "4.0 deg to spare against the fin offset.");
+            "at their limit 0.0 % of control time; the canards can give 4.0 deg more than the fins need.");
 }
 
 TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {
