@@ -63,7 +63,7 @@ class PlaygroundPage(unittest.TestCase):
         page.wait_until(IDLE)
         self.assertEqual(text_of(page, "outcome"), "Held")
         self.assertEqual(text_of(page, "digest"), self.digest)
-        self.assertIn("Equal to that of the native program", text_of(page, "same"))
+        self.assertIn("Equal to the digest of the native program", text_of(page, "same"))
         page.wait_until("return document.getElementById('controller-canard_limit_deg')")
         page.picture(PICTURES / "playground.png")
 

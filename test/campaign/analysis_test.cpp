@@ -9,6 +9,7 @@
 #include "campaign/results.hpp"
 #include "figures.hpp"
 #include "json/value.hpp"
+#include "page/chart.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::campaign {
@@ -34,6 +35,26 @@ FlownCampaign made(std::size_t count) {
     flown.runs.push_back(std::move(run));
   }
   return flown;
+}
+
+/// The numbers behind name=" in the text from `at` on.
+double attribute(const std::string& svg, std::size_t at, const std::string& name) {
+  return std::stod(svg.substr(svg.find(' ' + name + "=\"", at) + name.size() + 3));
+}
+
+TEST(Analysis, ABarOfAnInfluenceReachesFromZeroToItsSlopeAndTheLargestStandsFirst) {
+  Report report{.flown = made(4000)};
+  report.analysis = analyse(report.flown, {.runs = 4000}, {}, 0.5);
+  const std::string svg = tornado_svg(report, page::full_page);
+  const std::size_t first = svg.find("<rect class=\"bar");
+  const std::size_t second = svg.find("<rect class=\"bar", first + 1);
+  ASSERT_NE(second, std::string::npos) << svg;
+  EXPECT_EQ(svg.find("<rect class=\"bar", second + 1), std::string::npos) << "what does not vary has none";
+  const std::size_t frame = svg.find("<rect class=\"frame");
+  const double zero = attribute(svg, frame, "x") + 0.5 * attribute(svg, frame, "width");
+  EXPECT_NEAR(attribute(svg, first, "x"), zero, 0.2) << "to the right: the slope of a is above zero";
+  EXPECT_NEAR(attribute(svg, second, "x") + attribute(svg, second, "width"), zero, 0.2);
+  EXPECT_NEAR(attribute(svg, first, "width") / attribute(svg, second, "width"), 3.0, 0.3);
 }
 
 TEST(Analysis, FindsTheShareAndWhatTheFigureDependsOn) {

@@ -125,7 +125,7 @@ TEST(Caution, AGoNearRollResonanceSaysSoInItsHeadline) {
   EXPECT_EQ(d.heading(), "Go with caution");
   EXPECT_TRUE(d.text.starts_with("Go with caution: ")) << d.text;
   ASSERT_EQ(d.cautions.size(), 1U);
-  EXPECT_EQ(figures(d.cautions[0]), (Numbers{"12", "200", "200"}));
+  EXPECT_EQ(figures(d.cautions[0]), (Numbers{"25", "12", "200", "200"}));
   EXPECT_TRUE(d.text.ends_with(d.cautions[0] + ".")) << d.text;
   p.resonance->with_canards = 0;
   EXPECT_EQ(decide(p, {}).heading(), "Go");

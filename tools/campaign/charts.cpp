@@ -109,7 +109,7 @@ std::string tornado_svg(const Report& report, double width) {
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const auto& [name, slope] = bars[i];
     const double y = top + row * (static_cast<double>(i) + 0.5);
-    const auto [from, to] = std::minmax(plot.x(0.0), plot.x(slope.value));
+    const auto [from, to] = std::minmax({plot.x(0.0), plot.x(slope.value)});  // by value
     plot.add("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 8.0, y + 4.0,
              page::printed(name));
     plot.add("<rect class=\"bar measured\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\"/>", from, y - 6.0,

@@ -226,9 +226,7 @@ result::Document answer(const Study& study) {
                       .not_in_it = {std::string{no_clearance()}}},
           .facts = facts(study),
           .sections = {{"Where the apogee lies",
-                        {result::Picture{
-                            apogee_map(study),
-                            "Apogee of each flight over ground, seen from above. The rocket lands farther downwind."}},
+                        {result::Picture{apogee_map(study), "Apogee of each flight over ground, seen from above."}},
                         files},
                        {"Worst value of each figure", {at_worst(study, worst)}},
                        {"Definitions", {result::Sentences{.all = definitions(worst)}}, files},
