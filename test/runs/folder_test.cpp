@@ -149,7 +149,8 @@ TEST_F(StoredParts, OfAnEarlierVersionOrBesideOtherResultsAreRefused) {
   asked.not_beside = "campaign.json";
   fs::create_directories(folder_);
   std::ofstream{folder_ / "campaign.json"} << "{}\n";
-  EXPECT_NE(refusal(asked).find("it holds another campaign: the results that campaign.json describes"), std::string::npos);
+  EXPECT_NE(refusal(asked).find("it holds another campaign: the results that campaign.json describes"),
+            std::string::npos);
 }
 
 TEST_F(StoredParts, WhoseIdentityFantailHasNotWrittenAreRefusedAndNothingOfItIsPrinted) {

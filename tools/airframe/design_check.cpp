@@ -99,7 +99,8 @@ class Comparison {
 std::string list(const std::vector<std::string>& all) {
   constexpr std::size_t most = 4;
   const auto shown = std::min(all.size(), most);
-  const std::string out = fmt::format("{}", fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+  const std::string out =
+      fmt::format("{}", fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
   return shown < all.size() ? out + fmt::format("; and {} more", all.size() - shown) : out;
 }
 
