@@ -227,6 +227,10 @@ double Servo::drive_loaded(const Interval& piece) {
   // Where there is no load yet, the air makes one against a canard that it turns back.
   const bool is_against = load == 0.0 ? load_->stiffness_n_m_per_rad > 0.0 : distance * load < 0.0;
   const double limit_rad_s = (distance > 0.0 ? most_rad_s : -least_rad_s) * (is_against ? fading : 1.0);
+  // The load is exactly its torque: it stays. A zero below zero would make the time to the goal minus infinity.
+  if (limit_rad_s == 0.0) {
+    return horn_rad_ * piece.duration_s;
+  }
   return drive(piece, goal_rad, limit_rad_s, limit_rad_s / per_lag_s_);
 }
 

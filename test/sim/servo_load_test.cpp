@@ -54,6 +54,21 @@ TEST(ServoUnderLoad, TurnsOutwardAsAnExponentialAndStopsWhereTheLoadIsItsTorque)
   }
 }
 
+// Its speed is then zero, of whichever sign.
+TEST(ServoUnderLoad, StaysWhereTheLoadIsExactlyItsTorque) {
+  for (const double free_rad : {-1.0, 1.0}) {
+    ServoRig rig{strong_for_its_torque()};
+    rig.servo.set_load(ShaftLoad{.stiffness_n_m_per_rad = torque_n_m, .free_angle_rad = free_rad});
+    for (const double against_deg : {10.0, 5.0}) {
+      rig.run(rig.time_s() + 0.1, pulse_us(free_rad < 0.0 ? against_deg : -against_deg));
+      EXPECT_EQ(rig.angle_deg(), 0.0) << free_rad;
+    }
+    rig.servo.set_load(ShaftLoad{});
+    rig.run(rig.time_s() + 0.3, pulse_us(7.0));
+    EXPECT_NEAR(rig.angle_deg(), 7.0, 1e-9) << "its gear still has an angle";
+  }
+}
+
 TEST(ServoUnderLoad, ReachesAndHoldsWhatIsWithinItsTorqueOnlyLater) {
   ServoRig rig{strong_for_its_torque()};
   rig.servo.set_load(as_strong_at(15.0));
