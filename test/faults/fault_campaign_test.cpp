@@ -162,6 +162,29 @@ CellResult of(const char* cell, Colour colour, double apart_deg, std::optional<O
           .worst = faults::Run{.outcome = outcome, .apart_deg = apart_deg}};
 }
 
+TEST(FaultMap, HasARowForEachFaultAndACellInTheColourOfWhatItCameTo) {
+  Result result;
+  result.cells = {of("imu/dead/pad", Colour::green, 0.0), of("imu/dead/armed", Colour::known_limit, 100.0),
+                  of("imu/spike/armed", Colour::not_applicable, 0.0), of("bus/dead/armed", Colour::red, 9.0)};
+  const std::string svg = map_svg(result, 880.0);
+  const auto count = [&svg](const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = svg.find(part); at != std::string::npos; at = svg.find(part, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  for (const char* const key : {"\"cell good\"", "\"cell unsure\"", "\"cell bad\""}) {
+    EXPECT_EQ(count(key), 2U) << key << ": in the key, and one cell";
+  }
+  for (const char* const label : {">imu dead<", ">imu spike<", ">bus dead<", ">pad<", ">armed<"}) {
+    EXPECT_EQ(count(label), 1U) << label;
+  }
+  EXPECT_EQ(count("<title>imu/dead/armed: a known limit"), 1U);
+  EXPECT_EQ(count("<title>"), 3U) << "what is not applicable has no cell";
+  EXPECT_TRUE(map_svg(Result{}, 880.0).empty());
+}
+
 TEST(FaultWorst, AreTheWorstCellsOfFiveFaultsRedOnesFirst) {
   Result result;
   result.cells = {of("imu/dead/pad", Colour::green, 500.0, Outcome::not_armed),

@@ -147,6 +147,29 @@ TEST(Hardover, OfARocketThatIsNeverFastItSaysSoInsteadOfAnAngleOfAttack) {
 }
 
 /// Of the verdict at the top of the page.
+TEST(Hardover, TheMapHasEveryApogeeWhereItIsOverGroundToTheSameScaleBothWays) {
+  const Study found = study({"wind.speed_m_s=6"}, {.step_s = 5.0, .coupler_m = {}, .threads = 2});
+  for (const Effect& one : found.effects) {
+    EXPECT_NEAR(
+        std::hypot(one.apogee_east_m - found.sound_apogee_east_m, one.apogee_north_m - found.sound_apogee_north_m),
+        one.away_m, 1e-9);
+  }
+  // The wind of the shipped scenario comes from the north: the rocket turns into it.
+  EXPECT_GT(found.sound_apogee_north_m, 30.0);
+  EXPECT_NEAR(found.sound_apogee_east_m, 0.0, 10.0);
+  const page::Chart map = apogee_map(found);
+  std::size_t points = 0;
+  for (const page::Series& series : map.series) {
+    points += series.x.size();
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      EXPECT_TRUE(series.x[i] >= map.x_range->low && series.x[i] <= map.x_range->high) << series.name;
+      EXPECT_TRUE(series.y[i] >= map.y_range->low && series.y[i] <= map.y_range->high) << series.name;
+    }
+  }
+  EXPECT_EQ(points, found.effects.size() + 2) << "the healthy rocket and the guide, too";
+  EXPECT_NEAR(map.x_range->high - map.x_range->low, map.y_range->high - map.y_range->low, 1e-9);
+}
+
 TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichStopACurveIs) {
   const Study found = study({}, {.step_s = 5.0, .coupler_m = 0.8, .threads = 2});
   const std::string page = page_of(found);

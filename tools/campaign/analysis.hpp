@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,10 @@ using Quantiles = result::Spread;
 
 /// Of at least one value.
 [[nodiscard]] Quantiles quantiles(std::vector<double> values);
+
+/// At each place of the tracks, as long as at least this share of them reaches it, 0 to 1.
+[[nodiscard]] std::vector<Quantiles> quantiles_over(std::span<const std::span<const double>> tracks,
+                                                    double least_share);
 
 /// A figure and where it lies with 95 % probability.
 struct Estimate {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <limits>
 
 #include <fmt/core.h>
 
 #include "campaign/results.hpp"
 #include "campaign/setup.hpp"
 #include "json/value.hpp"
+#include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::campaign {
@@ -124,14 +126,28 @@ std::vector<result::Block> outcomes(const Report& report) {
   return {result::table({}, all, outcome_fields), result::Data{"outcomes", counts}};
 }
 
-std::vector<result::Block> roll(const Report& report) {
-  if (report.fan.time_s.empty()) {
+constexpr auto instant_fields = result::fields<RollBand::Instant>({
+    {"time", "time", u::s, 2, &RollBand::Instant::time_s, "after lift-off, in the tunnel after control start"},
+    {"roll_angle", "roll angle", u::deg, 1, &RollBand::Instant::roll_rad, "true roll angle of the runs of the band"},
+    {"reference", "reference", u::deg, 1, &RollBand::Instant::reference_rad, "commanded roll angle"},
+});
+
+std::vector<result::Block> roll(const RollBand& band, std::size_t runs, const result::Table& instants) {
+  if (band.instants.empty()) {
     return {};
   }
-  const bool all = report.fan.runs == report.flown.runs.size();
-  return {result::Picture{fan_chart(report.fan),
-                          all ? "The true roll angle of all runs."
-                              : fmt::format("The true roll angle of the first {} runs.", report.fan.runs)}};
+  result::Picture picture = result::plot(instants, "roll_angle", {.x = "time"}).wide();
+  picture.chart.x_label = band.in_tunnel ? "time after control start / s" : "time after lift-off / s";
+  page::Series reference{.name = "reference", .role = page::Role::reference, .mark = page::Mark::step};
+  for (const RollBand::Instant& instant : band.instants) {
+    reference.x.push_back(instant.time_s);
+    reference.y.push_back(instant.reference_rad ? text::degrees(*instant.reference_rad)
+                                                : std::numeric_limits<double>::quiet_NaN());
+  }
+  picture.chart.series.push_back(std::move(reference));
+  picture.caption = band.runs == runs ? "The true roll angle of all runs."
+                                      : fmt::format("The true roll angle of the first {} runs that flew.", band.runs);
+  return {picture};
 }
 
 /// For people; of each run its mean is for programs.
@@ -196,7 +212,7 @@ std::string subtitle(const Report& report) {
 
 std::vector<result::Listed> listed_fields() {
   return {result::listed("", report_fields), result::listed("figures[], quantities[]", column_fields),
-          result::listed("worst_runs[]", worst_fields)};
+          result::listed("worst_runs[]", worst_fields), result::listed("band.csv", instant_fields)};
 }
 
 result::Document answer(const Report& report) {
@@ -205,6 +221,7 @@ result::Document answer(const Report& report) {
   const Campaign& campaign = report.campaign;
   const result::Table figures = result::table("figures", a.figures, column_fields);
   const result::Table quantities = result::table("quantities", a.quantities, column_fields);
+  const result::Table instants = result::table("band", report.roll_band.instants, instant_fields);
   return {.kind = "campaign",
           .title = report.flown.scenario,
           .subtitle = subtitle(report),
@@ -217,7 +234,7 @@ result::Document answer(const Report& report) {
                     {"seed", "", campaign.seed},
                     {"sampling", "", "independent"},
                     {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
-          .sections = {{"Roll angle of the runs", roll(report), files},
+          .sections = {{"Roll angle of the runs", roll(report.roll_band, report.flown.runs.size(), instants), files},
                        {"Outcomes", outcomes(report)},
                        {"Figures of the runs", distributions(a, figures)},
                        {"Influences", influences(report)},
@@ -234,6 +251,7 @@ result::Document answer(const Report& report) {
                          quantities, result::Data{"influences", influences_for_programs(a)},
                          result::table("worst_runs", runs_shown(report), worst_fields)},
                         programs}},
+          .spreadsheets = {instants},
           .made = report.made};
 }
 

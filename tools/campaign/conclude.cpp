@@ -58,7 +58,7 @@ Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& q
     look();
     report.run_folders.push_back(write_run(campaign, flown.runs[index], folder));
   }
-  report.fan = fan_of(campaign, flown, look);
+  report.roll_band = roll_band_of(campaign, flown, look);
   report.campaign = campaign;
   report.flown = std::move(flown);
   report.made = made;

@@ -18,12 +18,16 @@ namespace fantail::campaign {
 
 /// A campaign with all that its results are made from.
 /// The true roll of the first runs, flown again.
-struct Fan {
+struct RollBand {
+  /// Of all that still fly, at least half of them.
+  struct Instant {
+    double time_s;  ///< after lift-off, in the tunnel after control start
+    Quantiles roll_rad;
+    std::optional<double> reference_rad;  ///< empty: none of them is under control
+  };
   std::size_t runs = 0;
   bool in_tunnel = false;
-  std::vector<double> time_s{};  ///< after lift-off, in the tunnel after control start; while half of them fly
-  std::vector<Quantiles> roll_rad{};
-  std::vector<double> reference_rad{};  ///< not a number outside control
+  std::vector<Instant> instants{};
 };
 
 struct Report {
@@ -33,7 +37,7 @@ struct Report {
   result::Made made{};        ///< with the version of the program
   std::string command{};      ///< that flies it again
   std::string run_command{};  ///< that flies one run again, without its number
-  Fan fan{};
+  RollBand roll_band{};
   std::vector<std::string> run_folders{};  ///< one a worst run, where its flight report is; empty: it has none
 };
 
@@ -58,8 +62,8 @@ struct Report {
 // Its pictures.
 
 /// Calls `look` before each flight.
-[[nodiscard]] Fan fan_of(const Campaign& campaign, const FlownCampaign& flown, const std::function<void()>& look);
-[[nodiscard]] page::Chart fan_chart(const Fan& fan);
+[[nodiscard]] RollBand roll_band_of(const Campaign& campaign, const FlownCampaign& flown,
+                                    const std::function<void()>& look);
 /// The share over the number of runs, with the bounds that hold at every look.
 [[nodiscard]] page::Chart convergence_chart(const Report& report);
 /// How many of the runs are in each of equally wide bins, of a column whose values are not all the same.

@@ -35,4 +35,20 @@ Quantiles quantiles(std::vector<double> values) {
           .p95 = point(values, 0.95)};
 }
 
+std::vector<Quantiles> quantiles_over(std::span<const std::span<const double>> tracks, double least_share) {
+  std::vector<Quantiles> all;
+  for (;;) {
+    std::vector<double> values;
+    for (const std::span<const double> track : tracks) {
+      if (all.size() < track.size()) {
+        values.push_back(track[all.size()]);
+      }
+    }
+    if (values.empty() || static_cast<double>(values.size()) < least_share * static_cast<double>(tracks.size())) {
+      return all;
+    }
+    all.push_back(quantiles(std::move(values)));
+  }
+}
+
 }  // namespace fantail::campaign

@@ -215,7 +215,7 @@ void fill(const Verb& verb) {
   add_threads_option(verb, options->threads);
   verb.section("Results");
   verb.option("--out", options->out,
-              "Folder for runs.csv.gz, campaign.json, summary.json, campaign.html and the worst runs "
+              "Folder for runs.csv.gz, band.csv, campaign.json, summary.json, campaign.html and the worst runs "
               "[out/campaign/SCENARIO, with what was changed in the name]")
       .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text");

@@ -33,6 +33,8 @@ constexpr auto effect_fields = result::fields<E>({
      "largest angle between its velocity and the healthy rocket's, above 20 m/s", Worse::larger},
     {"apogee_moved", "apogee shift", m, 1, &E::away_m,
      "horizontal distance of its apogee from the healthy rocket's, in any direction", Worse::larger},
+    {"apogee_east", "apogee to the east", m, 1, &E::apogee_east_m, "over ground, from the foot of the guide"},
+    {"apogee_north", "apogee to the north", m, 1, &E::apogee_north_m, "over ground, from the foot of the guide"},
     {"apogee", "apogee", m, 0, &E::apogee_m, "greatest height above the site", Worse::smaller},
     {"rolled", "roll change", deg, 0, &E::rolled_rad,
      "largest difference between its roll angle and the healthy rocket's", Worse::larger},

@@ -108,7 +108,7 @@ void draw_curves(SvgPlot& plot, LabelPlacer& places, const Chart& chart, const s
   const bool cut = chart.x_range || chart.y_range;
   plot.add(
       "<svg class=\"curves\"{4} x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" viewBox=\"{0:.1f} "
-      "{1:.1f} {2:.1f} {3:.1f}\" preserveAspectRatio=\"none\">",
+      "{1:.1f} {2:.1f} {3:.1f}\">",
       frame.left, frame.top, frame.width(), frame.height(), cut ? "" : " overflow=\"visible\"");
   draw_shaded_ranges(plot, chart);
   draw_levels(plot, chart);
@@ -154,12 +154,9 @@ std::string svg(const Chart& chart) {
   const Box frame{left, top, right, height - below};
   plot.place(frame, x, y);
 
-  plot.begin(
-      "chart", chart.label, chart.width, height,
-      fmt::format(" data-frame=\"{:.1f} {:.1f} {:.1f} {:.1f}\" data-x=\"{:.9g} {:.9g}\" data-y=\"{:.9g} {:.9g}\" "
-                  "data-x-name=\"{}\"",
-                  frame.left, frame.top, frame.right, frame.bottom, x.low, x.high, y.low, y.high,
-                  escape_html(chart.x_label.empty() ? "x" : name_of(chart.x_label))));
+  plot.begin("chart", chart.label, chart.width, height,
+             fmt::format(" data-x=\"{:.9g} {:.9g}\" data-y=\"{:.9g} {:.9g}\" data-x-name=\"{}\"", x.low, x.high, y.low,
+                         y.high, escape_html(chart.x_label.empty() ? "x" : name_of(chart.x_label))));
   const bool anything = std::ranges::any_of(chart.series, [](const Series& one) { return anything_in(one); }) ||
                         std::ranges::any_of(chart.areas, [](const Area& one) { return anything_in(one); });
   plot.outline(anything ? "frame" : "frame empty");

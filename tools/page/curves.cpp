@@ -203,7 +203,7 @@ void draw(SvgPlot& plot, const Area& area, bool sampled) {
     path += 'Z';
   }
   if (!path.empty()) {
-    plot.add("<path class=\"area {}\" d=\"{}\"/>", class_of(area.role), path);
+    plot.add("<path class=\"area {}\" data-name=\"{}\" d=\"{}\"/>", class_of(area.role), escape_html(area.name), path);
   }
 }
 

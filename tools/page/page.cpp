@@ -81,7 +81,7 @@ std::string footer(const Page& page, std::string_view content_html) {
 
 // For charts to be zoomed and folds to be opened on paper.
 std::string chart_scripts(std::string_view content_html) {
-  const bool any = content_html.find(" data-frame=") != std::string_view::npos ||
+  const bool any = content_html.find("<svg class=\"curves\"") != std::string_view::npos ||
                    content_html.find("<details>") != std::string_view::npos;
   return any ? fmt::format("<script>\n{}</script>\n", chart_js) : "";
 }

@@ -94,8 +94,7 @@ void SvgPlot::x_axis(const std::vector<Tick>& ticks, std::string_view label) {
     add("<path class=\"tick\" d=\"M{:.1f} {:.1f}v4\"/>", at, frame_.bottom);
     const double half = 0.5 * text_width(tick.text);
     if (at - half >= taken) {
-      add("<text class=\"at\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at, frame_.bottom + tick_row,
-          tick.text);
+      add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at, frame_.bottom + tick_row, tick.text);
       taken = at + half + 5.0;
     }
   }
@@ -114,8 +113,7 @@ void SvgPlot::y_axis(const std::vector<Tick>& ticks, bool grid) {
     } else {
       add("<path class=\"tick\" d=\"M{:.1f} {:.1f}h-4\"/>", frame_.left, at);
     }
-    add("<text class=\"at\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", frame_.left - 8.0, at + 4.2,
-        tick.text);
+    add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", frame_.left - 8.0, at + 4.2, tick.text);
   }
 }
 

@@ -21,7 +21,6 @@ namespace fantail::predict {
 namespace {
 
 using text::fixed;
-using Track = std::vector<double> Run::*;
 
 /// The scenario with the servo that was measured.
 sim::Scenario with_servo(const sim::Scenario& scenario, const Options& options) {
@@ -70,28 +69,21 @@ void count(Prediction& p) {
   p.outside_model = number([](const Run& run) { return flight::is_beyond_model(run.extremes); });
 }
 
+/// As long as all fly that left the pad.
 Band band(const std::vector<Run>& runs) {
-  const auto flew = [](const Run& run) { return run.roll_angle_rad.size() > 1; };
-  std::size_t length = 0;
+  std::vector<std::span<const double>> angles;
+  std::vector<std::span<const double>> rates;
   for (const Run& run : runs) {
-    if (flew(run)) {
-      length = length == 0 ? run.roll_angle_rad.size() : std::min(length, run.roll_angle_rad.size());
+    if (run.roll_angle_rad.size() > 1) {
+      angles.emplace_back(run.roll_angle_rad);
+      rates.emplace_back(run.roll_rate_rad_s);
     }
   }
-  Band all;
-  for (std::size_t i = 0; i < length; ++i) {
-    const auto over_runs = [&](Track track) {
-      std::vector<double> values;
-      for (const Run& run : runs) {
-        if (flew(run)) {
-          values.push_back((run.*track)[i]);
-        }
-      }
-      return campaign::quantiles(std::move(values));
-    };
+  Band all{.time_s = {},
+           .roll_angle_rad = campaign::quantiles_over(angles, 1.0),
+           .roll_rate_rad_s = campaign::quantiles_over(rates, 1.0)};
+  for (std::size_t i = 0; i < all.roll_angle_rad.size(); ++i) {
     all.time_s.push_back(track_step_s * static_cast<double>(i));
-    all.roll_angle_rad.push_back(over_runs(&Run::roll_angle_rad));
-    all.roll_rate_rad_s.push_back(over_runs(&Run::roll_rate_rad_s));
   }
   return all;
 }

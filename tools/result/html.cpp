@@ -101,19 +101,26 @@ std::string body(const std::vector<Block>& blocks) {
   return all;
 }
 
+bool has_picture(const Section& section) {
+  return section.readers != Readers::programs && section.folded.empty() &&
+         std::ranges::any_of(section.blocks, [](const Block& block) {
+           return std::holds_alternative<Picture>(block) || std::holds_alternative<Live>(block) ||
+                  std::holds_alternative<Drawing>(block);
+         });
+}
+
 /// As a page has them: behind the verdict the section with the picture that answers.
-std::vector<Section> picture_first(std::vector<Section> sections) {
-  const auto with_picture = std::ranges::find_if(sections, [](const Section& section) {
-    return section.readers != Readers::programs && section.folded.empty() &&
-           std::ranges::any_of(section.blocks, [](const Block& block) {
-             return std::holds_alternative<Picture>(block) || std::holds_alternative<Live>(block) ||
-                    std::holds_alternative<Drawing>(block);
-           });
-  });
-  if (with_picture != sections.end()) {
-    std::rotate(sections.begin(), with_picture, std::next(with_picture));
+std::vector<const Section*> picture_first(const std::vector<Section>& sections) {
+  std::vector<const Section*> all;
+  all.reserve(sections.size());
+  for (const Section& section : sections) {
+    all.push_back(&section);
   }
-  return sections;
+  const auto found = std::ranges::find_if(all, [](const Section* section) { return has_picture(*section); });
+  if (found != all.end()) {
+    std::rotate(all.begin(), found, std::next(found));
+  }
+  return all;
 }
 
 /// "Go: every ..." below the heading "Go": "Every ..."
@@ -148,16 +155,16 @@ std::string html(const Document& document) {
   for (const std::string& sentence : document.verdict.not_in_it) {
     page.findings.push_back({.what = verdict.not_in_it_heading, .about = sentence});
   }
-  for (const Section& section : picture_first(document.sections)) {
-    const std::string inside = body(section.blocks);
-    for (const Block& block : section.blocks) {
+  for (const Section* section : picture_first(document.sections)) {
+    const std::string inside = body(section->blocks);
+    for (const Block& block : section->blocks) {
       if (const auto* live = std::get_if<Live>(&block)) {
         page.live = live->charts;
       }
     }
-    if (section.readers != Readers::programs && !inside.empty()) {
+    if (section->readers != Readers::programs && !inside.empty()) {
       page.body_html +=
-          page::section(section.heading, section.folded.empty() ? inside : page::on_demand(section.folded, inside));
+          page::section(section->heading, section->folded.empty() ? inside : page::on_demand(section->folded, inside));
     }
   }
   return page::html(page);

@@ -22,13 +22,16 @@
     return points;
   }
 
-  // Between two points of a line; nothing in a gap.
-  function heightAt(points, x) {
+  // Where a line is at this x, or the edges of an area; none in a gap.
+  function heightsAt(points, x) {
+    const heights = [];
     for (let i = 1; i < points.length; ++i) {
       const [a, b] = [points[i - 1], points[i]];
-      if (!b.moved && a.x <= x && x <= b.x) return b.x > a.x ? a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x) : b.y;
+      if (!b.moved && Math.min(a.x, b.x) <= x && x <= Math.max(a.x, b.x)) {
+        heights.push(b.x === a.x ? b.y : a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+      }
     }
-    return null;
+    return heights;
   }
 
   function nearest(points, x, y, reach) {
@@ -52,16 +55,18 @@
   const written = (text) => text.replace(/^-(?=[0.]*$)/, "").replace(/^-/, "\u2212");
 
   function enliven(svg) {
-    const [left, top, right, bottom] = svg.dataset.frame.split(" ").map(Number);
     const all = {x: svg.dataset.x.split(" ").map(Number), y: svg.dataset.y.split(" ").map(Number)};
     const curves = svg.querySelector("svg.curves");
-    const lines = [...curves.querySelectorAll("path[data-name]")].map((path) => ({
-      name: path.dataset.name, dots: path.classList.contains("dots"), role: path.getAttribute("class"), points: pointsOf(path)}));
+    const [left, top, width, height] = ["x", "y", "width", "height"].map((name) => Number(curves.getAttribute(name)));
+    const [right, bottom] = [left + width, top + height];
+    const lines = [...curves.querySelectorAll("path[data-name]")].map((path) => ({name: path.dataset.name,
+      kind: ["dots", "area", "line"].find((kind) => path.classList.contains(kind)), role: path.getAttribute("class"), points: pointsOf(path)}));
     if (lines.length === 0) return;
-    const clips = curves.getAttribute("overflow");
-    let shown = {x: all.x, y: all.y};
+    const overflow = curves.getAttribute("overflow");
+    const hasDotsOnly = lines.every((line) => line.kind === "dots");
+    let shown = {...all};
 
-    // From the drawing as it was made to what is shown of it.
+    // From what is shown to its place, and between a place, its value and where it was first drawn.
     const scale = (axis, from, to, value) => from + (to - from) * (value - shown[axis][0]) / (shown[axis][1] - shown[axis][0]);
     const valueX = (px) => shown.x[0] + (shown.x[1] - shown.x[0]) * (px - left) / (right - left);
     const valueY = (py) => shown.y[0] + (shown.y[1] - shown.y[0]) * (bottom - py) / (bottom - top);
@@ -76,17 +81,22 @@
       return {x: Math.min(Math.max(p.x, left), right), y: Math.min(Math.max(p.y, top), bottom)};
     };
 
+    const read = (place) => written((all.y[0] + (all.y[1] - all.y[0]) * (bottom - place) / height).toFixed(digits("y")));
+    // What stands at a place, in the order of the drawing: "name: value", of an area its edges, of a dot both coordinates.
     function readings(p) {
       const px = drawnX(valueX(p.x)), py = drawnY(valueY(p.y));
       const rows = [];
-      for (const line of lines) {
-        const dot = line.dots ? nearest(line.points, px, py, 14 * (shown.x[1] - shown.x[0]) / (all.x[1] - all.x[0])) : null;
-        const height = line.dots ? dot && dot.y : heightAt(line.points, px);
-        if (height === null || height === undefined) continue;
-        const value = all.y[0] + (all.y[1] - all.y[0]) * (bottom - height) / (bottom - top);
-        const x = dot ? all.x[0] + (all.x[1] - all.x[0]) * (dot.x - left) / (right - left) : null;
-        const before = x === null ? "" : written(x.toFixed(digits("x"))) + " \u2192 ";
-        rows.push({role: line.role, text: `${line.name ? line.name + ": " : ""}${before}${written(value.toFixed(digits("y")))}`});
+      for (const {name, kind, role, points} of lines) {
+        let value = null;
+        if (kind === "dots") {
+          const dot = nearest(points, px, py, 14 * (shown.x[1] - shown.x[0]) / (all.x[1] - all.x[0]));
+          if (dot) value = `${written((all.x[0] + (all.x[1] - all.x[0]) * (dot.x - left) / width).toFixed(digits("x")))} \u2192 ${read(dot.y)}`;
+        } else {
+          const heights = heightsAt(points, px);
+          if (kind === "area" && name && heights.length > 1) value = `${read(Math.max(...heights))} to ${read(Math.min(...heights))}`;
+          if (kind === "line" && heights.length > 0) value = read(heights[0]);
+        }
+        if (value !== null) rows.push({role, text: name ? `${name}: ${value}` : value});
       }
       return rows;
     }
@@ -97,7 +107,7 @@
       const rows = [{role: "", text: `${svg.dataset.xName}: ${written(valueX(p.x).toFixed(digits("x")))}`}, ...readings(p)];
       const box = make("rect", {class: "tag", rx: 4}, layer);
       const texts = rows.map(({role, text}, i) => {
-        const element = make("text", {y: top + 16 + 15 * i, class: role.replace(/line|dots|many|lone|beneath|dash\d/g, "")}, layer);
+        const element = make("text", {y: top + 16 + 15 * i, class: role.replace(/line|dots|area|many|beneath|dash\d/g, "")}, layer);
         element.textContent = text;
         return element;
       });
@@ -107,12 +117,12 @@
       for (const [key, value] of Object.entries({x, y: top + 2, width, height: 15 * rows.length + 6})) box.setAttribute(key, value);
     }
 
-    function axes() {
-      for (const element of svg.querySelectorAll(":scope > .tick, :scope > .grid, :scope > .at, :scope > .mark, :scope > .level")) {
-        element.style.display = shown.zoomed ? "none" : "";
+    function axes(zoomed) {
+      for (const element of svg.querySelectorAll(":scope > .tick, :scope > .grid, :scope > text:not([class]), :scope > .mark, :scope > .level")) {
+        element.style.display = zoomed ? "none" : "";
       }
       svg.querySelectorAll(":scope > .again").forEach((element) => element.remove());
-      if (!shown.zoomed) return;
+      if (!zoomed) return;
       const again = make("g", {class: "again"}, svg);
       svg.insertBefore(again, curves);
       for (const [value, text] of steps(...shown.x, (right - left) / 90)) {
@@ -129,16 +139,19 @@
 
     function show(x, y) {
       const zoomed = x !== all.x || y !== all.y;
-      shown = {x, y, zoomed};
+      shown = {x, y};
       const [x0, x1, y0, y1] = [drawnX(x[0]), drawnX(x[1]), drawnY(y[1]), drawnY(y[0])];
       svg.classList.toggle("zoomed", zoomed);
       curves.setAttribute("viewBox", `${x0} ${y0} ${x1 - x0} ${y1 - y0}`);
-      if (zoomed || clips === null) curves.removeAttribute("overflow");
-      else curves.setAttribute("overflow", clips);
-      axes();
+      curves.setAttribute("preserveAspectRatio", "none");
+      if (zoomed || overflow === null) curves.removeAttribute("overflow");
+      else curves.setAttribute("overflow", overflow);
+      axes(zoomed);
       layer.replaceChildren();
     }
 
+    // A drag along a line is about its x; one across, or among dots, is about both.
+    const isBox = (a, b) => Math.abs(a.y - b.y) > (hasDotsOnly ? 8 : 30);
     let from = null;
     back.addEventListener("pointerdown", (event) => {
       if (event.pointerType === "mouse") from = at(event);
@@ -147,9 +160,8 @@
       const p = at(event);
       showCursor(p);
       if (from) {
-        const high = Math.abs(p.y - from.y) > 30;
-        make("rect", {class: "drag", x: Math.min(from.x, p.x), width: Math.abs(p.x - from.x), y: high ? Math.min(from.y, p.y) : top,
-          height: high ? Math.abs(p.y - from.y) : bottom - top}, layer);
+        make("rect", {class: "drag", x: Math.min(from.x, p.x), width: Math.abs(p.x - from.x),
+          y: isBox(from, p) ? Math.min(from.y, p.y) : top, height: isBox(from, p) ? Math.abs(p.y - from.y) : height}, layer);
       }
     });
     addEventListener("pointerup", (event) => {
@@ -158,13 +170,13 @@
       from = null;
       if (Math.abs(a.x - b.x) < 8) return;
       const sorted = (p, q) => p < q ? [p, q] : [q, p];
-      show(sorted(valueX(a.x), valueX(b.x)), Math.abs(a.y - b.y) > 30 ? sorted(valueY(a.y), valueY(b.y)) : shown.y);
+      show(sorted(valueX(a.x), valueX(b.x)), isBox(a, b) ? sorted(valueY(a.y), valueY(b.y)) : shown.y);
     });
     back.addEventListener("pointerleave", () => from || layer.replaceChildren());
     back.addEventListener("dblclick", () => show(all.x, all.y));
   }
 
-  document.querySelectorAll("svg.chart[data-frame]").forEach(enliven);
+  document.querySelectorAll("svg.chart[data-x]").forEach(enliven);
   // Paper has no folds.
   addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((one) => { one.open = true; }));
 })();

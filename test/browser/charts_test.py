@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Usage: charts_test.py FANTAIL PICTURES
+
+The charts of a page under a pointer: the cursor reads what the files beside the page have, a drag zooms, a double click shows all again,
+and paper has no folds. Exit code 77: there is no Chromium (package chromium-driver).
+"""
+
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # not between the sources
+import browser
+
+FANTAIL, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+# A chart by what it shows, and a pointer at shares of its frame from the left and from the top.
+POINTER = """
+const [label, type, right, down] = arguments;
+const svg = [...document.querySelectorAll('svg.chart')].find((one) => one.ariaLabel === label && one.getBoundingClientRect().width > 0);
+const box = svg.querySelector('.catch').getBoundingClientRect();
+svg.querySelector('.catch').dispatchEvent(new PointerEvent(type, {bubbles: true, pointerType: 'mouse',
+  clientX: box.left + right * box.width, clientY: box.top + down * box.height}));
+const texts = (list) => [...list].filter((one) => one.style.display !== 'none').map((one) => one.textContent);
+return {cursor: texts(svg.querySelectorAll('.cursor text')),
+        across: texts(svg.querySelectorAll(':scope > text[text-anchor=middle]:not([class]), .again text[text-anchor=middle]')),
+        upwards: texts(svg.querySelectorAll(':scope > text[text-anchor=end]:not([class]), .again text[text-anchor=end]'))};"""
+
+
+def number(text):
+    return float(text.replace("\u2212", "-"))
+
+
+class Charts(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        for words in (["campaign", "tasha3_launch2", "--runs", "20"], ["campaign", "hardover", "tasha3_launch2", "--step", "5"]):
+            subprocess.run([FANTAIL, *words, "--out", cls.folder / words[1]], check=True, stdout=subprocess.DEVNULL)
+        cls.page = cls.enterClassContext(browser.Browser(1280, 900))
+
+    def at(self, label, kind, right, down=0.5):
+        return self.page.run(POINTER, label, kind, right, down)
+
+    def zoom(self, label, begin, end):
+        self.at(label, "pointerdown", *begin)
+        self.at(label, "pointermove", *end)
+        return self.at(label, "pointerup", *end)
+
+    def band_at(self, time_s):
+        """Of band.csv, between its rows."""
+        with open(self.folder / "tasha3_launch2/band.csv", encoding="utf-8") as file:
+            rows = [{key: float(value) for key, value in row.items() if value} for row in csv.DictReader(file)]
+        after = next(i for i, row in enumerate(rows) if row["time_s"] >= time_s)
+        a, b = rows[max(after - 1, 0)], rows[after]
+        share = (time_s - a["time_s"]) / (b["time_s"] - a["time_s"]) if after else 0.0
+        return [a[key] + share * (b[key] - a[key]) for key in ("roll_angle_p50_deg", "roll_angle_p5_deg", "roll_angle_p95_deg")]
+
+    def expect_band(self, cursor):
+        time_s = number(re.fullmatch(r"time after lift-off: (.*)", cursor[0])[1])
+        middle, low, high = self.band_at(time_s)
+        said = dict(line.split(": ") for line in cursor[1:])
+        self.assertAlmostEqual(number(said["middle of the runs"]), middle, delta=0.3)
+        edges = [number(edge) for edge in said["5 to 95 % of the runs"].split(" to ")]
+        self.assertAlmostEqual(edges[0], low, delta=0.3)
+        self.assertAlmostEqual(edges[1], high, delta=0.3)
+
+    def test_the_cursor_reads_what_the_file_has_also_after_a_zoom_and_a_double_click_shows_all_again(self):
+        self.page.open((self.folder / "tasha3_launch2/campaign.html").as_uri())
+        roll = "roll angle / deg"
+        before = self.at(roll, "pointermove", 0.61)
+        self.expect_band(before["cursor"])
+        times = [number(text) for text in before["across"]]
+        left, right = times[0], times[-1]  # the frame begins at lift-off
+        zoomed = self.zoom(roll, (0.5, 0.5), (0.75, 0.52))
+        shown = [number(text) for text in zoomed["across"]]
+        self.assertGreater(len(shown), 4)
+        self.assertGreater(shown[0], left + 0.45 * (right - left))
+        self.assertLess(shown[-1], left + 0.85 * (right - left))
+        self.assertEqual(before["upwards"][0], zoomed["upwards"][0], "along a line the drag is about x alone")
+        self.expect_band(self.at(roll, "pointermove", 0.3)["cursor"])
+        again = self.at(roll, "dblclick", 0.5)
+        self.assertEqual(again["across"], before["across"])
+        self.page.picture(PICTURES / "campaign_cursor.png")
+
+    def test_a_drag_among_dots_is_about_both_axes(self):
+        self.page.open((self.folder / "hardover/hardover.html").as_uri())
+        where = "Where the apogee lies over ground, seen from above"
+        before = self.at(where, "pointermove", 0.5)
+        zoomed = self.zoom(where, (0.3, 0.3), (0.6, 0.6))
+        for axis in ("across", "upwards"):
+            all_of_it, part = ([number(text) for text in said[axis]] for said in (before, zoomed))
+            self.assertLess(max(part) - min(part), 0.5 * (max(all_of_it) - min(all_of_it)), axis)
+
+    def test_paper_has_no_folds(self):
+        self.page.open((self.folder / "tasha3_launch2/campaign.html").as_uri())
+        opened = "return [...document.querySelectorAll('details')].map((one) => one.open)"
+        self.assertNotIn(True, self.page.run(opened))
+        self.page.run("dispatchEvent(new Event('beforeprint'))")
+        self.assertNotIn(False, self.page.run(opened))
+
+
+if __name__ == "__main__":
+    browser.run_tests(PICTURES)
