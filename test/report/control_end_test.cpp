@@ -2,6 +2,7 @@
 // How control ended, or why it never began, as the verdict says it.
 
 #include "flight/phase_names.hpp"
+#include "report/answer.hpp"
 #include "report/verdict.hpp"
 #include "synthetic_flight.hpp"
 #include "test.hpp"
@@ -37,6 +38,20 @@ TEST(ControlEnd, EveryOtherWayToNoControlIsNamed) {
   EXPECT_EQ(verdict_of(deaf.flight).outcome, Outcome::no_control);
   EXPECT_EQ(numbers(verdict_of(deaf.flight)), Numbers{"0.30"});
   EXPECT_TRUE(says(verdict_of(deaf.flight), flight::display_name(core::PhaseReason::gyro_failed_before_control)));
+}
+
+TEST(ControlEnd, CanardsReturnToTrimOnlyWhereTheyHaveLeftIt) {
+  const auto says_so = [](const flight::Flight& flight) {
+    const Figures f = figures(flight);
+    return result::text(answer(flight, f, verdict(flight, f))).find("canards return to trim") != std::string::npos;
+  };
+  SyntheticFlight controlled;
+  controlled.end_control(4.0, core::PhaseReason::apogee);
+  EXPECT_TRUE(says_so(controlled.flight));
+  SyntheticFlight unseen;  // the rocket reports at 4 s that it has flown
+  unseen.never_controlled(4.0, core::Phase::finished, core::PhaseReason::flew_without_launch);
+  unseen.flight.events.control_end_s = 4.0;
+  EXPECT_FALSE(says_so(unseen.flight));
 }
 
 // A first, weak push uses up the detection; until the rocket has rested the real one is not looked for.

@@ -5,6 +5,7 @@
 #include "json/value.hpp"
 #include "page/page.hpp"
 #include "report/answer.hpp"
+#include "report/hold.hpp"
 #include "report/results.hpp"
 #include "report/sections.hpp"
 #include "synthetic_flight.hpp"
@@ -28,6 +29,26 @@ page::Tone tone_of(const Verdict& verdict) {
 json::Value summary_json_of(const flight::Flight& flight) {
   const Figures f = figures(flight);
   return json::parse(result::json(summary(flight, f, verdict(flight, f))));
+}
+
+TEST(Rest, OfALoopThatCannotSettleItIsNotSaidWhere) {
+  SyntheticFlight synthetic;
+  const auto says_where = [&synthetic] {
+    const Figures f = figures(synthetic.flight);
+    const std::vector<std::string> beside = beside_the_verdict(synthetic.flight, f, verdict(synthetic.flight, f));
+    return std::ranges::any_of(beside, [](const std::string& one) { return one.starts_with("It settles at"); });
+  };
+  EXPECT_TRUE(says_where());
+  synthetic.flight.loop_margins = {{.speed_m_s = 20.0, .phase_margin_rad = 0.5},
+                                   {.speed_m_s = 60.0, .phase_margin_rad = -0.1}};
+  EXPECT_FALSE(says_where()) << "unstable at one speed";
+  synthetic.flight.loop_margins.clear();
+  EXPECT_TRUE(says_where());
+  synthetic.flight.plan.controller.canard_limit = core::Angle::from_degrees(3.0F);
+  EXPECT_FALSE(says_where()) << "the canards do not reach the fin offset of 5 deg";
+  EXPECT_NE(settle_point_text(synthetic.flight, false), settle_point_text(synthetic.flight, true));
+  EXPECT_EQ(settle_point_text(synthetic.flight, false).find("-10 deg"), std::string::npos);
+  EXPECT_NE(settle_point_text(synthetic.flight, true).find("-10 deg"), std::string::npos);
 }
 
 TEST(Rest, ARollThatRestsFarFromItsCommandIsSteadyAndNotHeld) {

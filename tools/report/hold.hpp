@@ -97,7 +97,7 @@ class RunningRest {
 /// Where the law of the plan comes to rest: "R + u_d/kp".
 [[nodiscard]] std::string settle_point_name(const flight::Flight& flight);
 
-/// Why it comes to rest there, with this flight's own numbers where they are known.
-[[nodiscard]] std::string settle_point_text(const flight::Flight& flight);
+/// Why it comes to rest there, with this flight's own numbers where they are known and it can get there.
+[[nodiscard]] std::string settle_point_text(const flight::Flight& flight, bool can_settle);
 
 }  // namespace fantail::report

@@ -106,6 +106,10 @@ constexpr auto moment_fields = result::fields<Moment>({
 
 /// Where it was not the apogee also what for.
 std::string what_control_end_means(const flight::Flight& flight, const Verdict& verdict) {
+  if (std::ranges::find(flight.phase_changes, core::Phase::controlling, &flight::PhaseChange::phase) ==
+      flight.phase_changes.end()) {
+    return "the rocket reports that it has flown; canards stayed at trim";
+  }
   const auto outage = std::ranges::find(flight.outages, flight.events.control_end_s, &flight::Outage::from_s);
   if (outage != flight.outages.end()) {
     return outage->to_s ? fmt::format("with the last tick before {} s", fixed(*outage->to_s, 3)) : "with the last tick";
@@ -156,6 +160,13 @@ result::Table phases(const flight::Flight& flight) {
   return table;
 }
 
+/// The canards obey the law and reach far enough, and the loop is stable at every speed.
+bool can_settle(const flight::Flight& flight, const Figures& f) {
+  return flight.why_uncontrollable.empty() && f.authority_margin_rad.value_or(0.0) >= 0.0 &&
+         std::ranges::none_of(flight.loop_margins,
+                              [](const flight::LoopMargin& margin) { return margin.phase_margin_rad < 0.0; });
+}
+
 }  // namespace
 
 std::string compass(const flight::PathPoint& point) {
@@ -167,7 +178,7 @@ std::string compass(const flight::PathPoint& point) {
 
 std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const Figures& f, const Verdict& verdict) {
   std::vector<std::string> all;
-  if (verdict.roll_is_judged && f.largest_hold_error_rad && flight.why_uncontrollable.empty()) {
+  if (verdict.roll_is_judged && f.largest_hold_error_rad && can_settle(flight, f)) {
     all.push_back(fmt::format("It settles at {}.", settle_point_name(flight)));
   }
   if (f.roll_turns && f.roll_turns_without_control) {
@@ -192,7 +203,7 @@ std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const 
 result::Section figures_section(const flight::Flight& flight, const Figures& figures, const Verdict& verdict) {
   result::Section section{"Figures", {shown_figures(flight, figures, verdict.roll_is_judged), margins(flight)}};
   if (verdict.roll_is_judged && figures.largest_hold_error_rad) {
-    section.blocks.emplace_back(settle_point_text(flight));
+    section.blocks.emplace_back(settle_point_text(flight, can_settle(flight, figures)));
   }
   return section;
 }

@@ -53,7 +53,8 @@ std::string settle_point_name(const flight::Flight& flight) {
   return flight.plan.gain_schedule.speeds_count > 0 ? "R + u_d/(f kp)" : "R + u_d/kp";
 }
 
-std::string settle_point_text(const flight::Flight& flight) {
+std::string settle_point_text(const flight::Flight& flight, bool can_settle) {
+  const std::string here = can_settle ? in_numbers(flight) : " Here it cannot get there.";
   const std::string why =
       flight::rejects_offset(flight.plan)
           ? "This law subtracts its estimate of the fin offset u_d from the command. So it settles at the reference R, "
@@ -61,10 +62,10 @@ std::string settle_point_text(const flight::Flight& flight) {
       : flight.plan.gain_schedule.speeds_count > 0
           ? "This loop settles at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
             "reference R: an angle error has to balance the fin offset." +
-                in_numbers(flight)
+                here
           : "A proportional-derivative loop settles at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
             "error has to balance the fin offset." +
-                in_numbers(flight);
+                here;
   return fmt::format(
       "{} The hold error is measured from there, without the {} after control start and after each reference step.",
       why, flight.tunnel ? "two seconds" : "second");
