@@ -11,8 +11,8 @@
 namespace fantail::devices {
 namespace {
 
-// The table of docs/devices.md, run: each row is a device and what is wrong with it, each column a phase. Every
-// case begins in a copy of a rocket that is well.
+// The table of docs/devices.md, run: each row is a device and its faults, each column a phase. Every case begins in a
+// copy of a healthy rocket. The page says once that the canards stay at trim after control ended.
 
 using core::Phase;
 
@@ -118,10 +118,15 @@ std::vector<Row> table() {
     for (std::string cell; std::getline(stream, cell, '|');) {
       cells.push_back(trimmed(cell));
     }
-    if (cells.size() == 3 + core::phases && devices.contains(cells[1])) {
-      Row row{.device = cells[1], .fault = cells[2], .outcomes = {}};
+    if (cells.size() == 2 + core::phases && devices.contains(cells[1])) {
+      Row row{.device = cells[1], .fault = {}, .outcomes = {}};
       std::copy(cells.begin() + 3, cells.end(), row.outcomes.begin());
-      rows.push_back(row);
+      row.outcomes[static_cast<std::size_t>(Phase::finished)] = "trim";
+      std::istringstream named{cells[2]};
+      for (std::string fault; std::getline(named, fault, ',');) {
+        row.fault = trimmed(fault);
+        rows.push_back(row);
+      }
     }
   }
   return rows;
