@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The layers of the house, from the bottom: each folder and the folders that it may include. This is the one list of them. A
-# library links what stands in its row (fantail_library), check_includes.cmake refuses every other #include and every entry
-# that nobody needs, and the table of docs/architecture.md is printed from it. A folder may only name folders above it here,
-# so that no arrow points up.
+# library links what stands in its row (fantail_library), and check_includes.cmake refuses every other #include and every entry
+# that nobody needs. A folder may only name folders above it here, so that no arrow points up.
 #
 # folder | what it may include, by the folder in the #include | headers of others (regular expressions)
 set(FANTAIL_LAYERS
