@@ -35,7 +35,7 @@ std::string range_of(const Allowed& allowed) {
 template <typename Thing>
 std::string default_of(const Field<Thing>& field, const Thing& usual) {
   if (field.presence != Presence::may) {
-    return "must be there";
+    return "required";
   }
   const bool has_one = field.place.get != nullptr && !field.allowed.is_list;
   const double inside = has_one ? field.place.get(usual, 0) : std::nan("");
@@ -57,17 +57,38 @@ std::string row_of(const Field<Thing>& field, const Thing& usual, const std::str
   return row.append(field.meaning).append(" |\n");
 }
 
+/// The keys that several sections have alike stand in the first of them, and by name in the others.
 template <typename Thing>
 std::string tables_of(std::span<const Field<Thing>> fields) {
-  std::string tables;
-  std::string_view section = "none yet";
+  struct Section {
+    std::string name;
+    std::string rows;
+    std::map<std::string, std::string> keys_as_in;
+  };
+  std::vector<Section> sections;
+  std::map<std::string, std::string> first_with;
   for (const Field<Thing>& field : fields) {
-    if (field.section != section) {
-      section = field.section;
-      tables += section.empty() ? "\nAhead of all sections:\n\n" : "\n`[" + std::string{section} + "]`\n\n";
-      tables += head;
+    if (sections.empty() || sections.back().name != field.section) {
+      sections.push_back({std::string{field.section}, {}, {}});
     }
-    tables += row_of(field, Thing{});
+    Section& section = sections.back();
+    const std::string row = row_of(field, Thing{});
+    const auto [first, is_new] = first_with.try_emplace(row, section.name);
+    if (is_new) {
+      section.rows += row;
+    } else {
+      std::string& keys = section.keys_as_in[first->second];
+      keys += (keys.empty() ? "`" : ", `") + std::string{field.key} + "`";
+    }
+  }
+  std::string tables;
+  for (const Section& section : sections) {
+    tables += section.name.empty() ? "\nAhead of all sections:\n\n" : "\n`[" + section.name + "]`\n\n";
+    tables += section.rows.empty() ? "" : head + section.rows;
+    for (const auto& [other, keys] : section.keys_as_in) {
+      tables.append(section.rows.empty() ? "" : "\n").append("As in `[").append(other).append("]`: ");
+      tables.append(keys).append(".\n");
+    }
   }
   return tables + "\n";
 }

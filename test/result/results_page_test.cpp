@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -28,17 +29,28 @@
 namespace fantail::result {
 namespace {
 
-std::string unit_of(const Column& column) { return std::string{column.unit.symbol}; }
+/// With the unit behind it that it does not name.
+std::string key_of(const Column& column) {
+  const bool names_unit = !column.unit.suffix.empty() || column.unit.symbol.empty();
+  return fmt::format("`{}{}`{}", column.key, column.unit.suffix,
+                     names_unit ? "" : fmt::format(" ({})", column.unit.symbol));
+}
 
-/// A table for each place: key, unit, label and meaning of its fields.
+/// Nothing where it is the key in words.
+std::string label_of(const Column& column) {
+  std::string words{column.key};
+  std::ranges::replace(words, '_', ' ');
+  return words == column.label ? "" : std::string{column.label};
+}
+
+/// A table for each place: key, label and meaning of its fields.
 std::string tables(const std::vector<Listed>& all) {
   std::string text;
   for (const Listed& one : all) {
-    text += fmt::format("{}| key | unit | label | meaning |\n|---|---|---|---|\n",
+    text += fmt::format("{}| key | label | meaning |\n|---|---|---|\n",
                         one.place.empty() ? "" : fmt::format("`{}`:\n\n", one.place));
     for (const Column& column : one.columns) {
-      text += fmt::format("| `{}{}` | {} | {} | {} |\n", column.key, column.unit.suffix, unit_of(column), column.label,
-                          column.meaning);
+      text += fmt::format("| {} | {} | {} |\n", key_of(column), label_of(column), column.meaning);
     }
     text += "\n";
   }
