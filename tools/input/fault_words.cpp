@@ -150,7 +150,7 @@ constexpr Place<sim::Fault> delay{.set =
 #define AT(expression) FANTAIL_PLACE(sim::Fault, expression)
 constexpr auto fields = std::to_array<FaultField>({
   {{"faults", "kind", choice(kind_names), must, {}, "A kind from the table below."}, any},
-  {{"faults", "from_s", number("s", {-600, 3600}), must, AT(it.from_s), "Start of the fault, after ignition (tunnel: after the start command). Below zero: on the pad. A fault that starts before power-up, such as -600, is there from the first tick."}, any},
+  {{"faults", "from_s", number("s", {-600, 3600}), must, AT(it.from_s), "Start of the fault, after ignition (tunnel: after the start command). Below zero: on the pad; before power-up: from the first tick."}, any},
   {{"faults", "until_s", number("s", {-600, 3600}), must, AT(it.until_s), "End of the fault; later than `from_s`."}, lasts_for_a_while},
   {{"faults", "canard", integer(number_from_one, {1, 4}), must, AT(it.canard), "Which canard, servo or encoder."}, is_of_one_canard},
   {{"faults", "angle_deg", number(deg, {-90, 90}), may, AT(std::get<sim::GearFault>(it.how).angle_rad), "Angle at which the shaft jams, within the stop of the servo; left out: where it stands."}, breaks<sim::ServoFault::stuck>},
@@ -158,13 +158,13 @@ constexpr auto fields = std::to_array<FaultField>({
   {{"faults", "noise_counts", number("counts", {1, 1000}), may, AT(std::get<sim::Noisy>(it.how).noise_counts), "Standard deviation of the readings; 16384 counts are a turn."}, has<sim::Noisy>},
   {{"faults", "offset_deg_s", number(deg_s, {-2000, 2000}), must, AT(std::get<sim::RateOffset>(it.how).rate_rad_s), "Added to the rate about the long axis."}, has<sim::RateOffset>},
   {{"faults", "cause", choice(cause_names), may, AT(std::get<sim::Reset>(it.how).cause), "Cause of the reset that the avionics read when they restart. They resume a flight after `watchdog` and `software` only."}, has<sim::Reset>},
-  {{"faults", "gap_s", number("s", {0.001, 10}), may, AT(std::get<sim::Reset>(it.how).gap_s), "Time without ticks. In its last 0.01 s, while the firmware starts, the servos get no pulses. Before that, after `watchdog` they keep getting their last pulses; after the other causes they get none. A simulated servo without pulses has no power, and friction holds its shaft."}, has<sim::Reset>},
+  {{"faults", "gap_s", number("s", {0.001, 10}), may, AT(std::get<sim::Reset>(it.how).gap_s), "Time without ticks. The servos get no pulses, except after `watchdog` until the last 0.01 s. Without pulses friction holds a simulated shaft."}, has<sim::Reset>},
   {{"faults", "memory", choice(memory_names), may, AT(std::get<sim::Reset>(it.how).memory), "Whether the backup memory, from which a flight is resumed, survives the reset."}, has<sim::Reset>},
   {{"faults", "clock_error_s", number("s", {-0.25, 0.25}), may, AT(std::get<sim::Reset>(it.how).clock_error_s), "Error of the gap that the avionics measure; above zero: longer than it was."}, has<sim::Reset>},
   {{"faults", "device", choice(device_names), must, AT(it.device), "The device that fails."}, is_by_device},
   {{"faults", "behaviour", choice(behaviour_names), must, {}, "How it fails; one of the behaviours of this device."}, is_by_device},
   {{"faults", "canard", integer(number_from_one, {1, 4}), may, AT(it.canard), "The canard to which the encoder or servo belongs."}, is_by_device},
-  {{"faults", "on_s", number("s", {0, 3600}), may, AT(it.on_s), "For a fault that comes and goes: how long it is there, from `from_s` on, in whole milliseconds; 0: there all the time."}, is_by_device},
+  {{"faults", "on_s", number("s", {0, 3600}), may, AT(it.on_s), "For a fault that comes and goes: how long it is there, in whole milliseconds; 0: all the time."}, is_by_device},
   {{"faults", "off_s", number("s", {0, 3600}), may, AT(it.off_s), "How long it is then gone; both repeat."}, is_by_device},
   {{"faults", "delay_s", number("s", {0.001, sim::Delayed::longest_s}), may, delay, "Delay of `delayed`, in whole milliseconds."}, is_by_device},
 });

@@ -28,16 +28,16 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"body", "roll_inertia_kg_m2", number("kg m2", {1e-6, 10}), must, AT(it.roll_plant.inertia_kg_m2), "Moment of inertia about the long axis."},
 
   {"aerodynamics", "reference_area_m2", number("m2", {1e-8, 1}), must, AT(it.roll_plant.reference_area_m2), "Area by which `damping_m2` and `torque_m` are multiplied; matters in transients only."},
-  {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "Lower and upper end of the range of the true area, with a probability of 95 %; `reference_area_m2` lies between. `predict` includes it in its spread."},
+  {"aerodynamics", "reference_area_range_m2", list(2, number("m2", {1e-8, 1})), may, AT(grown(it.reference_area_range_m2, i)), "95 % range of the true area; `reference_area_m2` lies between. `predict` includes it in its spread."},
   {"aerodynamics", "damping_m2", number("m2", {0, 1e4}), must, AT(it.roll_plant.damping_m2), "Roll damping, alpha."},
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
   {"aerodynamics", "compressibility", choice(compressibilities), may, AT(it.compressibility), "`prandtl_glauert`: damping, torque and normal force grow with 1 / sqrt(1 - M2), up to Mach 0.8."},
-  {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "Stall angle: the lift of each canard grows up to this angle and then stays constant; 12 to 15 are usual. Without it no canard stalls."},
+  {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "The lift of each canard grows up to this angle and then stays constant; 12 to 15 are usual. Absent: no stall."},
   {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "Distance from the long axis to the centre of lift of a canard: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
-  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back; more than 1 reverses the roll. `torque_m` is then that of the canards alone: a value identified with the fins on already includes the wash."},
+  {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back. `torque_m` is then that of the canards alone."},
   {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "Distance from the canards back to the fins, which respond after this distance over the air speed."},
-  {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: lift slope times area times the distance from the shaft back to the centre of lift. Below zero: the lift acts in front of the shaft. Used with `servo.torque_n_m`."},
-  {"aerodynamics", "canard_side_area_m2", number("m2", {0, 1}), may, AT(it.canard_air.side_area_m2), "Side force of one canard over 1/2 rho v2 and its angle in radians: lift slope times area. With it, canards at different angles push the rocket sideways in six degrees of freedom; without it, they only roll it. Needs `canard_position_m`."},
+  {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: lift slope times area times the distance from the shaft back to the centre of lift. Used with `servo.torque_n_m`."},
+  {"aerodynamics", "canard_side_area_m2", number("m2", {0, 1}), may, AT(it.canard_air.side_area_m2), "Side force of one canard over 1/2 rho v2 and its angle in radians: lift slope times area. Without it, canards only roll the rocket in six degrees of freedom. Needs `canard_position_m`."},
   {"aerodynamics", "canard_position_m", number("m", {0, 30}), may, AT(it.canard_air.position_m), "Distance from the tip of the nose to the side force of the canards. Needs `canard_side_area_m2`."},
 
   {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Diameter of the body. Flights in six degrees of freedom need this section; positions are measured from the tip of the nose."},
@@ -48,23 +48,23 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"airframe", "body_lift_area_m2", number("m2", {0, 10}), may, AT(made(it.airframe).body_lift_area_m2), "Body lift at large angles: coefficient (about 1.1) times the area of the body seen from the side."},
   {"airframe", "body_lift_position_m", number("m", {0, 30}), may, AT(made(it.airframe).body_lift_position_m), "Where it acts: the centre of that area."},
   {"airframe", "centre_of_gravity_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).at_liftoff.centre_of_gravity_m), "Centre of gravity at lift-off."},
-  {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "Centre of gravity after burn-out. In six degrees of freedom, the propellant that has moved it must lie between nose and tail."},
-  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off; at least half of the roll inertia. In six degrees of freedom also at least the value for propellant and the rest as two points, and at most the value for all mass at nose and tail."},
+  {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "Centre of gravity after burn-out; the propellant that has moved it must lie between nose and tail."},
+  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off; at least half of the roll inertia. In six degrees of freedom it must fit masses and length."},
   {"airframe", "transverse_inertia_after_burnout_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).after_burnout.transverse_inertia_kg_m2), "The same after burn-out."},
   {"airframe", "roll_inertia_after_burnout_kg_m2", number("kg m2", {1e-6, 10}), may, AT(made(it.airframe).roll_inertia_after_burnout_kg_m2), "Roll inertia after burn-out; as at lift-off when absent."},
   {"airframe", "nozzle_position_m", number("m", {0, 30}), may, AT(made(it.airframe).nozzle_position_m), "Where the exhaust leaves; at the tail when absent."},
-  {"airframe", "assumed", list(100, text()), may, AT(grown(it.airframe_assumed, i)), "Assumptions in this section that were not measured, one sentence each; reports of flights in six degrees of freedom repeat them."},
+  {"airframe", "assumed", list(100, text()), may, AT(grown(it.airframe_assumed, i)), "Assumptions in this section that were not measured; reports of flights in six degrees of freedom repeat them."},
 
   {"recovery", "drag_area_m2", number("m2", {0, 100}), may, AT(made(it.recovery).drag_area_m2), "Drag coefficient times area of the parachute, which opens when the rocket first descends. For six degrees of freedom only, like all of this section."},
   {"recovery", "delay_s", number("s", {0, 60}), may, AT(made(it.recovery).delay_s), "Time from then until it begins to open."},
   {"recovery", "opening_time_s", number("s", {0.05, 10}), may, AT(made(it.recovery).opening_time_s), "Time from then until it is fully open."},
   {"recovery", "position_m", number("m", {0, 30}), may, AT(made(it.recovery).position_m), "Where its line is attached, from the tip of the nose."},
 
-  {"shape", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.geometry).diameter_m), "Diameter of nose and body. The sections from here to `masses` describe shape and masses; `fantail airframe` and `campaign hardover` compute from them, other flights do not."},
+  {"shape", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.geometry).diameter_m), "Diameter of nose and body. Only `fantail airframe` and `campaign hardover` compute from the sections from here to `masses`."},
   {"shape", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.geometry).length_m), "From the tip of the nose to the tail."},
   {"shape", "nose", choice(nose_shapes), must_in_its_section, AT(made(it.geometry).nose_shape), "The shape of the nose cone."},
   {"shape", "nose_length_m", number("m", {0.005, 10}), must_in_its_section, AT(made(it.geometry).nose_length_m), "Length of the nose cone."},
-  {"shape", "transition_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).transition).position_m), "Where a change of diameter begins; behind it the body goes on with the new one. A boat tail ends at the tail."},
+  {"shape", "transition_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).transition).position_m), "Where a change of diameter begins. A boat tail ends at the tail."},
   {"shape", "transition_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).transition).length_m), "Length of the transition; above 0."},
   {"shape", "transition_diameter_m", number("m", {0, 2}), may, AT(made(made(it.geometry).transition).aft_diameter_m), "The diameter behind it; above 0."},
   {"shape", "assumed", list(100, text()), may, AT(grown(it.geometry_assumed, i)), "Assumptions in these sections that were not measured, one sentence each."},
@@ -88,33 +88,33 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"masses", "masses_kg", list(100, number("kg", {0, 1000})), may, AT(grown(made(it.geometry).masses, i).mass_kg), "Mass of each; as many as `names`, like all lists of this section."},
   {"masses", "positions_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).position_m), "Where the middle of each is, from the tip of the nose."},
   {"masses", "lengths_m", list(100, number("m", {0, 30})), may, AT(grown(made(it.geometry).masses, i).length_m), "Length of each; 0: a point."},
-  {"masses", "radii_of_gyration_m", list(100, number("m", {0, 2})), may, AT(grown(made(it.geometry).masses, i).radius_of_gyration_m), "Radius of gyration of each about the long axis: the radius for a thin tube, 0.707 times the radius for a solid rod. With [fins] or [canard_fins], and without [design]: at most the radius of the body there plus the longest span of fins or canards."},
+  {"masses", "radii_of_gyration_m", list(100, number("m", {0, 2})), may, AT(grown(made(it.geometry).masses, i).radius_of_gyration_m), "Radius of gyration of each about the long axis: the radius for a thin tube, 0.707 times the radius for a solid rod."},
   {"masses", "propellant_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).propellant).position_m), "Where the middle of the propellant is; its mass comes from the motor."},
   {"masses", "propellant_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).propellant).length_m), "Length of the propellant."},
   {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Its radius of gyration about the long axis; at most the radius of the body there."},
 
-  {"design", "file", text(), may, AT(made(made(it.geometry).design).file), "The design file that `fantail new` has read; required in this section. `fantail airframe` compares the section with the vehicle. Delete the section when the rocket has been weighed and balanced."},
+  {"design", "file", text(), may, AT(made(made(it.geometry).design).file), "The design file that `fantail new` has read; required in this section, which `fantail airframe` compares with the vehicle. Delete the section when the rocket has been weighed and balanced."},
   {"design", "flight", text(), may, AT(made(made(it.geometry).design).flight), "The simulated flight in that file whose numbers follow; absent: the file has none with this motor."},
-  {"design", "mass_kg", number("kg", {0.001, 1000}), may, AT(made(made(it.geometry).design).mass_kg), "Mass of the design at lift-off. A warning is given if it differs by more than 2 % from `body.mass_kg`."},
-  {"design", "centre_of_gravity_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_gravity_m), "Centre of gravity of the design at lift-off. A warning is given if it differs by more than 0.2 calibres, as with the next three."},
+  {"design", "mass_kg", number("kg", {0.001, 1000}), may, AT(made(made(it.geometry).design).mass_kg), "Mass of the design at lift-off. A difference of more than 2 % from `body.mass_kg` is doubtful."},
+  {"design", "centre_of_gravity_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_gravity_m), "Centre of gravity of the design at lift-off. A difference of more than 0.2 calibres is doubtful, as with the next three."},
   {"design", "centre_of_pressure_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_pressure_m), "Centre of pressure of the design in slow flight."},
-  {"design", "angle_of_attack_deg", number(deg, {0, 10}), may, AT(made(made(it.geometry).design).angle_of_attack_rad), "The angle of attack of that centre of pressure; the body's lift at this angle is included."},
+  {"design", "angle_of_attack_deg", number(deg, {0, 10}), may, AT(made(made(it.geometry).design).angle_of_attack_rad), "The angle of attack of that centre of pressure."},
   {"design", "margin_calibres", number("", {-100, 100}), may, AT(made(made(it.geometry).design).margin_calibres), "Static margin of the design under thrust, if the file has no centres."},
   {"design", "left_out", list(100, text()), may, AT(grown(made(made(it.geometry).design).left_out, i)), "Parts of the design that were not read, or were read with changes."},
 
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
-  {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "Factor on the thrust of the curve, with the same burn time and propellant mass: no two motors are alike."},
+  {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "Factor on the thrust of the curve, with the same burn time and propellant mass."},
 
   {"servo", "lag_s", number("s", {0.0005, 1}), may, AT(it.servo.lag_s), "Time constant with which the gear follows the command."},
   {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "Delay from the pulse that the servo takes until it acts on it."},
   {"servo", "frame_rate_hz", number(hz_of_period, {40, 1000}), may, AT(it.servo.frame_period_s), "How often the servo takes a new pulse."},
   {"servo", "rate_limit_deg_s", number(deg_s, {1, 1e5}), may, AT(it.servo.rate_limit_rad_s), "Largest rate of the shaft."},
-  {"servo", "torque_n_m", number("N m", {0.005, 100}), may, AT(it.servo.torque_n_m), "Stall torque at the shaft: against a load, the servo turns at the rate limit times 1 - load / torque; it cannot hold a larger load. Used with `aerodynamics.canard_hinge_moment_m3`; without it no load slows the servo."},
+  {"servo", "torque_n_m", number("N m", {0.005, 100}), may, AT(it.servo.torque_n_m), "Stall torque at the shaft: against a load, the servo turns at the rate limit times 1 - load / torque. Used with `aerodynamics.canard_hinge_moment_m3`."},
   {"servo", "stop_deg", number(deg, {1, 90}), may, AT(it.servo.stop_rad), "Mechanical stop of the shaft, either way."},
   {"servo", "backlash_deg", number(deg, {0, 5}), may, AT(it.servo.backlash_rad), "Whole width of the play between gear and shaft."},
   {"servo", "pulse_centre_us", number("us", {500, 2500}), may, AT(it.servo.pulse_centre_us), "Pulse that commands the centre."},
   {"servo", "pulse_per_degree_us", number("us/deg", {-40, 40}), may, AT(it.servo.pulse_per_degree_us), "Pulse per degree of the shaft; below zero it turns the other way; at least 0.1 away from zero."},
-  {"servo", "spread", number("", {0, 0.3}), may, AT(it.servo_spread.share), "Lag, delay, rate limit and play of each servo are the numbers above times a factor within 1 +- this, drawn from the seed; 0: four identical servos."},
+  {"servo", "spread", number("", {0, 0.3}), may, AT(it.servo_spread.share), "Lag, delay, rate limit and play of each servo are multiplied by a factor within 1 +- this, drawn from the seed."},
   {"servo", "centre_spread_deg", number(deg, {0, 2}), may, AT(it.servo_spread.centre_rad), "The true centre of each servo is off by up to this, drawn from the seed; at most `stop_deg`."},
 
   {"canard_mounting", "trim_deg", four(number(deg, {-5, 5})), may, AT(it.canards[i].trim_rad), "Shaft angle at which the canard makes no roll moment."},
@@ -138,7 +138,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "Delay from measurement to delivery."}, \
   {section, "to_nose", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.to_nose), "Which of its axes truly points to the nose; the avionics use the axis in the plan."}, \
   {section, "along_y", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.along_y), "Which of its axes truly points along the rocket's y; the third follows."}, \
-  {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "Position from the tip of the nose; at the centre of gravity when absent. Used where the centre of gravity is known: in six degrees of freedom."}, \
+  {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "Position from the tip of the nose; absent: at the centre of gravity. Used in six degrees of freedom."}, \
   {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "Distance from the long axis, towards the rocket's y: there it measures the effect of spin."}, \
   {section, "specific_force_scale_error", number("", {-0.1, 0.1}), may, AT(feels.specific_force_scale_error), "Share by which it reads every specific force too large."}
 // NOLINTEND(bugprone-macro-parentheses)

@@ -41,8 +41,7 @@ constexpr auto plan_fields = result::fields<J>({
     {"settling", "settles in", u::s, 2, &J::settling_s,
      "the slowest step of the linear loop at median and top speed; null: longer than 10 s"},
     {"command_noise", "noise of the command", u::deg, 3, &J::noise_rad,
-     "standard deviation of the command about its mean over a fifth of a second, without the first second of control "
-     "and after each step: the servo motion that is due to noise alone"},
+     "standard deviation of the command about its mean over a fifth of a second, once settled"},
 });
 
 constexpr auto loop_fields = result::fields<LoopAtSpeed>({

@@ -46,8 +46,7 @@ constexpr auto held_fields = output::fields<H>({
      "the same of the roll rate"},
     {"explained", "variance of the rate explained", u::share, 2,
      [](const H& h) { return Cell{explained_share(h.record, h.result.simulation)}; },
-     "share of the variance of the measured roll rate that the model explains; below zero: it is worse than the mean",
-     output::Worse::neither, share_words},
+     "share of the variance of the measured roll rate that the model explains", output::Worse::neither, share_words},
 });
 
 struct Window {
