@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -36,21 +37,25 @@ std::string key_of(const Column& column) {
                      names_unit ? "" : fmt::format(" ({})", column.unit.symbol));
 }
 
-/// Nothing where it is the key in words.
-std::string label_of(const Column& column) {
-  std::string words{column.key};
-  std::ranges::replace(words, '_', ' ');
-  return words == column.label ? "" : std::string{column.label};
+/// The label goes before the meaning if it has a word that neither key nor meaning has.
+std::string meaning_of(const Column& column) {
+  std::istringstream words{std::string{column.label}};
+  bool says_more = false;
+  for (std::string word; words >> word;) {
+    says_more = says_more || (column.key.find(word) == std::string_view::npos &&
+                              column.meaning.find(word) == std::string_view::npos);
+  }
+  return fmt::format("{}{}{}", says_more ? column.label : "", says_more ? ": " : "", column.meaning);
 }
 
-/// A table for each place: key, label and meaning of its fields.
+/// A table for each place: key and meaning of its fields.
 std::string tables(const std::vector<Listed>& all) {
   std::string text;
   for (const Listed& one : all) {
-    text += fmt::format("{}| key | label | meaning |\n|---|---|---|\n",
-                        one.place.empty() ? "" : fmt::format("`{}`:\n\n", one.place));
+    text +=
+        fmt::format("{}| key | meaning |\n|---|---|\n", one.place.empty() ? "" : fmt::format("`{}`:\n\n", one.place));
     for (const Column& column : one.columns) {
-      text += fmt::format("| {} | {} | {} |\n", key_of(column), label_of(column), column.meaning);
+      text += fmt::format("| {} | {} |\n", key_of(column), meaning_of(column));
     }
     text += "\n";
   }
