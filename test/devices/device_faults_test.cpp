@@ -11,8 +11,8 @@
 namespace fantail::devices {
 namespace {
 
-// The table of docs/devices.md, run: each row is a device and its faults, each column a phase. Every case begins in a
-// copy of a healthy rocket. The page says once that the canards stay at trim after control ended.
+// The table of device_faults.txt, run: each row is a device and its faults, each column a phase. Every case begins in a
+// copy of a healthy rocket. The file says once that the canards stay at trim after control ended.
 
 using core::Phase;
 

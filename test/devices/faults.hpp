@@ -11,7 +11,7 @@
 
 namespace fantail::devices {
 
-// The words of docs/devices.md, and what they are on this board.
+// The words of device_faults.txt, and what they are on this board.
 
 enum class Fault : std::uint8_t { never, late, repeats, flips, other, for_50_ms, for_2_s };
 

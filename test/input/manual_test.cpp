@@ -24,7 +24,7 @@ std::string range_of(const Allowed& allowed) {
       }
       break;
     case FieldKind::number:
-    case FieldKind::integer: each = about(allowed.range.minimum) + " to " + about(allowed.range.maximum); break;
+    case FieldKind::integer: each = about(allowed.range.minimum) + " … " + about(allowed.range.maximum); break;
   }
   if (allowed.is_list) {
     return "up to " + std::to_string(allowed.most) + (allowed.is_text() ? " " : ", each ") + each;
@@ -47,12 +47,13 @@ std::string default_of(const Field<Thing>& field, const Thing& usual) {
              : about(field.allowed.unit.in_file(inside));
 }
 
-constexpr const char* head = "| key | unit | default | range | meaning |\n|---|---|---|---|---|\n";
+// The unit is the end of the key.
+constexpr const char* head = "| key | default | range | meaning |\n|---|---|---|---|\n";
 
 template <typename Thing>
 std::string row_of(const Field<Thing>& field, const Thing& usual, const std::string& of = {}) {
   std::string row = "| `";
-  row.append(field.key).append("`").append(of).append(" | ").append(field.allowed.unit.name).append(" | ");
+  row.append(field.key).append("`").append(of).append(" | ");
   row.append(default_of(field, usual)).append(" | ").append(range_of(field.allowed)).append(" | ");
   return row.append(field.meaning).append(" |\n");
 }
