@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -48,16 +49,24 @@ std::string meaning_of(const Column& column) {
   return fmt::format("{}{}{}", says_more ? column.label : "", says_more ? ": " : "", column.meaning);
 }
 
-/// A table for each place: key and meaning of its fields.
+/// A table for each place: key and meaning of its fields. What an earlier table of the verb has alike is named only.
 std::string tables(const std::vector<Listed>& all) {
   std::string text;
+  std::set<std::string> earlier;
   for (const Listed& one : all) {
-    text +=
-        fmt::format("{}| key | meaning |\n|---|---|\n", one.place.empty() ? "" : fmt::format("`{}`:\n\n", one.place));
+    std::string rows;
+    std::string as_above;
     for (const Column& column : one.columns) {
-      text += fmt::format("| {} | {} |\n", key_of(column), meaning_of(column));
+      const std::string row = fmt::format("| {} | {} |\n", key_of(column), meaning_of(column));
+      if (earlier.insert(row).second) {
+        rows += row;
+      } else {
+        as_above += fmt::format("{}{}", as_above.empty() ? "As above: " : ", ", key_of(column));
+      }
     }
-    text += "\n";
+    text += one.place.empty() ? "" : fmt::format("`{}`:\n\n", one.place);
+    text += rows.empty() ? "" : "| key | meaning |\n|---|---|\n" + rows + "\n";
+    text += as_above.empty() ? "" : as_above + ".\n\n";
   }
   return text;
 }

@@ -17,23 +17,23 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"", "plan", file(), must, AT(it.plan_name), "The flight plan of its avionics."},
   {"", "seed", integer({}, {0, 9e15}), may, AT(it.seed), "Seed of every random stream."},
   {"", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "Assumptions in this file that were not measured, one sentence each; reports repeat them."},
-  {"", "tunnel_result", file(), may, {}, "The measured result from which `predict` starts ([Predicting a launch](predict.md)); a flight does not use it."},
+  {"", "tunnel_result", file(), may, {}, "The tunnel result from which [`predict`](predict.md) starts."},
 
-  {"environment", "surroundings", choice(surroundings), may, AT(it.surroundings), "`tunnel` or `gimbal` for plans with `run.start = \"tunnel\"`, and only for them. `gimbal`: balanced in a frame of three rings, in still air, and turned by hand."},
-  {"environment", "density", choice(densities), may, AT(it.atmosphere.model), "Air density over height: 1.225 kg/m3 exp(-h / 8500 m), the International Standard Atmosphere, or constant. Not for the tunnel, which has its own."},
+  {"environment", "surroundings", choice(surroundings), may, AT(it.surroundings), "`tunnel` or `gimbal` for plans with `run.start = \"tunnel\"`, and only for them. `gimbal`: in a frame of three rings, turned by hand."},
+  {"environment", "density", choice(densities), may, AT(it.atmosphere.model), "Air density over height: 1.225 kg/m3 exp(-h / 8500 m), the International Standard Atmosphere, or constant. Not for the tunnel."},
   {"environment", "density_kg_m3", number("kg/m3", {0.01, 5}), may, AT(it.atmosphere.constant_kg_m3), "Air density for `constant`, in flight."},
-  {"environment", "site_elevation_m", number("m", {-500, 6000}), may, AT(it.atmosphere.elevation_m), "Elevation of the launch site above sea level, for `exponential` and `isa`; heights are measured from the site."},
+  {"environment", "site_elevation_m", number("m", {-500, 6000}), may, AT(it.atmosphere.elevation_m), "Elevation of the launch site above sea level, for `exponential` and `isa`."},
 
-  {"flight", "motion", choice(motions), may, AT(it.motion), "`straight`: along the line of the guide. `six_dof`: in six degrees of freedom, with gravity turn and wind; needs the vehicle's section `[airframe]`."},
+  {"flight", "motion", choice(motions), may, AT(it.motion), "`straight`: along the line of the guide. `six_dof`: six degrees of freedom, in the wind; needs the vehicle's section `[airframe]`."},
 
-  {"wind", "speed_m_s", number("m/s", {0, 30}), may, AT(it.wind.speed_m_s), "Wind speed at the reference height, for `six_dof`. Along a straight line the rocket does not fly in it, and reports say where that matters."},
+  {"wind", "speed_m_s", number("m/s", {0, 30}), may, AT(it.wind.speed_m_s), "Wind speed at the reference height, for `six_dof`. Along a straight line reports only say where it matters."},
   {"wind", "from_deg", number(deg, {0, 360}), may, AT(it.wind.from_rad), "Direction from which the wind comes: 0 north, 90 east. For `six_dof` only, like all keys of [wind] below."},
   {"wind", "reference_height_m", number("m", {1, 1000}), may, AT(it.wind.reference_height_m), "Height above the ground for `speed_m_s`."},
-  {"wind", "exponent", number("", {0, 1}), may, AT(it.wind.exponent), "The speed grows with this power of the height; 0: the same at every height; 0.14 over open land."},
+  {"wind", "exponent", number("", {0, 1}), may, AT(it.wind.exponent), "The speed grows with this power of the height; 0.14 over open land."},
   {"wind", "gust_m_s", number("m/s", {-30, 30}), may, AT(it.wind.gust_m_s), "Peak speed of one gust that rises and falls as a cosine; below zero: against the wind."},
   {"wind", "gust_time_s", number("s", {0, 600}), may, AT(it.wind.gust_time_s), "Start of the gust, after ignition."},
   {"wind", "gust_duration_s", number("s", {0.05, 60}), may, AT(it.wind.gust_duration_s), "Duration of the gust."},
-  {"wind", "turbulence", number("", {0, 0.5}), may, AT(it.wind.turbulence), "Dryden turbulence: standard deviation of each horizontal component over the speed at that height; 0.1 to 0.2 are usual."},
+  {"wind", "turbulence", number("", {0, 0.5}), may, AT(it.wind.turbulence), "Dryden turbulence: standard deviation of each horizontal component over the speed; 0.1 to 0.2 are usual."},
   {"wind", "speed_spread_m_s", number("m/s", {0, 15}), may, AT(it.wind_spread.speed_m_s), "For `predict`, which draws a wind for each run: standard deviation of `speed_m_s`."},
   {"wind", "direction_spread_deg", number(deg, {0, 180}), may, AT(it.wind_spread.direction_rad), "For `predict`: the wind comes from any direction within this angle of `from_deg` with equal probability."},
 
@@ -67,13 +67,13 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
 
   {"gimbal", "turn_times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.hand_turns, i).time_s), "Times after power-up at which the rocket is turned by hand; increasing, each after the previous turn. The self-test needs 7 s of rest."},
   {"gimbal", "turn_durations_s", list(most_points, number("s", {0.1, 600})), may, AT(grown(it.hand_turns, i).duration_s), "Duration of each turn; as many as `turn_times_s`, like the lists below."},
-  {"gimbal", "turn_roll_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.x), "Angle of each turn about the long axis: positive is clockwise, seen from the tail."},
+  {"gimbal", "turn_roll_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.x), "Angle of each turn about the long axis; positive: clockwise, seen from the tail."},
   {"gimbal", "turn_pitch_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.y), "Angle about y at the same time."},
   {"gimbal", "turn_yaw_deg", list(most_points, number(deg, {-720, 720})), may, AT(grown(it.hand_turns, i).angle_rad.z), "Angle about z at the same time."},
   {"gimbal", "friction_n_m", number("N m", {0, 10}), may, AT(it.gimbal_friction_n_m), "Friction of the bearings. With it, the hands let go half-way through each turn, and the rocket turns freely until friction or the next turn stops it. Needs the vehicle's section `[airframe]`."},
 
-  {"disturbance", "times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.disturbance, i).time_s), "Equivalent fin offset: times of its points after lift-off (tunnel: after control start), increasing."},
-  {"disturbance", "angles_deg", list(most_points, number(deg, {-45, 45})), may, AT(grown(it.disturbance, i).angle_rad), "Equivalent fin offset: its angle at each of those times; straight lines between them, constant beyond them."},
+  {"disturbance", "times_s", list(most_points, number("s", {0, 3600})), may, AT(grown(it.disturbance, i).time_s), "Equivalent fin offset: increasing times after lift-off (tunnel: after control start)."},
+  {"disturbance", "angles_deg", list(most_points, number(deg, {-45, 45})), may, AT(grown(it.disturbance, i).angle_rad), "Its angle at each of those times; straight lines between them, constant beyond."},
 
   {"imposed_roll", "time_s", number("s", {0, 3600}), must_in_its_section, AT(made(it.imposed_roll).time_s), "Time after lift-off at which roll angle and rate are set once, for a transient that no model explains."},
   {"imposed_roll", "angle_deg", number(deg, {-3600, 3600}), must_in_its_section, AT(made(it.imposed_roll).angle_rad), "Roll angle from then on."},
@@ -81,9 +81,9 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
 
   {"verdict", "rest_limit_deg", number(deg, {0.1, 3600}), may, AT(it.rest_limit_rad), "Largest angle from the reference at which a settled roll angle still counts as `held`."},
 
-  {"timing", "pad_time_s", number("s", {1, 600}), may, AT(it.pad_time_s), "From power-up to ignition (tunnel: to the start command), whether armed by then or not."},
+  {"timing", "pad_time_s", number("s", {1, 600}), may, AT(it.pad_time_s), "From power-up to ignition (tunnel: to the start command), armed or not."},
   {"timing", "arm_time_s", number("s", {0.1, 600}), may, AT(it.arm_time_s), "From power-up to arm switch and self-test, which takes 7 s; earlier than `pad_time_s`."},
-  {"timing", "time_after_end_s", number("s", {0, 3600}), may, AT(it.time_after_end_s), "The run goes on this long after apogee and burn-out (tunnel: after control), and until a parachute opens."},
+  {"timing", "time_after_end_s", number("s", {0, 3600}), may, AT(it.time_after_end_s), "The run goes on this long after apogee (tunnel: after control), and until a parachute opens."},
   {"timing", "log_period_s", number("s", {0.001, 1}), may, AT(it.log_period_s), "Time between the rows of `flight.csv`, in whole milliseconds."},
 });
 // clang-format on

@@ -23,8 +23,8 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "Assumptions in this file that were not measured, one sentence each; reports repeat them."},
   {"body", "mass_kg", number("kg", {0.1, 1000}), must, AT(it.mass_kg), "Mass at lift-off; more than the propellant of its motor."},
   {"body", "drag_area_m2", number("m2", {0, 1}), must, AT(it.drag_area_m2), "Drag coefficient times area."},
-  {"body", "drag_mach", list(100, number("", {0, 10})), may, AT(grown(it.drag_over_mach.mach, i)), "Increasing Mach numbers for which `drag_factor` holds; straight lines between them, constant beyond them."},
-  {"body", "drag_factor", list(100, number("", {0.01, 20})), may, AT(grown(it.drag_over_mach.factor, i)), "Factor on `drag_area_m2` at each of these Mach numbers; as many as `drag_mach`."},
+  {"body", "drag_mach", list(100, number("", {0, 10})), may, AT(grown(it.drag_over_mach.mach, i)), "Increasing Mach numbers for which `drag_factor` holds; straight lines between them."},
+  {"body", "drag_factor", list(100, number("", {0.01, 20})), may, AT(grown(it.drag_over_mach.factor, i)), "Factor on `drag_area_m2` at each of these Mach numbers."},
   {"body", "roll_inertia_kg_m2", number("kg m2", {1e-6, 10}), must, AT(it.roll_plant.inertia_kg_m2), "Moment of inertia about the long axis."},
 
   {"aerodynamics", "reference_area_m2", number("m2", {1e-8, 1}), must, AT(it.roll_plant.reference_area_m2), "Area by which `damping_m2` and `torque_m` are multiplied; matters in transients only."},
@@ -33,23 +33,23 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"aerodynamics", "torque_m", number("m", {0, 1e4}), must, AT(it.roll_plant.torque_m), "Roll torque of the canards, beta."},
   {"aerodynamics", "compressibility", choice(compressibilities), may, AT(it.compressibility), "`prandtl_glauert`: damping, torque and normal force grow with 1 / sqrt(1 - M2), up to Mach 0.8."},
   {"aerodynamics", "canard_stall_deg", number(deg, {5, 30}), may, AT(it.canard_air.stall_rad), "The lift of each canard grows up to this angle and then stays constant; 12 to 15 are usual. Absent: no stall."},
-  {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "Distance from the long axis to the centre of lift of a canard: roll changes its angle to the flow. At most `damping_m2 / torque_m`."},
+  {"aerodynamics", "canard_arm_m", number("m", {0, 2}), may, AT(it.canard_air.arm_m), "Distance from the long axis to the centre of lift of a canard. At most `damping_m2 / torque_m`."},
   {"aerodynamics", "canard_wash", number("", {0, 2}), may, AT(it.canard_air.wash), "Share of the canards' roll torque that the fins behind them take back. `torque_m` is then that of the canards alone."},
-  {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "Distance from the canards back to the fins, which respond after this distance over the air speed."},
+  {"aerodynamics", "canard_wash_distance_m", number("m", {0, 30}), may, AT(it.canard_air.wash_distance_m), "Distance from the canards back to the fins."},
   {"aerodynamics", "canard_hinge_moment_m3", number("m3", {-0.01, 0.01}), may, AT(it.canard_air.hinge_moment_m3), "Moment about the shaft of one canard over 1/2 rho v2 and its angle to the flow in radians: lift slope times area times the distance from the shaft back to the centre of lift. Used with `servo.torque_n_m`."},
-  {"aerodynamics", "canard_side_area_m2", number("m2", {0, 1}), may, AT(it.canard_air.side_area_m2), "Side force of one canard over 1/2 rho v2 and its angle in radians: lift slope times area. Without it, canards only roll the rocket in six degrees of freedom. Needs `canard_position_m`."},
+  {"aerodynamics", "canard_side_area_m2", number("m2", {0, 1}), may, AT(it.canard_air.side_area_m2), "Side force of one canard over 1/2 rho v2 and its angle in radians: lift slope times area. Needs `canard_position_m`."},
   {"aerodynamics", "canard_position_m", number("m", {0, 30}), may, AT(it.canard_air.position_m), "Distance from the tip of the nose to the side force of the canards. Needs `canard_side_area_m2`."},
 
   {"airframe", "diameter_m", number("m", {0.01, 2}), must_in_its_section, AT(made(it.airframe).diameter_m), "Diameter of the body. Flights in six degrees of freedom need this section; positions are measured from the tip of the nose."},
   {"airframe", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.airframe).length_m), "From the tip of the nose to the tail."},
-  {"airframe", "normal_force_slope_per_rad", number("1/rad", {0.1, 200}), must_in_its_section, AT(made(it.airframe).normal_force_slope_per_rad), "Slope of the normal force coefficient over the angle of attack, for all parts, referred to the cross-section of the body."},
-  {"airframe", "centre_of_pressure_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).centre_of_pressure_m), "Where that force acts; behind the centre of gravity in a stable rocket."},
-  {"airframe", "parts_spread_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).parts_spread_m), "Root mean square distance of nose, canards and fins from the centre of pressure, each weighted with its slope: it damps pitch."},
+  {"airframe", "normal_force_slope_per_rad", number("1/rad", {0.1, 200}), must_in_its_section, AT(made(it.airframe).normal_force_slope_per_rad), "Slope of the normal force coefficient over the angle of attack, on the cross-section of the body."},
+  {"airframe", "centre_of_pressure_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).centre_of_pressure_m), "Where that force acts."},
+  {"airframe", "parts_spread_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).parts_spread_m), "Root mean square distance of nose, canards and fins from the centre of pressure, weighted with their slopes: it damps pitch."},
   {"airframe", "body_lift_area_m2", number("m2", {0, 10}), may, AT(made(it.airframe).body_lift_area_m2), "Body lift at large angles: coefficient (about 1.1) times the area of the body seen from the side."},
   {"airframe", "body_lift_position_m", number("m", {0, 30}), may, AT(made(it.airframe).body_lift_position_m), "Where it acts: the centre of that area."},
   {"airframe", "centre_of_gravity_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).at_liftoff.centre_of_gravity_m), "Centre of gravity at lift-off."},
   {"airframe", "centre_of_gravity_after_burnout_m", number("m", {0, 30}), must_in_its_section, AT(made(it.airframe).after_burnout.centre_of_gravity_m), "Centre of gravity after burn-out; the propellant that has moved it must lie between nose and tail."},
-  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off; at least half of the roll inertia. In six degrees of freedom it must fit masses and length."},
+  {"airframe", "transverse_inertia_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).at_liftoff.transverse_inertia_kg_m2), "Moment of inertia about an axis across the rocket through its centre of gravity, at lift-off."},
   {"airframe", "transverse_inertia_after_burnout_kg_m2", number("kg m2", {1e-5, 1e4}), must_in_its_section, AT(made(it.airframe).after_burnout.transverse_inertia_kg_m2), "The same after burn-out."},
   {"airframe", "roll_inertia_after_burnout_kg_m2", number("kg m2", {1e-6, 10}), may, AT(made(it.airframe).roll_inertia_after_burnout_kg_m2), "Roll inertia after burn-out; as at lift-off when absent."},
   {"airframe", "nozzle_position_m", number("m", {0, 30}), may, AT(made(it.airframe).nozzle_position_m), "Where the exhaust leaves; at the tail when absent."},
@@ -75,11 +75,11 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "root_chord_m", number("m", {0.001, 5}), must_in_its_section, AT(made(made(it.geometry).set).root_chord_m), "Chord at the root, along the body."}, \
   {section, "tip_chord_m", number("m", {0, 5}), must_in_its_section, AT(made(made(it.geometry).set).tip_chord_m), "Chord at the tip; 0: a triangle."}, \
   {section, "span_m", number("m", {0.001, 2}), must_in_its_section, AT(made(made(it.geometry).set).span_m), "From the surface of the body to the tip."}, \
-  {section, "sweep_m", number("m", {-2, 5}), may, AT(made(made(it.geometry).set).sweep_m), "How far the leading edge of the tip is behind that of the root; below zero: ahead of it."}, \
+  {section, "sweep_m", number("m", {-2, 5}), may, AT(made(made(it.geometry).set).sweep_m), "How far the leading edge of the tip is behind that of the root."}, \
   {section, "thickness_m", number("m", {0.0001, 0.2}), may, AT(made(made(it.geometry).set).thickness_m), "Thickness of the plate."}
 // NOLINTEND(bugprone-macro-parentheses)
   FIN_SET("fins", fins),
-  {"fins", "count", integer({}, {3, 8}), may, AT(made(made(it.geometry).fins).count), "Number of fins, evenly around the body; two would stabilise it in one plane only."},
+  {"fins", "count", integer({}, {3, 8}), may, AT(made(made(it.geometry).fins).count), "Number of fins, evenly around the body."},
   {"fins", "cant_deg", number(deg, {-10, 10}), may, AT(made(made(it.geometry).fins).cant_rad), "Cant of all fins: positive rolls the rocket in the same direction as positive canards."},
   FIN_SET("canard_fins", canards),
   {"canard_fins", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "Distance of the shaft behind the leading edge at the root."},
@@ -94,7 +94,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"masses", "propellant_radius_of_gyration_m", number("m", {0, 1}), may, AT(made(made(it.geometry).propellant).radius_of_gyration_m), "Its radius of gyration about the long axis; at most the radius of the body there."},
 
   {"design", "file", text(), may, AT(made(made(it.geometry).design).file), "The design file that `fantail new` has read; required in this section, which `fantail airframe` compares with the vehicle. Delete the section when the rocket has been weighed and balanced."},
-  {"design", "flight", text(), may, AT(made(made(it.geometry).design).flight), "The simulated flight in that file whose numbers follow; absent: the file has none with this motor."},
+  {"design", "flight", text(), may, AT(made(made(it.geometry).design).flight), "The simulated flight in that file whose numbers follow."},
   {"design", "mass_kg", number("kg", {0.001, 1000}), may, AT(made(made(it.geometry).design).mass_kg), "Mass of the design at lift-off. A difference of more than 2 % from `body.mass_kg` is doubtful."},
   {"design", "centre_of_gravity_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_gravity_m), "Centre of gravity of the design at lift-off. A difference of more than 0.2 calibres is doubtful, as with the next three."},
   {"design", "centre_of_pressure_m", number("m", {0, 30}), may, AT(made(made(it.geometry).design).centre_of_pressure_m), "Centre of pressure of the design in slow flight."},
@@ -102,20 +102,20 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"design", "margin_calibres", number("", {-100, 100}), may, AT(made(made(it.geometry).design).margin_calibres), "Static margin of the design under thrust, if the file has no centres."},
   {"design", "left_out", list(100, text()), may, AT(grown(made(made(it.geometry).design).left_out, i)), "Parts of the design that were not read, or were read with changes."},
 
-  {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`), as thrustcurve.org has them. `motors.eng#K550`: the motor of that name in a file of several."},
+  {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`). `motors.eng#K550`: the motor of that name in a file of several."},
   {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "Factor on the thrust of the curve, with the same burn time and propellant mass."},
 
   {"servo", "lag_s", number("s", {0.0005, 1}), may, AT(it.servo.lag_s), "Time constant with which the gear follows the command."},
-  {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "Delay from the pulse that the servo takes until it acts on it."},
+  {"servo", "delay_s", number("s", {0, 0.05}), may, AT(it.servo.delay_s), "Delay from a pulse to the servo's motion."},
   {"servo", "frame_rate_hz", number(hz_of_period, {40, 1000}), may, AT(it.servo.frame_period_s), "How often the servo takes a new pulse."},
   {"servo", "rate_limit_deg_s", number(deg_s, {1, 1e5}), may, AT(it.servo.rate_limit_rad_s), "Largest rate of the shaft."},
   {"servo", "torque_n_m", number("N m", {0.005, 100}), may, AT(it.servo.torque_n_m), "Stall torque at the shaft: against a load, the servo turns at the rate limit times 1 - load / torque. Used with `aerodynamics.canard_hinge_moment_m3`."},
   {"servo", "stop_deg", number(deg, {1, 90}), may, AT(it.servo.stop_rad), "Mechanical stop of the shaft, either way."},
   {"servo", "backlash_deg", number(deg, {0, 5}), may, AT(it.servo.backlash_rad), "Whole width of the play between gear and shaft."},
   {"servo", "pulse_centre_us", number("us", {500, 2500}), may, AT(it.servo.pulse_centre_us), "Pulse that commands the centre."},
-  {"servo", "pulse_per_degree_us", number("us/deg", {-40, 40}), may, AT(it.servo.pulse_per_degree_us), "Pulse per degree of the shaft; below zero it turns the other way; at least 0.1 away from zero."},
+  {"servo", "pulse_per_degree_us", number("us/deg", {-40, 40}), may, AT(it.servo.pulse_per_degree_us), "Pulse per degree of the shaft; below zero it turns the other way."},
   {"servo", "spread", number("", {0, 0.3}), may, AT(it.servo_spread.share), "Lag, delay, rate limit and play of each servo are multiplied by a factor within 1 +- this, drawn from the seed."},
-  {"servo", "centre_spread_deg", number(deg, {0, 2}), may, AT(it.servo_spread.centre_rad), "The true centre of each servo is off by up to this, drawn from the seed; at most `stop_deg`."},
+  {"servo", "centre_spread_deg", number(deg, {0, 2}), may, AT(it.servo_spread.centre_rad), "The true centre of each servo is off by up to this, drawn from the seed."},
 
   {"canard_mounting", "trim_deg", four(number(deg, {-5, 5})), may, AT(it.canards[i].trim_rad), "Shaft angle at which the canard makes no roll moment."},
   {"canard_mounting", "encoder_zero_deg", four(number(deg, {-180, 180})), may, AT(it.canards[i].encoder_zero_rad), "Reading of the encoder at shaft angle zero."},
@@ -134,12 +134,12 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "specific_force_noise_m_s2", number("m/s2", {0, 50}), may, AT(sensor.specific_force_noise_m_s2), "Standard deviation of each sample of the specific force, white."}, \
   {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
   {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can measure."}, \
-  {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about an axis across the rocket that is drawn from the seed."}, \
+  {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about a random axis across the rocket."}, \
   {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "Delay from measurement to delivery."}, \
-  {section, "to_nose", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.to_nose), "Which of its axes truly points to the nose; the avionics use the axis in the plan."}, \
+  {section, "to_nose", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.to_nose), "Which of its axes truly points to the nose; the plan has what the avionics assume."}, \
   {section, "along_y", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.along_y), "Which of its axes truly points along the rocket's y; the third follows."}, \
   {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "Position from the tip of the nose; absent: at the centre of gravity. Used in six degrees of freedom."}, \
-  {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "Distance from the long axis, towards the rocket's y: there it measures the effect of spin."}, \
+  {section, "across_m", number("m", {-0.5, 0.5}), may, AT(feels.across_m), "Distance from the long axis, towards the rocket's y."}, \
   {section, "specific_force_scale_error", number("", {-0.1, 0.1}), may, AT(feels.specific_force_scale_error), "Share by which it reads every specific force too large."}
 // NOLINTEND(bugprone-macro-parentheses)
   GYRO("imu", it.imu, it.imu_feels),
@@ -149,7 +149,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   INERTIAL("second_imu", it.second_imu, it.second_imu_feels),
   INERTIAL("accelerometer", it.accelerometer, it.accelerometer_feels),
 
-  {"vibration", "specific_force_m_s2", number("m/s2", {0, 500}), may, AT(it.vibration.specific_force_m_s2), "Vibration of all sensors while the motor burns, the same at every position: standard deviation along each axis, band-limited."},
+  {"vibration", "specific_force_m_s2", number("m/s2", {0, 500}), may, AT(it.vibration.specific_force_m_s2), "Vibration of all sensors while the motor burns: standard deviation along each axis."},
   {"vibration", "rate_deg_s", number(deg_s, {0, 1000}), may, AT(it.vibration.rate_rad_s), "The same for the rate about each axis."},
   {"vibration", "frequency_hz", number("Hz", {1, 450}), may, AT(it.vibration.frequency_hz), "Middle frequency of its band; the width is a fifth of it."},
 
