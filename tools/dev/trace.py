@@ -136,8 +136,8 @@ class Trace:
         lines = [
             "# From hazard to evidence",
             "",
-            "For a reviewer of [the safety case](safety.md) who wants to see, for each requirement, the code that meets it and the tests and",
-            "proofs that show it. A number leads to the text of the requirement. Written by `./dev trace` from the safety case, comments in",
+            "For a reviewer of the safety case, whose [hazards](safety.md#hazards) name requirements: the code that meets each of them, and the tests",
+            "and proofs that show it. A number leads to the text of the requirement. Written by `./dev trace` from the safety case, comments in",
             "the sources and names of tests; a test fails when it is not up to date. A test or a proof runs by its name:",
             "",
             "```",
@@ -145,8 +145,8 @@ class Trace:
             "./dev prove flight_phase",
             "```",
             "",
-            "| hazard | requirements |",
-            "|---|---|",
+            "| requirement | code | shown by |",
+            "|---|---|---|",
         ]
         named = set()
         for identifier, row in self.hazards:
@@ -157,8 +157,6 @@ class Trace:
                     self.fault(f"docs/safety.md: hazard {identifier} names {one}, which is no requirement")
             if not wanted:
                 self.fault(f"docs/safety.md: hazard {identifier} names no requirement")
-            lines.append(f"| {identifier} {row[1].replace('](#', '](safety.md#')} | {', '.join(f'[{one}](#{one.lower()})' for one in dict.fromkeys(wanted))} |")
-        lines += ["", "| requirement | code | shown by |", "|---|---|---|"]
         for identifier, (_, _, made_in, shown_by) in self.requirements.items():
             code = self.met.get(identifier, [])
             folders = re.findall(r"`([^`]+)`", made_in)
