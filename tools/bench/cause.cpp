@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 13> causes{
     {{"healthy", "is healthy"},
      {"stuck", "is stuck"},
-     {"dead", "is dead"},
+     {"dead", "does not move"},
      {"reversed", "is reversed"},
      {"slipping", "slips"},
      {"slow", "is slow"},
