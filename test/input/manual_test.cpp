@@ -27,7 +27,7 @@ std::string range_of(const Allowed& allowed) {
     case FieldKind::integer: each = about(allowed.range.minimum) + " … " + about(allowed.range.maximum); break;
   }
   if (allowed.is_list) {
-    return "up to " + std::to_string(allowed.most) + (allowed.is_text() ? " " : ", each ") + each;
+    return (allowed.is_text() ? "" : "each ") + each;
   }
   return (allowed.most == 4 ? "four, each " : "") + each + (allowed.kind == FieldKind::integer ? ", whole" : "");
 }
@@ -40,7 +40,7 @@ std::string default_of(const Field<Thing>& field, const Thing& usual) {
   const bool has_one = field.place.get != nullptr && !field.allowed.is_list;
   const double inside = has_one ? field.place.get(usual, 0) : std::nan("");
   if (std::isnan(inside)) {
-    return "none";
+    return "–";
   }
   return field.allowed.kind == FieldKind::choice
              ? "`" + std::string{field.allowed.words[static_cast<std::size_t>(inside)]} + "`"
