@@ -19,6 +19,10 @@ std::string range_of(const Allowed& allowed) {
     case FieldKind::text: each = allowed.is_list ? "texts" : "a text"; break;
     case FieldKind::file: each = "a shipped name or a path"; break;
     case FieldKind::choice:
+      if (allowed.words.size() > 8) {
+        each = "see below";  // a table explains each
+        break;
+      }
       for (const std::string_view word : allowed.words) {
         each += (each.empty() ? "`" : ", `") + std::string{word} + "`";
       }
@@ -124,9 +128,16 @@ std::string fault_tables() {
     tables.append(" | ").append(own_keys[words.kind]).append(" |\n");
   }
   tables += "\n| `device` | `behaviour` | what it does |\n|---|---|---|\n";
-  for (const FaultWords& words : device_faults()) {
-    tables.append("| `").append(name(words.fault.device)).append("` | `").append(words.behaviour).append("` | ");
-    tables.append(words.meaning).append(" |\n");
+  for (std::size_t i = 0; i < device_faults().size(); ++i) {
+    const FaultWords& words = device_faults()[i];
+    tables.append("| `").append(name(words.fault.device)).append("` | `").append(words.behaviour).append("`");
+    const auto is_alike = [&](const FaultWords& next) {
+      return next.fault.device == words.fault.device && next.meaning == words.meaning;
+    };
+    while (i + 1 < device_faults().size() && is_alike(device_faults()[i + 1])) {
+      tables.append(", `").append(device_faults()[++i].behaviour).append("`");
+    }
+    tables.append(" | ").append(words.meaning).append(" |\n");
   }
   return tables + "\n";
 }
