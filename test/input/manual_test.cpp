@@ -44,7 +44,7 @@ std::string default_of(const Field<Thing>& field, const Thing& usual) {
   const bool has_one = field.place.get != nullptr && !field.allowed.is_list;
   const double inside = has_one ? field.place.get(usual, 0) : std::nan("");
   if (std::isnan(inside)) {
-    return "–";
+    return "";
   }
   return field.allowed.kind == FieldKind::choice
              ? "`" + std::string{field.allowed.words[static_cast<std::size_t>(inside)]} + "`"

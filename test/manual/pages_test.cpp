@@ -113,9 +113,9 @@ TEST(Markdown, LeavesOutALinkThatStandsAloneInBrackets) {
 
 TEST(Markdown, MakesAnItemOfEachRowOfATable) {
   EXPECT_EQ(roff_of_markdown("| key | unit | default | meaning |\n|---|---|---|---|\n"
-                             "| `tilt` | deg | 0 | Against the vertical. |\n| `roll` |  | must be there | Free. |\n"),
+                             "| `tilt` | deg | 0 | Against the vertical. |\n| `roll` |  | required | Free. |\n"),
             ".TP\n\\fBtilt\\fR  (deg; default 0)\nAgainst the vertical.\n"
-            ".TP\n\\fBroll\\fR  (must be there)\nFree.\n");
+            ".TP\n\\fBroll\\fR  (required)\nFree.\n");
 }
 
 TEST(Markdown, PutsWhatIsTooLongForATagBehindTheText) {

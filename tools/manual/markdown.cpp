@@ -81,7 +81,7 @@ std::vector<std::string_view> cells_of(std::string_view row) {
 /// What a cell says without the name of its column.
 bool is_plain_fact(std::string_view column, std::string_view cell) {
   constexpr std::array<std::string_view, 5> columns{"", "unit", "range", "Type", "How often"};
-  return std::ranges::find(columns, column) != columns.end() || cell == "must be there";
+  return std::ranges::find(columns, column) != columns.end() || cell == "required";
 }
 
 std::string with_small_letter(std::string text) {
