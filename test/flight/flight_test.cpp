@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flight/flight.hpp"
 
+#include "figures.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 
@@ -41,6 +42,18 @@ TEST(Flight, ARowTakesEveryFigureOfTheRecord) {
   EXPECT_FALSE(r.encoders_rad[0]);
   EXPECT_NEAR(text::degrees(r.encoders_rad[3].value()), 7.0, 1e-5);
   EXPECT_NEAR(text::degrees(r.canard_rad.value()), 6.0, 1e-5);
+}
+
+// A flight was "up to Mach 0.80, but the simulation of roll is valid only to Mach 0.8".
+TEST(ModelEnd, NamesNumbersThatDiffer) {
+  EXPECT_EQ(figures(how_far_beyond({.top_mach = 0.803})), (std::vector<std::string>{"0.803", "0.8"}));
+  EXPECT_EQ(figures(how_far_beyond({.angle_of_attack_rad = text::radians(15.02)})),
+            (std::vector<std::string>{"15.02", "15"}));
+  EXPECT_EQ(figures(how_far_beyond({.static_margin_calibres = -0.002})), (std::vector<std::string>{"-0.002"}));
+  EXPECT_EQ(figures(which_are_beyond({{.top_mach = 0.803, .angle_of_attack_rad = text::radians(20.0)}})),
+            (std::vector<std::string>{"1", "1", "0.8", "0.803", "1", "1", "15", "20.0"}));
+  EXPECT_EQ(which_are_beyond({{.top_mach = 0.803, .angle_of_attack_rad = text::radians(20.0)}}).find(';'),
+            std::string::npos);
 }
 
 TEST(Flight, AnEncoderThatReadsNoNumberIsMissing) {

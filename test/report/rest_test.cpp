@@ -140,7 +140,7 @@ TEST(Rest, ARocketThatIsNotStableIsAmberAndInTheHeadline) {
   EXPECT_TRUE(says(v, "calibres")) << v.text;
   EXPECT_EQ(summary_json_of(synthetic.flight)["static_margin_calibres"], -5.0);
   synthetic.flight.extremes.static_margin_calibres = -0.001;
-  EXPECT_EQ(numbers(verdict_of(synthetic.flight)).at(0), "0.00");
+  EXPECT_EQ(numbers(verdict_of(synthetic.flight)).at(0), "-0.001");
   synthetic.flight.extremes.static_margin_calibres = 0.0;
   EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::outside_model);
   synthetic.flight.extremes.static_margin_calibres = 0.01;

@@ -4,6 +4,7 @@
 
 #include "figures.hpp"
 #include "test.hpp"
+#include "text/apart.hpp"
 #include "text/error.hpp"
 #include "text/layout.hpp"
 #include "text/quoting.hpp"
@@ -161,6 +162,16 @@ TEST(Wrapped, ACommentStaysOne) {
 
 TEST(Wrapped, AWordIsNeverSplitEvenWhenItIsWiderThanTheLine) {
   EXPECT_EQ(wrapped("page /a/very/long/path/page.html there\n", 12), "page\n  /a/very/long/path/page.html\n  there\n");
+}
+
+// "Up to Mach 0.80, but valid only to Mach 0.8."
+TEST(Number, ApartFromALimitHasTheDigitsThatShowOnWhichSideOfItItIs) {
+  EXPECT_EQ(apart(0.81, 0.8, 2), "0.81");
+  EXPECT_EQ(apart(0.801, 0.8, 2), "0.801");
+  EXPECT_EQ(apart(0.79996, 0.8, 2), "0.79996");
+  EXPECT_EQ(apart(-0.001, 0.0, 2), "-0.001");
+  EXPECT_EQ(apart(15.0, 15.0, 1), "15.0") << "the same";
+  EXPECT_EQ(apart(15.0 + 1e-9, 15.0, 1), "15.0") << "as good as";
 }
 
 TEST(Wrapped, ALineOfNothingButBlanksIsAnEmptyOne) {

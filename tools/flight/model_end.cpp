@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "text/apart.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -17,13 +18,15 @@ std::string attack_end() { return text::brief(text::degrees(model_ends_at_attack
 
 std::string how_far(ModelEnd end, const Extremes& worst) {
   switch (end) {
-    case ModelEnd::mach: return fmt::format("up to Mach {}", text::fixed(*worst.top_mach, 2));
+    case ModelEnd::mach: return fmt::format("up to Mach {}", text::apart(*worst.top_mach, model_ends_at_mach, 2));
     case ModelEnd::stability:
-      return fmt::format("with a static margin down to {} calibres", text::fixed(*worst.static_margin_calibres, 2));
+      return fmt::format("with a static margin down to {} calibres",
+                         text::apart(*worst.static_margin_calibres, 0.0, 2));
     case ModelEnd::attack: break;
   }
-  return fmt::format("with an angle of attack of up to {} deg under control",
-                     text::fixed(text::degrees(*worst.angle_of_attack_rad), 1));
+  return fmt::format(
+      "with an angle of attack of up to {} deg under control",
+      text::apart(text::degrees(*worst.angle_of_attack_rad), text::degrees(model_ends_at_attack_rad), 1));
 }
 
 std::string where_it_ends(ModelEnd end) {
@@ -107,7 +110,7 @@ std::string outside_model(const std::string& beyond) {
 
 std::string which_are_beyond(const std::vector<Extremes>& runs) {
   const Extremes worst = worst_of(runs);
-  return clauses(worst, "; ", [&](ModelEnd end) {
+  return clauses(worst, ". ", [&](ModelEnd end) {
     const auto count = std::ranges::count_if(runs, [end](const Extremes& run) { return is_beyond(end, run); });
     return fmt::format("{} of {} run{} {}, {}", count, runs.size(), runs.size() == 1 ? "" : "s", are(end),
                        how_far(end, worst));

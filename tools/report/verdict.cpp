@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "report/verdict_parts.hpp"
+#include "text/apart.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -119,12 +120,15 @@ std::string how_long_judged(const Figures& f) {
 Verdict steady(const flight::Flight& flight, const Figures& f, const std::string& rest) {
   const double rest_rad = f.rest_error_rad.value_or(0.0);
   const bool is_off = rest_rad > flight.rest_limit_rad + same_angle_rad;
+  const double off_deg = text::degrees(rest_rad);
+  const std::string off =
+      is_off ? text::apart(off_deg, text::degrees(flight.rest_limit_rad), 1) : text::fixed(off_deg, 1);
   const std::string asked =
       is_off ? fmt::format(" ({} deg is the limit)", text::brief(text::degrees(flight.rest_limit_rad), 1)) : "";
-  return {is_off ? Outcome::off_command : Outcome::held,
-          sentence(fmt::format("steady, {} from the command{}: roll stayed within {} of where this law settles{}; {}",
-                               degrees_text(rest_rad), asked, degrees_text(*f.largest_hold_error_rad),
-                               how_long_judged(f), rest))};
+  return {
+      is_off ? Outcome::off_command : Outcome::held,
+      sentence(fmt::format("steady, {} deg from the command{}: roll stayed within {} of where this law settles{}; {}",
+                           off, asked, degrees_text(*f.largest_hold_error_rad), how_long_judged(f), rest))};
 }
 
 /// Where the canards do not do what the law commands, neither the offset nor the gains decide, and there is no angle at
