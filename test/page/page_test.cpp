@@ -158,6 +158,12 @@ TEST(Page, ATableWithSentencesBesideOthersHasItsHeadingsAtItsCellsToo) {
   EXPECT_TRUE(holds(cards, "<td data-label=\"re&lt;mark&gt;\">The motor"));
   EXPECT_FALSE(holds(beside(2, {sentence}), "cards"));
   EXPECT_FALSE(holds(beside(3, {"not named"}), "cards"));
+  // Criterion, found, asked for, judgement: the last one was cut off at the edge of a telephone.
+  const std::vector<Column> judged{{"criterion"}, {"found"}, {"asked for"}, {"judgement"}};
+  EXPECT_TRUE(holds(table(judged,
+                          std::vector<std::vector<Cell>>{
+                              {{"Roll is held"}, {"all runs (98 to 100 %)"}, {"at least 90 % of the runs"}, {"met"}}}),
+                    "class=\"cards\""));
   EXPECT_TRUE(holds(table(std::vector<Column>(1), std::vector<std::vector<Cell>>(1, {Cell{"a name of words"}})),
                     "class=\"named\""));
 }

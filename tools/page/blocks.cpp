@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <ranges>
 
 #include <fmt/core.h>
 
@@ -19,14 +18,20 @@ std::string class_attribute(bool number, Tone tone) {
   return names.empty() ? names : fmt::format(" class=\"{}\"", names);
 }
 
-// A column of these beside others would be a narrow and very high one on a telephone.
+// Columns of these beside others would be narrow and very high ones on a telephone, and the last would be cut off. So
+// would several of half a sentence.
 bool has_sentences(std::span<const Column> columns, std::span<const std::vector<Cell>> rows) {
   constexpr std::size_t sentence = 36;
   constexpr std::size_t beside_each_other = 3;
-  return columns.size() > beside_each_other && std::ranges::any_of(rows, [](const std::vector<Cell>& row) {
-           return std::ranges::any_of(row | std::views::drop(1),
-                                      [](const Cell& cell) { return cell.text.size() > sentence; });
-         });
+  const auto words = [&columns](const std::vector<Cell>& row) {
+    std::size_t letters = 0;
+    for (std::size_t i = 1; i < row.size() && i < columns.size(); ++i) {
+      letters += columns[i].number ? 0 : row[i].text.size();
+    }
+    return letters;
+  };
+  return columns.size() > beside_each_other &&
+         std::ranges::any_of(rows, [&](const std::vector<Cell>& row) { return words(row) > sentence; });
 }
 
 // Of a table on a telephone: cards, or a first column that has room for its names.
