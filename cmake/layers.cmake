@@ -54,7 +54,7 @@ set(FANTAIL_LAYERS
   "tools/runs|sim text json|fmt/"
   "tools/campaign|sim text distributions json linear page result input flight report fly runs|fmt/"
   "tools/hardover|core sim text json page result flight fly runs|fmt/"
-  "tools/predict|core sim text distributions json page result flight report stability fly runs campaign|fmt/"
+  "tools/predict|core sim text distributions json page result flight report stability airframe/model fly runs campaign|fmt/"
   "tools/tune|core protocol sim text json page result input flight report stability fly runs campaign predict|fmt/"
   "tools/paper|core sim text json page result input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text distributions json page result input runs|fmt/"

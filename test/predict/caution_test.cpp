@@ -101,11 +101,40 @@ TEST(Caution, AGoWithLittleStaticMarginSaysSoInItsHeadline) {
   }
   const Decision d = decide(p, {});
   EXPECT_EQ(d.heading(), "Go with caution");
-  EXPECT_TRUE(d.text.ends_with("; but the static margin falls to 0.25 calibres, and 1 is usual.")) << d.text;
+  EXPECT_TRUE(d.text.ends_with(" Caution: the static margin falls to 0.25 calibres, and 1 is usual.")) << d.text;
   for (predict::Run& run : p.runs) {
     run.extremes.static_margin_calibres = 1.0;
   }
   EXPECT_EQ(decide(p, {}).heading(), "Go");
+}
+
+TEST(Caution, NumbersAreNotRoundedToTheLimitThatTheyMiss) {
+  Prediction p = all_held();
+  p.runs[3].extremes.static_margin_calibres = 0.998;
+  EXPECT_EQ(figures(decide(p, {}).cautions.at(0)), (Numbers{"0.998", "1"}));
+  p.runs[3].extremes = {.top_mach = 0.801};
+  p.outside_model = 1;
+  EXPECT_EQ(figures(within_model(p).value().found), (Numbers{"1", "200", "0.8", "0.801"}));
+}
+
+// 58 of 60 degrees: a little more wind would have ended control, and a go said nothing of it.
+TEST(Caution, AGoNearTheTiltLimitNamesTheTilt) {
+  Prediction p = all_held();
+  p.flown.motion = sim::FlightMotion::six_dof;
+  p.runs[11].largest_tilt_rad = text::radians(58.0);
+  const Decision d = decide(p, {});
+  EXPECT_EQ(d.heading(), "Go with caution");
+  ASSERT_EQ(d.cautions.size(), 1U);
+  EXPECT_EQ(figures(d.cautions[0]), (Numbers{"58.0", "60"}));
+  EXPECT_TRUE(d.text.ends_with(d.cautions[0] + ".")) << d.text;
+  p.runs[11].largest_tilt_rad = text::radians(59.97);
+  EXPECT_EQ(figures(tilt_caution(p)), (Numbers{"59.97", "60"}));
+  p.runs[11].largest_tilt_rad = text::radians(54.9);
+  EXPECT_EQ(tilt_caution(p), "");
+  p.runs[11].largest_tilt_rad = text::radians(61.0);
+  EXPECT_EQ(figures(tilt_caution(p)), (Numbers{"61.0", "60"})) << "the avionics measured less";
+  p.runs[11].ended_by_tilt = true;
+  EXPECT_EQ(tilt_caution(p), "") << "such a run is named as one that ends early";
 }
 
 TEST(Caution, AGoOfARocketWithoutAirframeSaysWhatIsUnknown) {

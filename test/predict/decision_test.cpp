@@ -36,8 +36,8 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
   EXPECT_TRUE(d.go);
   EXPECT_EQ(
       d.text,
-      "Go: the fin offset of about 4.1 degrees is within the 9 degree canard limit in all runs; roll is held in all "
-      "runs, within 10 degrees of where this law settles (at most 20 degrees from its command); 95 % of the runs have "
+      "Go: the fin offset of about 4.1 degrees is within the 9 degree canard limit in all runs. Roll is held in all "
+      "runs, within 10 degrees of where this law settles (at most 20 degrees from its command). 95 % of the runs have "
       "a phase margin of 45 degrees or more "
       "at every speed.");
   for (const Criterion& c : d.criteria) {
@@ -64,8 +64,7 @@ TEST(Decision, CountsEveryRunInWhichControlEndedEarly) {
     p.runs[i].verdict = "Control ended at 9.50 s, 0.78 s before apogee: the rocket tilted too far.";
   }
   const Decision d = decide(p, {});
-  EXPECT_EQ(figures(criterion(d, "held").clause),
-            (Numbers{"98", "10", "20", "1", "9.50", "0.78", "3", "200", "0", "9.50", "0.78"}));
+  EXPECT_EQ(figures(criterion(d, "held").clause), (Numbers{"98", "10", "20", "3", "200", "0", "9.50", "0.78"}));
   EXPECT_EQ(criterion(d, "held").judgement, Judgement::met);
 }
 
@@ -229,10 +228,47 @@ TEST(Decision, SaysWhatTheFirstRunThatIsNotHeldCameTo) {
 
 TEST(Decision, NumbersAreNotRoundedToWhatIsAskedFor) {
   Prediction p = good();
+  p.reach.angle_rad = radians(6.0);
+  p.authority = share(90, 200);
+  p.offset_size_rad.p50 = radians(6.03);
+  EXPECT_EQ(figures(criterion(decide(p, {}), "authority").clause), (Numbers{"6.03", "6", "55"}));
+  p = good();
   p.worst_speed->phase_margin_rad.p5 = radians(29.96);
   EXPECT_EQ(figures(decide(p, {}).text), (Numbers{"82", "5", "29.9", "30"}));
   p.held = share(189, 200);  // the low end is 90.42 %
   EXPECT_EQ(figures(criterion(decide(p, {.held_share = 0.905}), "held").found), (Numbers{"94", "90", "97"}));
+  EXPECT_EQ(figures(criterion(decide(p, {.held_share = 0.905}), "held").required), Numbers{"90.5"});
+}
+
+/// The longest sentence, in words; what stands in brackets counts too.
+std::size_t most_words(std::string_view text) {
+  std::size_t most = 0;
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool word_ends = text[i] != ' ' && (i + 1 == text.size() || text[i + 1] == ' ');
+    words += word_ends ? 1 : 0;
+    most = std::max(most, words);
+    words = word_ends && text[i] == '.' ? 0 : words;
+  }
+  return most;
+}
+
+TEST(Decision, SpeaksInShortSentences) {
+  Prediction p = good();
+  p.resonance = RollResonance{.near = 30, .past = 10, .with_canards = 196, .runs = 200};
+  p.settle_off_rad = Quantiles{.p50 = radians(13.0)};
+  Prediction lost = on_a_leaning_guide(15.0);
+  lost.reach.angle_rad = radians(6.0);
+  lost.authority = share(1, 200);
+  lost.held = share(0, 200);
+  lost.spin_rate_rad_s = Quantiles{.p50 = radians(141.0)};
+  lost.worst_speed->phase_margin_rad.p5 = radians(16.2);
+  lost.runs[158].outcome = report::Outcome::not_judged;
+  lost.runs[158].verdict = "Roll not judged: the reference was never constant for long enough.";
+  for (const Decision& d : {decide(p, {}), decide(lost, {})}) {
+    EXPECT_LE(most_words(d.text), 28U) << d.text;
+    EXPECT_EQ(d.text.find(';'), std::string::npos) << d.text;
+  }
 }
 
 TEST(Decision, NamesWhatTheScenarioSpreadsAndAPredictionDoesNotDraw) {
@@ -255,22 +291,6 @@ TEST(Decision, GainsThatHoldNothingAreNoGo) {
   EXPECT_FALSE(d.go);
   EXPECT_EQ(criterion(d, "phase_margin").judgement, Judgement::not_met);
   EXPECT_NE(d.text.find("gains"), std::string::npos) << d.text;
-}
-
-// Gains for 45 degrees hold the roll in 69 % of these runs, the plan's in 97 %; those for the 30 that are asked for, in
-// all.
-TEST(Decision, AdvisesGainsThatCostNoRunWhichWouldHold) {
-  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
-  scenario.vehicle.servo.lag_s = 0.06;
-  scenario.rest_limit_rad = text::radians(30.0);  // smaller gains rest farther away
-  const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
-  const Prediction p = predict(scenario, tunnel, {.runs = 60}, [](std::size_t) {});
-  ASSERT_FALSE(trial(p, {}, advice_on_gains(p, text::radians(45.0))).helps);
-  const Decision d = decide(p, {.held_share = 0.5});
-  ASSERT_FALSE(d.go);
-  ASSERT_EQ(d.advice.size(), 2U);
-  EXPECT_EQ(d.advice[0], advice_on_gains(p, text::radians(30.0)).sentence);
-  EXPECT_EQ(figures(d.advice[1]), (Numbers{"20", "20"}));
 }
 
 }  // namespace

@@ -52,6 +52,21 @@ TEST(WindyPrediction, FliesEveryRunInAWindOfItsOwn) {
   }
 }
 
+// Against the path that its flight report has; an upright rocket in calm air does not tilt.
+TEST(WindyPrediction, KeepsTheLargestTiltUnderControlOfARun) {
+  const sim::Scenario flown = windy();
+  const Prediction p = predicted(flown, {.runs = 3});
+  const flight::Flight flight = fly_airframe(p.flown, p.runs[0].airframe, p.runs[0].seed, fly::Log::kept);
+  double largest_rad = 0.0;
+  for (const flight::PathPoint& point : flight.path) {
+    const bool counts = point.time_s >= *flight.events.control_start_s && point.time_s <= *flight.events.control_end_s;
+    largest_rad = counts ? std::max(largest_rad, point.tilt_rad) : largest_rad;
+  }
+  EXPECT_GT(text::degrees(largest_rad), 5.0);
+  EXPECT_EQ(p.runs[0].largest_tilt_rad, largest_rad);
+  EXPECT_FALSE(predicted(scenario({}), {.runs = 1}).runs[0].largest_tilt_rad) << "along a straight line";
+}
+
 std::string runs_of(const Prediction& p) { return result::csv(answer(p, {}, {}).spreadsheets.front()); }
 
 TEST(WindyPrediction, IsTheSameWithEveryNumberOfThreadsAndRuns) {

@@ -70,7 +70,7 @@ std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOp
   }
   throw text::Error{text::ErrorKind::bad_configuration,
                     scenario.name +
-                        ": names no tunnel_result; give the steps.csv of the tunnel with --tunnel FILE, "
+                        ": names no tunnel_result; give the steps.csv that fantail tunnel steps writes with --tunnel FILE, "
                         "or name it in the scenario: tunnel_result = \"steps.csv\""};
 }
 

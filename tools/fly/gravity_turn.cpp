@@ -62,7 +62,7 @@ class Flight {
 }  // namespace
 
 GravityTurn gravity_turn(const sim::Scenario& scenario) {
-  constexpr double dt_s = 1e-3;
+  constexpr double dt_s = gravity_turn_step_s;
   constexpr int most_steps = 600'000;
   const Flight flight{scenario};
   const auto limit_rad = static_cast<double>(scenario.plan.run.tilt_limit.radians());
@@ -87,7 +87,8 @@ GravityTurn gravity_turn(const sim::Scenario& scenario) {
     }
     result.apogee_m = s.z_m;
     result.apogee_s = time_s - *liftoff_s;
-    if (!result.tilt_limit_s && std::atan2(s.vx_m_s, s.vz_m_s) > limit_rad) {
+    result.tilts_rad.push_back(std::atan2(s.vx_m_s, s.vz_m_s));
+    if (!result.tilt_limit_s && result.tilts_rad.back() > limit_rad) {
       result.tilt_limit_s = time_s - *liftoff_s;
     }
   }

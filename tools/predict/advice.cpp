@@ -133,8 +133,7 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
   if (const auto limit_deg = enough_limit_deg(p, asked, farthest_deg)) {
     const Share found = within(p, text::radians(left * *limit_deg));
     return {
-        fmt::format("A canard limit of {} degrees would balance the offset in {} (at least {}, estimated from {}). "
-                    "Straighter fins would help, too.",
+        fmt::format("A canard limit of {} degrees would balance the offset in {} (at least {}, estimated from {}).",
                     brief(*limit_deg, 1), of_the_runs(found.value), percent_at_least(found.low), runs(p.runs.size())),
         limit_deg};
   }
@@ -153,7 +152,7 @@ LimitAdvice advice_on_canard_limit(const Prediction& p, double asked) {
             limit_deg};
   }
   return {fmt::format("No canard limit would balance the offset in {} of the runs: the canards reach at most {} "
-                      "degrees ({}), which is enough in {}. Straighter fins would help.",
+                      "degrees ({}), which is enough in {}.",
                       percent(asked), brief(farthest_deg, 1),
                       farthest.set_by.empty() ? "a plan has no larger limit" : farthest.set_by,
                       of_the_runs(within(p, farthest.angle_rad).value)),
@@ -190,11 +189,7 @@ GainAdvice advice_on_gains(const Prediction& p, double phase_margin_rad, stabili
       {}};
 }
 
-Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains, const Look& look) {
-  constexpr std::size_t most_runs = 20;
-  if (!limit.limit_deg && !gains.gains) {
-    return {};
-  }
+sim::Scenario with_advice(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains) {
   sim::Scenario changed = p.flown;
   core::ControllerPlan& plan = changed.plan.controller;
   if (limit.limit_deg) {
@@ -204,7 +199,15 @@ Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gai
     plan.proportional_gain = static_cast<float>(gains.gains->proportional);
     plan.derivative_gain_s = static_cast<float>(gains.gains->derivative_s);
   }
-  const std::size_t count = std::min(most_runs, p.runs.size());
+  return changed;
+}
+
+Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gains, const Look& look) {
+  if (!limit.limit_deg && !gains.gains) {
+    return {};
+  }
+  sim::Scenario changed = with_advice(p, limit, gains);
+  const std::size_t count = std::min(most_flown_again, p.runs.size());
   const auto planned = static_cast<std::size_t>(
       std::ranges::count(std::span{p.runs}.first(count), report::Outcome::held, &Run::outcome));
   const FlownAgain again = fly_first(p, count, changed, look);
@@ -212,17 +215,19 @@ Trial trial(const Prediction& p, const LimitAdvice& limit, const GainAdvice& gai
     return {fmt::format("With that change, the roll is held in only {} of the first {} ({}); with the plan as it is, "
                         "in {}. Do not follow this advice.",
                         again.held, runs(count), again.first_cause, planned),
-            false};
+            false, share(again.held, count)};
   }
   if (again.not_judged == count) {
     return with_a_held_reference(p, count, std::move(changed), again.first_cause, look);
   }
   if (again.held == 0) {
     return {fmt::format("With that change, none of the first {} holds its roll ({}): it is not enough.", runs(count),
-                        again.first_cause)};
+                        again.first_cause),
+            true, share(0, count)};
   }
   return {fmt::format("With that change, the roll is held in {} of the first {}{}.", again.held, runs(count),
-                      again.not_judged > 0 ? fmt::format(" and not judged in {} of them", again.not_judged) : "")};
+                      again.not_judged > 0 ? fmt::format(" and not judged in {} of them", again.not_judged) : ""),
+          true, share(again.held, count)};
 }
 
 }  // namespace fantail::predict

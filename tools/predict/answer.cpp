@@ -2,6 +2,7 @@
 #include "predict/answer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -107,6 +108,25 @@ std::vector<result::Block> roll_and_pitch(const P& p) {
   return all;
 }
 
+std::vector<result::Block> offset_and_airframe(const P& p) {
+  using result::Picture;
+  std::vector<result::Block> all;
+  if (auto chart = authority_chart(p)) {
+    all.emplace_back(Picture{
+        std::move(*chart),
+        "Authority over speed. Where the fin offset needs more than the canards can give, no gains balance it."});
+  }
+  if (auto chart = cant_chart(p)) {
+    all.emplace_back(
+        Picture{std::move(*chart),
+                "Canard against fin cant, computed from the shape. The points are the fin offset of the runs."});
+  }
+  all.emplace_back(Picture{offset_chart(p), "The fin offset against what the canards can balance."});
+  all.emplace_back(
+      Picture{airframe_chart(p), "The airframes that were flown, and the identified ones they were drawn from."});
+  return all;
+}
+
 std::vector<result::Block> medians(const P& p) {
   std::vector<result::Block> all{result::figures("", p, median_fields)};
   if (p.worst_speed) {
@@ -140,7 +160,6 @@ std::vector<result::Listed> listed_fields() {
 
 result::Document answer(const P& p, const Decision& decision, const result::Made& made) {
   using enum result::Readers;
-  using result::Picture;
   using result::Sentences;
   const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
   const std::vector<std::string> not_counted = not_in_verdict(p);
@@ -170,14 +189,10 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
                        {"Requirements",
                         {result::table({}, decision.criteria, criterion_fields), Sentences{"advice", decision.advice}}},
                        {"Predicted roll", roll(p, over_time), files},
-                       {"Fin offset and airframe",
-                        {Picture{offset_chart(p), "The fin offset against what the canards can balance."},
-                         Picture{airframe_chart(p),
-                                 "The airframes that were flown, and the identified ones they were drawn from."}},
-                        files},
+                       {"Fin offset and airframe", offset_and_airframe(p), files},
                        {"Roll and pitch", roll_and_pitch(p)},
                        {"Stability over speed", stability(p, decision), files},
-                       {"How this was found", {Sentences{"basis", basis(p)}}},
+                       {"How this was found", {Sentences{"basis", basis(p)}}, all, "Show the sources and assumptions"},
                        {"For programs",
                         {result::figures("", p, count_fields), result::figures("stability", p, loop_fields),
                          result::table("stability.over_speed", p.over_speed, margin_fields),

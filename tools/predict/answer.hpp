@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "page/chart.hpp"
 #include "predict/decision.hpp"
 #include "result/document.hpp"
@@ -20,6 +22,12 @@ namespace fantail::predict {
 [[nodiscard]] page::Series reference(const Prediction& prediction);
 /// How many of the runs have an offset of at most this size, with the canard limit.
 [[nodiscard]] page::Chart offset_chart(const Prediction& prediction);
+/// What the fin offset needs and the canards give over the air speed of the climb. Empty for a rocket that stays on the
+/// pad.
+[[nodiscard]] std::optional<page::Chart> authority_chart(const Prediction& prediction);
+/// The canard angle that a cant of all fins needs, by the shape of the vehicle, with the fin offset of the runs on it.
+/// Empty without fins and canards in the vehicle file.
+[[nodiscard]] std::optional<page::Chart> cant_chart(const Prediction& prediction);
 /// Damping and torque of the airframes drawn, and of the tunnel's steps.
 [[nodiscard]] page::Chart airframe_chart(const Prediction& prediction);
 /// Steady roll rates over the air speed, without control and with the canards at their limit, and where roll resonance

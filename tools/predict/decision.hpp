@@ -28,8 +28,9 @@ struct Criterion {
   std::string found{};     ///< "100 % of the runs (98 to 100 %)"
   std::string required{};  ///< "at least 95 % of the runs"
   Judgement judgement = Judgement::not_judged;
-  std::string clause{};  ///< says what was found and, when it is not met, what is wrong; no full stop; empty where
-                         ///< another criterion says the same
+  std::string
+      clause{};  ///< says what was found and, when it is not met, what is wrong, in a sentence or more; behind a
+                 ///< colon, so without a capital letter or a last full stop; empty where another says the same
 };
 
 struct Decision {
@@ -69,6 +70,12 @@ struct Decision {
 /// Whether control would last as long as in the runs, or to within a second of the point mass's apogee. Empty for
 /// a guide that hardly leans, and without a run under control.
 [[nodiscard]] std::optional<Criterion> tilt_limit(const Prediction& prediction);
+
+/// A clause on a tilt under control that is less than five degrees below the plan's tilt limit, or, where the avionics
+/// measured less than the truth, above it; empty: there is none.
+/// In six degrees of freedom the largest of the runs, without those that come to the limit; with a leaning guide and
+/// motion along a straight line that of the point mass.
+[[nodiscard]] std::string tilt_caution(const Prediction& prediction);
 
 /// The most that the guide may lean for it, in half degrees, as a sentence; empty where that would be hardly at all.
 [[nodiscard]] std::string advice_on_tilt(const Prediction& prediction);

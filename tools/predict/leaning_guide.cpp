@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "fly/gravity_turn.hpp"
 #include "predict/decision.hpp"
+#include "text/apart.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -19,6 +21,11 @@ using text::fixed;
 // So shortly before apogee the air is slow and turns nothing much: a guide of five degrees, which is usual, is no
 // reason for a no go.
 constexpr double shortly_s = 1.0;
+
+// Nearer to the tilt limit, a little more wind, or the error of the avionics' own tilt, ends control.
+constexpr double near_tilt_limit_rad = text::radians(5.0);
+
+double tilt_limit_rad(const Prediction& p) { return static_cast<double>(p.flown.plan.run.tilt_limit.radians()); }
 
 /// After lift-off, of the run in which it ends last.
 std::optional<double> end_of_control_s(const Prediction& p) {
@@ -47,27 +54,65 @@ Passing passing(const sim::Scenario& scenario, double end_of_control_s) {
   return {.not_before_s = std::min(end_of_control_s, turn.apogee_s - shortly_s), .at_s = turn.tilt_limit_s};
 }
 
+bool asks_a_point_mass(const Prediction& p) {
+  return p.flown.motion != sim::FlightMotion::six_dof && p.flown.guide.tilt_rad >= fly::slight_tilt_rad;
+}
+
+/// Of the runs that do not come to the limit, or of a point mass in their place; empty: not known.
+std::optional<double> largest_tilt_rad(const Prediction& p) {
+  std::optional<double> largest_rad;
+  for (const Run& run : p.runs) {
+    if (run.largest_tilt_rad && !run.ended_by_tilt) {
+      largest_rad = std::max(largest_rad.value_or(0.0), *run.largest_tilt_rad);
+    }
+  }
+  const auto end_s = end_of_control_s(p);
+  if (!asks_a_point_mass(p) || !end_s) {
+    return largest_rad;
+  }
+  const double not_before_s = passing(p.flown, *end_s).not_before_s;
+  const std::vector<double> tilts_rad = fly::gravity_turn(p.flown).tilts_rad;
+  for (std::size_t i = 0; i < tilts_rad.size() && fly::gravity_turn_step_s * static_cast<double>(i) < not_before_s;
+       ++i) {
+    largest_rad = std::max(largest_rad.value_or(0.0), tilts_rad[i]);
+  }
+  return largest_rad;
+}
+
 }  // namespace
 
 std::optional<Criterion> tilt_limit(const Prediction& p) {
   const auto end_s = end_of_control_s(p);
-  if (p.flown.motion == sim::FlightMotion::six_dof || p.flown.guide.tilt_rad < fly::slight_tilt_rad || !end_s) {
+  if (!asks_a_point_mass(p) || !end_s) {
     return std::nullopt;
   }
   const Passing pass = passing(p.flown, *end_s);
-  const std::string limit = brief(degrees(static_cast<double>(p.flown.plan.run.tilt_limit.radians())), 1);
+  const std::string limit = brief(degrees(tilt_limit_rad(p)), 1);
   Criterion c{.key = "tilt_limit",
               .label = fmt::format("Tilt limit of {} degrees under control, point mass", limit),
-              .found = pass.at_s ? fmt::format("passed {} s after lift-off", fixed(*pass.at_s, 2)) : "not passed",
+              .found = pass.at_s
+                           ? fmt::format("passed {} s after lift-off", text::apart(*pass.at_s, pass.not_before_s, 2))
+                           : "not passed",
               .required = fmt::format("not before {} s", fixed(pass.not_before_s, 2)),
               .judgement = pass.too_early() ? Judgement::not_met : Judgement::met};
   if (pass.too_early()) {
     c.clause = fmt::format(
         "with a guide that leans by {} degrees, a point mass passes the plan's tilt limit of {} degrees {} s after "
-        "lift-off, which ends control; the simulated rocket stays on the line of its guide and does not show this",
+        "lift-off, which ends control. The simulated rocket stays on the line of its guide and does not show this",
         brief(degrees(p.flown.guide.tilt_rad), 1), limit, fixed(*pass.at_s, 1));
   }
   return c;
+}
+
+std::string tilt_caution(const Prediction& p) {
+  const std::optional<double> tilt_rad = largest_tilt_rad(p);
+  const double limit_rad = tilt_limit_rad(p);
+  if (!tilt_rad || *tilt_rad < limit_rad - near_tilt_limit_rad) {
+    return {};
+  }
+  return fmt::format("{} tilts by up to {} degrees under control, and the plan's tilt limit is {} degrees",
+                     asks_a_point_mass(p) ? "with this guide, a point mass" : "the rocket",
+                     text::apart(degrees(*tilt_rad), degrees(limit_rad), 1), brief(degrees(limit_rad), 1));
 }
 
 std::string advice_on_tilt(const Prediction& p) {

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "predict/decision.hpp"
+#include "text/apart.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
@@ -31,7 +32,7 @@ std::optional<Criterion> within_model(const Prediction& p) {
                    .found = which,
                    .required = flight::what_the_model_asks(flight::worst_of(all)),
                    .judgement = Judgement::not_judged,
-                   .clause = fmt::format("outside the model: {}, where the simulation of roll is not valid", which)};
+                   .clause = fmt::format("outside the model: {}. The simulation of roll is not valid there", which)};
 }
 
 bool is_outside_by_wind_alone(const Prediction& p) {
@@ -50,8 +51,8 @@ std::string stability_caution(const Prediction& p) {
   }
   const std::optional<double> margin = flight::worst_of(extremes_of(p.runs)).static_margin_calibres;
   return margin && *margin < least_margin_calibres
-             ? fmt::format("the static margin falls to {} calibres, and {} is usual", text::fixed(*margin, 2),
-                           text::brief(least_margin_calibres, 1))
+             ? fmt::format("the static margin falls to {} calibres, and {} is usual",
+                           text::apart(*margin, least_margin_calibres, 2), text::brief(least_margin_calibres, 1))
              : "";
 }
 

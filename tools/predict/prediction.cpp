@@ -238,6 +238,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.spin_rate_rad_s = spread_where_known(p.runs, [](const Run& run) { return size_of(run.spin_rate_rad_s); });
   p.band = band(p.runs);
   p.resonance = roll_resonance(p.flown, p.runs, std::abs(p.reach.angle_rad));
+  p.authority_over_speed = authority_over_speed(p.flown, p.runs, climb(p.flown, p.runs.front()), p.reach.angle_rad);
   p.flight_notes = notes_of(p.runs);
   find_margins(p);
   return p;

@@ -11,6 +11,7 @@
 #include "campaign/analysis.hpp"
 #include "flight/flight.hpp"
 #include "predict/airframe.hpp"
+#include "predict/authority_over_speed.hpp"
 #include "predict/margins.hpp"
 #include "predict/roll_resonance.hpp"
 #include "predict/run.hpp"
@@ -82,8 +83,9 @@ struct Prediction {
   std::optional<Quantiles> settle_reference_rad{};  ///< of the same runs
   std::optional<Quantiles> settle_off_rad{};        ///< how far the one is from the other
   std::optional<Quantiles> saturated_share{};
-  std::optional<Quantiles> spin_rate_rad_s{};  ///< size; of the runs without authority
-  std::optional<RollResonance> resonance{};    ///< with the pitch; empty: nothing is known of the pitch
+  std::optional<Quantiles> spin_rate_rad_s{};            ///< size; of the runs without authority
+  std::optional<RollResonance> resonance{};              ///< with the pitch; empty: nothing is known of the pitch
+  std::vector<AuthorityAtSpeed> authority_over_speed{};  ///< at the speeds of run 0, up to its highest
   Band band{};
   std::vector<double> speeds_m_s{};  ///< from the lowest at control start to the highest flown; empty without control
   std::vector<MarginsAtSpeed> over_speed{};     ///< at those of them where the loop can swing

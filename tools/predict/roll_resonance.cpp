@@ -91,17 +91,17 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
 
 std::string caution(const RollResonance& r) {
   return fmt::format(
-      "roll resonance, a roll rate within {} % of the pitch frequency, is reached in {} of {} runs without control, "
-      "and in "
-      "{} with the canards at their limit",
+      "roll resonance, a roll rate within {} % of the pitch frequency, is reached in {} of {} runs without control. "
+      "With the canards at their limit, {} reach it",
       fixed(100.0 * near_resonance, 0), r.near + r.past, r.runs, r.with_canards);
 }
 
 std::string in_short(const RollResonance& r, double canard_reach_rad) {
   return fmt::format(
-      "Roll resonance, a roll rate within {} % of the pitch frequency: {} of {} runs reach it without control, {} with "
-      "the "
-      "canards at {} degrees in the sense of the fin offset, as after a failure. Straighter fins and a smaller canard "
+      "Roll resonance, a roll rate within {} % of the pitch frequency: {} of {} runs reach it without control. {} "
+      "reach "
+      "it with the canards at {} degrees in the sense of the fin offset, as after a failure. Straighter fins and a "
+      "smaller canard "
       "limit keep the roll rate farther from it. fantail campaign hardover flies a failed canard.",
       fixed(100.0 * near_resonance, 0), r.near + r.past, r.runs, r.with_canards, fixed(degrees(canard_reach_rad), 1));
 }

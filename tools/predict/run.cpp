@@ -114,11 +114,25 @@ void keep_notes(Run& run, const flight::Flight& flight, const sim::Scenario& sce
   }
 }
 
+std::optional<double> largest_tilt_rad(const flight::Flight& flight) {
+  std::optional<double> largest_rad;
+  const std::optional<double> end_s =
+      flight.events.control_end_s ? flight.events.control_end_s : flight.events.apogee_s;
+  for (const flight::PathPoint& point : flight.path) {
+    if (flight.events.control_start_s && point.time_s >= *flight.events.control_start_s &&
+        point.time_s <= end_s.value_or(point.time_s)) {
+      largest_rad = std::max(largest_rad.value_or(0.0), point.tilt_rad);
+    }
+  }
+  return largest_rad;
+}
+
 void keep_path(Run& run, const flight::Flight& flight, const sim::Scenario& scenario) {
   if (scenario.motion != sim::FlightMotion::six_dof) {
     return;
   }
   run.wind = drawn_wind(scenario.wind, scenario.wind_spread, run.seed);
+  run.largest_tilt_rad = largest_tilt_rad(flight);
   if (flight.events.apogee_s) {
     const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.apogee_s);
     run.drift_m = point != nullptr ? std::optional{flight::distance_m(*point)} : std::nullopt;
@@ -151,6 +165,11 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
 }
 
 }  // namespace
+
+double offset_rad(const TunnelStep& airframe, double after_liftoff_s) {
+  return std::lerp(airframe.offset_begin_rad, airframe.offset_end_rad,
+                   std::clamp(after_liftoff_s / offset_rise_s, 0.0, 1.0));
+}
 
 std::optional<double> spin_rate_rad_s(const TunnelStep& airframe, double offset_rad, double limit_rad,
                                       double speed_m_s) {

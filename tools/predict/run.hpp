@@ -29,10 +29,12 @@ struct Run {
   double offset_rad = 0.0;            ///< the largest under control; without control of the airframe's two
   double authority_margin_rad = 0.0;  ///< canard_reach() less |offset|
   report::Outcome outcome = report::Outcome::no_control;
-  std::string verdict{};             ///< what the flight report says of it
-  bool ended_early = false;          ///< control; whatever the outcome
-  bool ended_by_tilt = false;        ///< likewise, at the plan's tilt limit
-  std::vector<std::string> notes{};  ///< likewise, without what was assumed beforehand, a sentence each
+  std::string verdict{};                     ///< what the flight report says of it
+  bool ended_early = false;                  ///< control; whatever the outcome
+  bool ended_by_tilt = false;                ///< likewise, at the plan's tilt limit
+  std::optional<double> largest_tilt_rad{};  ///< of the long axis from the vertical, under control; in six degrees of
+                                             ///< freedom
+  std::vector<std::string> notes{};  ///< whatever the outcome, without what was assumed beforehand, a sentence each
   std::optional<double> largest_hold_error_rad{};
   std::optional<double> saturated_share{};
   std::optional<double> settle_rad{};            ///< R + u_d / kp as control ends, where the canards reach it
@@ -56,10 +58,10 @@ inline void fields(runs::RowText& text, TunnelStep& step) {
 /// All but the wind, which drawn_wind() gives again.
 inline void fields(runs::RowText& text, Run& run) {
   text(run.seed, run.airframe, run.offset_rad, run.authority_margin_rad, run.outcome, run.verdict, run.ended_early,
-       run.ended_by_tilt, run.notes, run.largest_hold_error_rad, run.saturated_share, run.settle_rad,
-       run.settle_reference_rad, run.speed_at_control_start_m_s, run.top_speed_m_s, run.extremes.top_mach,
-       run.extremes.static_margin_calibres, run.extremes.angle_of_attack_rad, run.apogee_m, run.drift_m,
-       run.spin_rate_rad_s, run.roll_angle_rad, run.roll_rate_rad_s, run.reference_rad);
+       run.ended_by_tilt, run.largest_tilt_rad, run.notes, run.largest_hold_error_rad, run.saturated_share,
+       run.settle_rad, run.settle_reference_rad, run.speed_at_control_start_m_s, run.top_speed_m_s,
+       run.extremes.top_mach, run.extremes.static_margin_calibres, run.extremes.angle_of_attack_rad, run.apogee_m,
+       run.drift_m, run.spin_rate_rad_s, run.roll_angle_rad, run.roll_rate_rad_s, run.reference_rad);
 }
 
 /// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's
@@ -74,6 +76,9 @@ inline void fields(runs::RowText& text, Run& run) {
 
 /// What such a flight came to.
 [[nodiscard]] Run run_of(const flight::Flight& flight, const sim::Scenario& scenario, const TunnelStep& airframe);
+
+/// The fin offset of an airframe at a time of its flight.
+[[nodiscard]] double offset_rad(const TunnelStep& airframe, double after_liftoff_s);
 
 /// Is called after a flight, and may throw to give up.
 using Look = std::function<void()>;

@@ -71,9 +71,9 @@ std::string missing_spread(const Prediction& p) {
   const std::string offset = fmt::format("The fin offset is the same to 0.1 degrees in all rows of {}", p.tunnel.name);
   return alike(&TunnelStep::damping_m2) && alike(&TunnelStep::torque_m)
              ? offset +
-                   ", damping and torque to 2 %: this is one airframe measured several times, so the runs do not show "
+                   ", damping and torque to 2 %. This is one airframe measured several times, so the runs do not show "
                    "how airframes differ."
-             : offset + ": the runs do not show how offsets differ.";
+             : offset + ". The runs do not show how offsets differ.";
 }
 
 std::string wind_sentence(const sim::Scenario& scenario) {
