@@ -12,6 +12,7 @@
 #include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
+#include "tune/alternatives.hpp"
 #include "tune/results.hpp"
 
 namespace fantail::tune {
@@ -98,6 +99,47 @@ TEST(Tuning, SaysWhatTheShortestSettlingTimeIs) {
   EXPECT_FALSE(t.is_proposed());
   EXPECT_NE(t.why_none.find("0.1 s"), std::string::npos) << t.why_none;
   EXPECT_NE(t.why_none.find("integral"), std::string::npos) << t.why_none;
+}
+
+// A dead end: no gains, no other kind of law that is better, and not a word on what to do.
+TEST(Tuning, WithoutGainsOrAnythingBetterSaysWhatToDoNext) {
+  Tuning t;
+  t.reach_rad = 0.1;
+  t.why_none = "No such gains were found.";
+  t.request.spread = 2.0;
+  EXPECT_NE(next_step(t).find("tunnel"), std::string::npos) << next_step(t);
+  EXPECT_NE(result::text(answer(t, "", {})).find(next_step(t)), std::string::npos);
+  t.request.spread = 1.0;
+  EXPECT_NE(next_step(t).find("--margin"), std::string::npos) << "no spread to make smaller: " << next_step(t);
+  t.alternative = "--schedule gives gains of 0.5 and 0.05 s.";
+  EXPECT_EQ(next_step(t), "");
+  t.alternative.clear();
+  t.largest_offset_rad = -0.2;
+  EXPECT_EQ(next_step(t), "") << "why there are none says what would help";
+}
+
+// The nearest demands that the search found a law for, flown before they are named.
+TEST(Tuning, NamesLowerDemandsOnlyWhereTheirLawLosesNoFlight) {
+  Tuning t = second_launch();
+  t.after.reset();
+  t.within_reach = t.request;
+  t.within_reach->settling_s = 1.9;
+  t.within_reach->phase_margin_rad = text::radians(45.0);
+  const Judged law = *second_launch().after;
+  try_lower_demands(t, [&law](Tuning& other) { other.after = law; });
+  const Numbers named = figures(t.alternative);
+  ASSERT_GE(named.size(), 2U) << t.alternative;
+  EXPECT_EQ(named[0], "45");
+  EXPECT_EQ(named[1], "1.9");
+  t.alternative.clear();
+  try_lower_demands(t, [&law](Tuning& other) {
+    other.after = law;
+    other.pairs.front().before.outcome = report::Outcome::held;
+    other.pairs.front().after.outcome = report::Outcome::not_held;
+  });
+  EXPECT_EQ(t.alternative, "");
+  try_lower_demands(t, [](Tuning& other) { other.after.reset(); });
+  EXPECT_EQ(t.alternative, "");
 }
 
 TEST(Tuning, OfCanardsThatTurnTheWrongWayIsRefused) {

@@ -152,6 +152,9 @@ std::vector<result::Block> law(const T& t) {
   if (!t.alternative.empty()) {
     all.emplace_back(t.alternative);
   }
+  if (const std::string next = next_step(t); !next.empty()) {
+    all.emplace_back(next);
+  }
   result::Table both = result::table({}, plans, plan_fields);
   both.columns.insert(both.columns.begin(), result::Column{.key = "plan", .label = "plan"});
   for (std::size_t i = 0; i < both.rows.size(); ++i) {

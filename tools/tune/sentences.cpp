@@ -150,6 +150,18 @@ std::vector<std::string> remarks(const Tuning& t) {
   return all;
 }
 
+std::string next_step(const Tuning& t) {
+  const bool offset_is_too_large = std::abs(t.largest_offset_rad) >= t.reach_rad;  // why_none says what to do
+  if (t.is_proposed() || !t.alternative.empty() || offset_is_too_large) {
+    return {};
+  }
+  const std::string keep = "Nothing that was tried flies better than the plan as it is. ";
+  return keep + (t.request.spread > 1.0
+                     ? "Next: measure damping and torque in a tunnel, put them into the vehicle file, and tune with a "
+                       "smaller --spread."
+                     : "Next: tune with a smaller --margin or a longer --settling.");
+}
+
 std::vector<std::string> basis(const Tuning& t) {
   const Request& r = t.request;
   const char* const fastest = r.rejection == core::OffsetRejection::integral ? "the one with the largest integral gain"

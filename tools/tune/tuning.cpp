@@ -15,6 +15,7 @@
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
+#include "tune/alternatives.hpp"
 #include "tune/flights.hpp"
 #include "tune/linear_trial.hpp"
 #include "tune/results.hpp"
@@ -139,6 +140,22 @@ bool has_margin(sim::Scenario scenario, const core::FlightPlan& plan, const Tuni
   });
 }
 
+/// The whole degrees, or tenths of a second, that the search found a law for.
+std::optional<Request> within_reach(const Request& asked, const Found& found) {
+  constexpr double least_margin_rad = text::radians(30.0);  // predict requires it
+  constexpr double longest_settling_s = 10.0;               // --settling allows it
+  Request lowered = asked;
+  if (!found.phase_margin_is_there) {
+    lowered.phase_margin_rad = text::radians(std::floor(degrees(found.most.phase_margin_rad - reserve_rad)));
+    return lowered.phase_margin_rad >= least_margin_rad - 1e-9 ? std::optional{lowered} : std::nullopt;
+  }
+  if (found.gain_margin_is_there && found.shortest_settling_s) {
+    lowered.settling_s = 0.1 * std::ceil(10.0 * *found.shortest_settling_s);
+    return lowered.settling_s <= longest_settling_s ? std::optional{lowered} : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 /// Of the laws that the linear loop tolerates, that which flies best, with a few rockets that are none of the later
 /// ones: it holds most of them, and is nearest to its reference.
 std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenario, const Look& look) {
@@ -168,6 +185,7 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
   }
   if (found.laws.empty()) {
     say_why_not_found(t, found);
+    t.within_reach = within_reach(t.request, found);
     if (const std::string left_out = t.request.schedule ? schedules_left_out(t.speeds.range) : ""; !left_out.empty()) {
       t.why_none += " " + left_out;
     }
@@ -201,48 +219,6 @@ void search_and_fly(Tuning& t, const sim::Scenario& scenario, const Look& look) 
   if (const auto plan = best_plan(t, scenario, look)) {
     t.after = judged(scenario, *plan, t.speeds, t.request.spread);
     t.pairs = fly_pairs(scenario, *plan, t.request, [&look](std::size_t done) { look(Stage::flying, done); });
-  }
-}
-
-std::string kind_words(const Request& request) {
-  const bool observes = request.rejection == core::OffsetRejection::observer;
-  return fmt::format("--rejection {}{}",
-                     observes                                               ? "observer"
-                     : request.rejection == core::OffsetRejection::integral ? "integral"
-                                                                            : "none",
-                     request.schedule ? " --schedule" : "");
-}
-
-/// Says which of the other kinds flies best, if one is better than the old plan.
-void try_other_kinds(Tuning& t, const sim::Scenario& scenario, const Look& look) {
-  if (scenario.plan.run.start != core::Start::launch ||
-      scenario.plan.motion.height_origin == core::HeightOrigin::from_detection) {
-    return;  // without a known speed a plan has neither schedule nor observer
-  }
-  std::optional<double> least_rad;
-  for (const auto& [rejection, schedule] : {std::pair{t.request.rejection, true},
-                                            {core::OffsetRejection::integral, true},
-                                            {core::OffsetRejection::observer, false},
-                                            {core::OffsetRejection::observer, true}}) {
-    Tuning other = t;
-    other.request.rejection = rejection;
-    other.request.schedule = schedule;
-    other.why_none.clear();
-    other.after.reset();
-    const std::string words = kind_words(other.request);
-    if (words == kind_words(t.request) || t.alternative.find(words + " gives") != std::string::npos) {
-      continue;
-    }
-    search_and_fly(other, scenario, look);
-    const Sum flown = other.flown_after();
-    if (other.is_better() && (!least_rad || *flown.mean_rad < *least_rad)) {
-      least_rad = flown.mean_rad;
-      t.alternative = fmt::format(
-          "Another kind of law was tried and is better than the old plan: {} gives gains of {}, and {} degrees on "
-          "average instead of {}.",
-          words, law_words(other.after->plan), fixed(degrees(*flown.mean_rad), 2),
-          fixed(degrees(*other.flown_before().mean_rad), 2));
-    }
   }
 }
 
@@ -284,8 +260,12 @@ Tuning tune(const sim::Scenario& scenario, const Request& request, const Look& l
     return t;
   }
   search_and_fly(t, scenario, look);
+  const auto search_again = [&](Tuning& other) { search_and_fly(other, scenario, look); };
   if (!t.is_better()) {
-    try_other_kinds(t, scenario, look);
+    try_other_kinds(t, scenario, search_again);
+  }
+  if (!t.after && t.alternative.empty()) {
+    try_lower_demands(t, search_again);
   }
   return t;
 }

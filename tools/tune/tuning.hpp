@@ -51,7 +51,11 @@ struct Tuning {
   Judged before{};
   std::optional<Judged> after{};  ///< empty as far as no law was found
   std::vector<Pair> pairs{};
-  std::string alternative{};  ///< a sentence on another kind of law that was tried and is better; or empty
+  std::string alternative{};  ///< a sentence on another kind of law that was tried and is better, or on lower demands
+                              ///< that a law meets which loses no flight; or empty
+  /// Where no law was found: the same with the demand that is missed lowered to what a law of its kind has, as far as
+  /// that is worth asking for.
+  std::optional<Request> within_reach{};
 
   [[nodiscard]] Sum flown_before() const { return sum(pairs, &Pair::before); }
   [[nodiscard]] Sum flown_after() const { return sum(pairs, &Pair::after); }
