@@ -19,7 +19,7 @@ set(data ${CMAKE_INSTALL_DATADIR}/fantail)
 install(DIRECTORY sim/scenarios sim/vehicles sim/motors sim/tunnel_results DESTINATION ${data}/sim COMPONENT runtime)
 install(DIRECTORY firmware/plans DESTINATION ${data}/firmware COMPONENT runtime)
 install(DIRECTORY python/fantail/files DESTINATION ${data}/python/fantail COMPONENT runtime PATTERN "__pycache__" EXCLUDE)
-install(FILES firmware/protocol/canard_bus.dbc DESTINATION ${data} COMPONENT runtime)
+install(FILES firmware/protocol/canard_bus.dbc firmware/protocol/plan_block.csv DESTINATION ${data} COMPONENT runtime)
 install(DIRECTORY tools/telemetry/types/ DESTINATION ${data}/lcm COMPONENT runtime)
 # The pages are made by the target `manual`; what completes in a shell asks the installed program.
 install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT runtime)

@@ -51,6 +51,7 @@ code=0
 [ "$code" = 69 ] && grep -q 'fantail-plan cannot be started: Permission denied' said || fail "no program: $code, $(cat said)"
 chmod a+x "$prefix/libexec/fantail/fantail-plan"
 [ -s "$prefix/share/fantail/canard_bus.dbc" ] || fail "no CAN database"
+[ -s "$prefix/share/fantail/plan_block.csv" ] || fail "no fields of the plan block"
 # What the verbs on a bus name where there is none.
 code=0
 "$prefix/libexec/fantail/with_vcan" --timeout 60 sh -c 'exit 3' 2>said || code=$?

@@ -22,8 +22,8 @@ std::string program_page(const Command& program, const std::string& date) {
   page += item(bold("NO_COLOR"), sentence("When it is set to anything but nothing: no colours, unless `--color always` "
                                           "asks for them."));
   page += heading("FILES");
-  page += item(italic("PREFIX/share/fantail"),
-               roff("Shipped scenarios, vehicles, motors and plans; the CAN database; the LCM message types."));
+  page += item(italic("PREFIX/share/fantail"), roff("Shipped scenarios, vehicles, motors and plans; the CAN database; "
+                                                    "the fields of the plan block; the LCM message types."));
   page += item(
       italic("PREFIX/libexec/fantail"),
       sentence("The program of each verb; and `with_vcan`, which runs a command beside two virtual CAN buses, also "
