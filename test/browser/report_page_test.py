@@ -113,6 +113,16 @@ class ReportPage(unittest.TestCase):
         self.assertGreater(float(self.page.run(TIME).split()[0]), 10.0)
         self.assertRegex(self.page.run(play + TIME), "^\u2212[01]\\.")  # again from the beginning
 
+    def test_on_paper_both_rockets_stay_beside_each_other_with_their_time_and_the_buttons_do_not(self):
+        self.page.run("dispatchEvent(new Event('beforeprint'))")
+        boxes = "return [...document.querySelectorAll(arguments[0])].map((one) => one.getBoundingClientRect()).filter(({width}) => width > 0)"
+        flown, free = self.page.run(boxes, ".scene canvas")
+        self.assertAlmostEqual(flown["top"], free["top"], delta=1)
+        self.assertAlmostEqual(flown["width"], free["width"], delta=1)
+        self.assertLess(flown["right"], free["left"])
+        self.assertEqual(len(self.page.run(boxes, ".player output")), 1)
+        self.assertEqual(self.page.run(boxes, ".player button, .player input"), [])
+
     def test_a_pointer_over_a_plot_turns_the_rocket_to_its_time(self):
         before = self.page.run(ANGLES)
         self.page.run("""const over = document.querySelector('.u-over'), box = over.getBoundingClientRect();
