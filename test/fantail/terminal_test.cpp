@@ -72,18 +72,18 @@ TEST_F(Painted, NothingIsWhenNobodyWantsColours) {
 TEST(ProgressLine, SaysHowFarHowFastAndHowLongStill) {
   EXPECT_EQ(progress_line("flying x", {.unit = "runs", .rate = " a second", .total = 60.0}, 12.0, 1.0),
             "flying x: 12 of 60 runs, 12 a second, 4 s to go");
-  EXPECT_EQ(progress_line("paper", {.unit = "chapters", .rate = " a second", .total = 8.0}, 3.0, 6.0),
-            "paper: 3 of 8 chapters, 0.5 a second, 10 s to go");
+  EXPECT_EQ(progress_line("identifying steps", {.unit = "steps", .rate = " a second", .total = 8.0}, 3.0, 6.0),
+            "identifying steps: 3 of 8 steps, 0.5 a second, 10 s to go");
 }
 
 TEST(ProgressLine, OfAFewSecondsDoesNotRoundWhatIsStillToDoAway) {
-  EXPECT_EQ(progress_line("canards", {.unit = "s", .rate = " x real time", .total = 3.3}, 2.6, 48.0),
-            "canards: 2.6 of 3.3 s, 0.054 x real time, 13 s to go");
+  EXPECT_EQ(progress_line("moving the canards", {.unit = "s", .rate = " x real time", .total = 3.3}, 2.6, 48.0),
+            "moving the canards: 2.6 of 3.3 s, 0.054 x real time, 13 s to go");
 }
 
 TEST(ProgressLine, SaysNothingThatIsNotKnown) {
-  EXPECT_EQ(progress_line("paper", {.unit = "chapters", .rate = " a second", .total = 8.0}, 0.0, 6.0),
-            "paper: 0 of 8 chapters");
+  EXPECT_EQ(progress_line("identifying steps", {.unit = "steps", .rate = " a second", .total = 8.0}, 0.0, 6.0),
+            "identifying steps: 0 of 8 steps");
   EXPECT_EQ(progress_line("searching", {.unit = "steps", .rate = " a second", .total = {}}, 9.0, 1.0),
             "searching: 9 steps, 9 a second");
 }
@@ -96,6 +96,16 @@ TEST(ProgressLine, CountsALongTimeInMinutes) {
 TEST(ProgressLine, SaysNoTotalThatTurnedOutTooSmall) {
   EXPECT_EQ(progress_line("flying", {.unit = "s", .rate = " x real time", .total = 10.0}, 20.0, 1.0),
             "flying: 20 s, 20 x real time");
+}
+
+TEST(ProgressLine, OfAPartNamesTheWorkBeforeItsNumber) {
+  EXPECT_EQ(chapter_line("log export", "reading flown.ftl", 1, 2, 4.2),
+            "log export: reading flown.ftl (part 1 of 2), 4 s");
+}
+
+TEST(ProgressLine, OfWorkInOnePartHasNoNumber) {
+  EXPECT_EQ(chapter_line("merge", "joining the runs of 3 shards", 1, 1, 130.0),
+            "merge: joining the runs of 3 shards, 2 min");
 }
 
 const std::string begin = "\033[?2026h\033[?25l\033[?7l\033[H";

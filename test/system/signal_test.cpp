@@ -88,7 +88,7 @@ TEST(Progress, IsShownOnATerminalForALongRunAndThenErased) {
   expect_said(outcome.err, {"flying tunnel_steps: ", "x real time", " to go", "\r\033[Kfantail: interrupted"});
 }
 
-TEST(Progress, OfWorkThatCannotSayHowFarItIsNamesTheChapter) {
+TEST(Progress, OfWorkThatCannotSayHowFarItIsNamesThePart) {
   const Folder folder;
   ASSERT_EQ(fantail({"fly", "--out", "flight"}, {.working_folder = folder.path()}).exit_code, 0);
   std::atomic<bool> has_spoken = false;
@@ -103,7 +103,7 @@ TEST(Progress, OfWorkThatCannotSayHowFarItIsNamesTheChapter) {
                                                                                 .terminal = true,
                                                                                 .has_spoken = &has_spoken});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  expect_said(outcome.err, {"log export: chapter ", " of 2, "});
+  expect_said(outcome.err, {"log export: re", " (part ", " of 2), "});
 }
 
 TEST(Progress, IsSilentOnATerminalForWorkOfAMoment) {

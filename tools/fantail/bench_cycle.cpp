@@ -61,7 +61,7 @@ std::string line(const bench::Cycle& cycle, double done_s) {
 class Teller {
  public:
   explicit Teller(const bench::Cycle& cycle, double all_s)
-      : cycle_{cycle}, progress_{"canards", {.unit = "s", .rate = " x real time", .total = all_s}} {}
+      : cycle_{cycle}, progress_{"moving the canards", {.unit = "s", .rate = " x real time", .total = all_s}} {}
 
   void show(double done_s) {
     progress_.show(done_s);

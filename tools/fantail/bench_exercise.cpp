@@ -65,7 +65,7 @@ bench::Exercise sine(const bench::Bounds& bounds, const ExerciseOptions& options
 // After the exercise the canards are centred before anything else happens, and after an interrupt too.
 link::Recording perform(const bench::Exercise& exercise, const ExerciseOptions& options, link::Session& session,
                         link::AvionicsLink& link, BenchPage& page) {
-  Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = exercise.duration_s()}};
+  Progress progress{"moving the canards", {.unit = "s", .rate = " x real time", .total = exercise.duration_s()}};
   double seconds = 0.0;
   try {
     link::Recording recording = bench::perform(

@@ -28,7 +28,7 @@ using Json = json::Value;
 constexpr double mega = 1e6;
 
 std::vector<link::ListedFlight> list_flights(LogVisit& visit) {
-  Progress progress{"looking for flights",
+  Progress progress{"looking for flights in the record",
                     {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
   return link::list_flights(visit.reader, visit.info.used_bytes, [&](std::uint32_t done) { progress.show(done); });
 }
@@ -117,14 +117,14 @@ auto keeping(const link::LogPart& part, const link::LogStretch& stretch, const W
 std::uint32_t download(LogVisit& visit, const link::LogStretch& stretch, link::LogPart& part) {
   const std::uint32_t there = std::min(part.size(), stretch.size);
   // What was there already took no time now.
-  Progress progress{"downloading",
+  Progress progress{"downloading the flight record",
                     {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size - there)}};
   return link::download(visit.reader, stretch, part,
                         [&](std::uint32_t done) { progress.show(done > there ? done - there : done); });
 }
 
 link::LogCheck verify(LogVisit& visit, const link::LogStretch& stretch, link::LogPart& part, std::uint32_t resumed) {
-  Progress progress{"downloading again",
+  Progress progress{"downloading the flight record again to check it",
                     {.unit = "bytes", .rate = " a second", .total = static_cast<double>(stretch.size)}};
   return link::verify(visit.reader, stretch, part, resumed, [&](std::uint32_t done) { progress.show(done); });
 }

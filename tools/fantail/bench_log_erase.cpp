@@ -80,7 +80,7 @@ void erase_record(LogVisit& visit) {
   expect_same_record(visit);
   try {
     link::Session session{visit.place, visit.link, static_cast<std::uint16_t>(std::random_device{}())};
-    Progress progress{"erasing",
+    Progress progress{"erasing the flight record",
                       {.unit = "bytes", .rate = " a second", .total = static_cast<double>(visit.info.used_bytes)}};
     visit.reader.erase(session, [&](std::uint32_t left) { progress.show(visit.info.used_bytes - left); });
     (void)session.close();

@@ -42,7 +42,8 @@ using Readings = link::Each<std::vector<bench::ZeroRun>>;
 Readings measure(link::Session& session, link::AvionicsLink& link, const sim::CanardTolerances& tolerances) {
   const bench::Bounds bounds = bench::bounds(link.reported<protocol::LimitReport>("canard limits"), session.trims());
   const double lap_s = bench::Exercise::limits_of(bounds, 0).duration_s();
-  Progress progress{"canards", {.unit = "s", .rate = " x real time", .total = lap_s * static_cast<double>(4 * runs)}};
+  Progress progress{"moving the canards",
+                    {.unit = "s", .rate = " x real time", .total = lap_s * static_cast<double>(4 * runs)}};
   Readings readings;
   double done_s = 0.0;
   for (std::size_t run = 0; run < runs; ++run) {

@@ -105,7 +105,7 @@ void show_one(const DetectionOptions& options) {
 }
 
 detection::Results play(const detection::Campaign& campaign, const files::path& folder, unsigned threads) {
-  Progress progress{"detection",
+  Progress progress{"playing events to launch detection",
                     {.unit = "events", .rate = " a second", .total = static_cast<double>(campaign.total())}};
   return detection::play(campaign, folder, program_that_flies(), threads, [&](std::uint64_t done) {
     leave_if_interrupted(folder);

@@ -64,7 +64,7 @@ fs::path folder_of(const FaultsOptions& options) {
 
 /// The flights without a fault, of every seed.
 faults::Prepared prepare_shown(const faults::Campaign& campaign, unsigned threads) {
-  Progress progress{"flying without faults",
+  Progress progress{"flying " + input::name_of_file(campaign.scenario) + " without faults",
                     {.unit = "seeds", .rate = " a second", .total = static_cast<double>(campaign.seeds)}};
   return faults::prepare(campaign, threads, [&](std::size_t done) {
     give_up_if_interrupted();
@@ -102,7 +102,7 @@ void fly_all(const FaultsOptions& options) {
   say(fmt::format("{} flights in {} cells\n", extent.flights, extent.cells));
   faults::Result result;
   {
-    Progress progress{"flying " + input::name_of_file(campaign.scenario),
+    Progress progress{"flying " + input::name_of_file(campaign.scenario) + " with faults",
                       {.unit = "runs", .rate = " a second", .total = static_cast<double>(extent.flights)}};
     result = faults::fly_campaign(prepared, folder, program_that_flies(), options.threads, [&](std::uint64_t done) {
       leave_if_interrupted(folder);
@@ -113,7 +113,7 @@ void fly_all(const FaultsOptions& options) {
     say(fmt::format("fantail: {} stored parts in {} were damaged, and have been flown again\n", result.damaged,
                     folder.string()));
   }
-  Chapters chapters{"faults", 1, "the worst flights and the page"};
+  Chapters chapters{"faults", 1, "flying the worst flights again and writing the page"};
   faults::write_worst(result, prepared, folder, [&folder] { leave_if_interrupted(folder); });
   chapters.end();
   deliver(faults::answer(result, made),

@@ -232,7 +232,7 @@ void export_log(const ExportOptions& options) {
   const std::string foreign = flight_log::foreign_bytes_text(file);
   const flight_log::Flight flight = take_flight(file, options.flight);
   give_up_if_interrupted();
-  chapters.next("replaying, and writing it as " + options.format);
+  chapters.next("replaying the flight and writing it as " + options.format);
   const Exported exported = export_flight(
       {.log = options.log, .format = &format, .fields = options.fields, .window = options.window}, flight);
   chapters.end();

@@ -44,6 +44,12 @@ std::string progress_line(std::string_view what, const Progress::Measure& measur
   return line;
 }
 
+std::string chapter_line(std::string_view what, std::string_view name, std::size_t chapter, std::size_t count,
+                         double elapsed_s) {
+  const std::string part = count > 1 ? fmt::format(" (part {} of {})", chapter, count) : "";
+  return fmt::format("{}: {}{}, {}", what, name, part, duration(elapsed_s));
+}
+
 Progress::Progress(std::string what, const Measure& measure)
     : what_{std::move(what)},
       measure_{measure},
@@ -85,6 +91,11 @@ void Chapters::next(std::string name) {
   name_ = std::move(name);
 }
 
+void Chapters::now(std::string name) {
+  const std::lock_guard lock{mutex_};
+  name_ = std::move(name);
+}
+
 void Chapters::end() {
   if (shows_.joinable()) {
     shows_.request_stop();
@@ -97,8 +108,8 @@ void Chapters::show_until(const std::stop_token& stop) {
   std::unique_lock lock{mutex_};
   for (auto next = start_ + (terminal_ ? on_a_terminal : in_a_pipe); !wake_.wait_until(lock, stop, next, stopped);
        next += terminal_ ? on_a_terminal : in_a_pipe) {
-    const std::string line = fmt::format("{}: chapter {} of {}, {}, {}", what_, chapter_, count_, name_,
-                                         duration(std::chrono::duration<double>(Clock::now() - start_).count()));
+    const std::string line =
+        chapter_line(what_, name_, chapter_, count_, std::chrono::duration<double>(Clock::now() - start_).count());
     if (terminal_) {
       say_for_now(line);
     } else {

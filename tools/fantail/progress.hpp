@@ -67,7 +67,11 @@ class Progress {
 [[nodiscard]] std::string progress_line(std::string_view what, const Progress::Measure& measure, double done,
                                         double elapsed_s);
 
-/// The same for work in a few parts that cannot say how far they are: "log export: chapter 2 of 3, replaying, 4 s". A
+/// "log export: replaying (part 2 of 3), 4 s"; work in one part has no number.
+[[nodiscard]] std::string chapter_line(std::string_view what, std::string_view name, std::size_t chapter,
+                                       std::size_t count, double elapsed_s);
+
+/// The same for work in a few parts that cannot say how far they are: "log export: replaying (part 2 of 3), 4 s". A
 /// thread of its own shows it, because the work does not come by.
 class Chapters {
  public:
@@ -78,6 +82,8 @@ class Chapters {
 
   /// The next one has begun.
   void next(std::string name);
+  /// The same one, named more exactly.
+  void now(std::string name);
   /// All are done: nothing is shown any more.
   void end();
 

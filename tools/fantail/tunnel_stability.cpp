@@ -170,10 +170,10 @@ std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, t
   constexpr double bin_s = 0.01;
   constexpr double shortest_steady_s = 5.0;  // five readings is what it takes
   std::vector<tunnel::StabilitySwing> swings;
-  Chapters chapters{"tunnel stability", options.logs.size(), "the swings of " + options.logs.front()};
+  Chapters chapters{"tunnel stability", options.logs.size(), "fitting the swings of " + options.logs.front()};
   for (const std::string& path : options.logs) {
     if (!heading.logs.empty()) {
-      chapters.next("the swings of " + path);
+      chapters.next("fitting the swings of " + path);
     }
     const tunnel::SwingLog log = tunnel::averaged(tunnel::read_swing_log(path), bin_s);
     heading.logs.push_back(log.name);

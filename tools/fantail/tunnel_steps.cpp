@@ -76,10 +76,10 @@ void steps(const StepsVerbOptions& options) {
                                          ? identify::inertia_on_clock(log, frame.inertia_since_ignition, log.warnings)
                                          : frame.flown_inertia;
   std::optional<Progress> progress;
-  const auto tell = [&progress](std::size_t done, std::size_t of) {
+  const auto tell = [&](std::size_t done, std::size_t of) {
     give_up_if_interrupted();
     if (!progress) {
-      progress.emplace("identifying",
+      progress.emplace("identifying the steps of " + options.run,
                        Progress::Measure{.unit = "steps", .rate = " a second", .total = static_cast<double>(of)});
     }
     progress->show(static_cast<double>(done));

@@ -96,7 +96,7 @@ void swirl(const SwirlVerbOptions& options) {
   tunnel::SwirlSessions sessions{.without = read(options.without, options), .with = {}};
   chapters.next("reading the run with straightener");
   sessions.with = read(options.with, options);
-  chapters.next("its page");
+  chapters.next("comparing the two runs and writing the page");
   const tunnel::Swirl swirl = tunnel::examine_swirl(
       sessions.without, sessions.with, {.roll = roll_of(options, sessions), .from_speed_m_s = options.from_speed_m_s});
   const std::vector<std::filesystem::path> made_from{options.without.roll, options.without.wind, options.with.roll,

@@ -140,7 +140,7 @@ void fly_campaign(const CampaignOptions& options) {
     deliver(answer_of_shard(campaign.shard, flown.runs.size(), runs, made), {.json = options.json});
     return;
   }
-  Chapters chapters{"campaign", 1, "figures, the worst flights and the page"};
+  Chapters chapters{"campaign", 1, "computing the figures, flying the worst flights again and writing the page"};
   const campaign::Report report = campaign::conclude(
       campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent), made,
       folder, [&] { leave_if_interrupted(folder, campaign::runs_name); });
@@ -158,7 +158,7 @@ void fly_campaign(const CampaignOptions& options) {
 
 void merge(const MergeOptions& options) {
   const std::vector<fs::path> shards{options.shards.begin(), options.shards.end()};
-  Chapters chapters{"merge", 1, fmt::format("the runs of {} shards", shards.size())};
+  Chapters chapters{"merge", 1, fmt::format("joining the runs of {} shards", shards.size())};
   const std::uint64_t runs = campaign::merge(shards, options.out);
   chapters.end();
   show("{} shards, {} runs: {}\n", shards.size(), runs, (fs::path{options.out} / campaign::runs_name).string());

@@ -79,7 +79,7 @@ void compare_logs(const CompareVerbOptions& options) {
   const logs::RollLog a = read(options.a, "--a-");
   chapters.next("reading " + options.b.path);
   const logs::RollLog b = read(options.b, "--b-");
-  chapters.next("comparing, and its page");
+  chapters.next("comparing the logs and writing the page");
   for (const auto& [choice, dashes] : {std::pair{&options.a, "--a-"}, std::pair{&options.b, "--b-"}}) {
     if (options.save_columns && !choice->columns.said.empty()) {
       save_columns(choice->columns, choice->path, dashes);

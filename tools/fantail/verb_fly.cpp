@@ -68,7 +68,7 @@ flight::Flight fly_and_show(const sim::Scenario& scenario, FlightComputerOption&
 }
 
 std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& scenario, const flight::Flight& flight) {
-  Progress progress{"flying it without control",
+  Progress progress{"flying " + scenario.name + " without control",
                     {.unit = "s", .rate = " x real time", .total = fly::expected_length_s(scenario)}};
   return fly::roll_without_control(scenario, flight, [&progress](double simulated_s) {
     give_up_if_interrupted();
@@ -168,7 +168,7 @@ void fly_and_report(const FlyOptions& options) {
   flight.changes = std::move(changes);
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
-  Chapters chapters{"report", 1, "figures, files and page"};
+  Chapters chapters{"report", 1, "computing the figures and writing files and page"};
   const report::Results results = report::results(flight, made_with(made_from, flight.seed, flight.changes));
   const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
   give_up_if_interrupted();

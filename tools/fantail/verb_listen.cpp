@@ -99,7 +99,8 @@ listen::Heard fly(const ListenOptions& o, listen::ImuLog log) {
                                   .plan = input::read_plan(input::Document::load(plan.string())),
                                   .longest_bridge_s = o.longest_gap_s,
                                   .pad_s = o.pad_s};
-  Progress progress{"listening", {"s", " x real time", log.end_s() - log.begin_s() + o.pad_s}};
+  Progress progress{"running the flight code on " + log.name,
+                    {"s", " x real time", log.end_s() - log.begin_s() + o.pad_s}};
   return listen::fly_log(std::move(log), question, [&](double done_s) {
     give_up_if_interrupted();
     progress.show(done_s);

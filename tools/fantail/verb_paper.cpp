@@ -24,24 +24,24 @@ struct PaperOptions {
 };
 
 std::vector<paper::Chapter> work_through() {
-  Progress progress{"paper", {.unit = "chapters", .rate = " a second", .total = 7.0}};
-  double done = 0.0;
-  const paper::Tell tell = [&](const std::string&) {
+  Chapters progress{"paper", 7, "the air of the tunnel"};
+  const paper::Tell tell = [&progress](const std::string& what) {
     give_up_if_interrupted();
-    progress.show(done);
+    progress.now(what);
   };
-  std::vector<paper::Chapter> chapters;
-  const auto add = [&](paper::Chapter chapter) {
-    chapters.push_back(std::move(chapter));
-    progress.show(++done);
-  };
-  add(paper::air_chapter(tell));
-  add(paper::swirl_chapter(tell));
-  add(paper::first_launch_chapter(tell));
-  add(paper::steps_chapter(tell));
-  add(paper::second_launch_chapter(tell));
-  add(paper::print_chapter(paper::Print::as_published()));
-  add(paper::inputs_chapter());
+  std::vector<paper::Chapter> chapters{paper::air_chapter(tell)};
+  progress.next("the swirl of the tunnel");
+  chapters.push_back(paper::swirl_chapter(tell));
+  progress.next("launch 1");
+  chapters.push_back(paper::first_launch_chapter(tell));
+  progress.next("the steps in the tunnel");
+  chapters.push_back(paper::steps_chapter(tell));
+  progress.next("launch 2");
+  chapters.push_back(paper::second_launch_chapter(tell));
+  progress.next("checking the publication against itself");
+  chapters.push_back(paper::print_chapter(paper::Print::as_published()));
+  progress.next("listing inputs taken as printed");
+  chapters.push_back(paper::inputs_chapter());
   return chapters;
 }
 

@@ -111,7 +111,7 @@ predict::Prediction fly_the_spread(const sim::Scenario& scenario, const predict:
 /// Flies what may help before it is said; how many flights that takes is known afterwards.
 predict::Decision decided(const predict::Prediction& prediction, const PredictOptions& options,
                           const runs::Place& place) {
-  Progress progress{"trying what would help " + prediction.scenario,
+  Progress progress{"trying changes that may help " + prediction.scenario,
                     {.unit = "flights", .rate = " a second", .total = {}}};
   double flights = 0.0;
   return predict::decide(prediction,

@@ -129,7 +129,7 @@ void run(const ReplayOptions& options) {
   Chapters chapters{"replay", 2, "reading " + options.log};
   flight_log::LogFile file = flight_log::read_log_file(options.log);
   const flight_log::Flight flight = take_flight(file, options.flight);
-  chapters.next("replaying");
+  chapters.next("replaying the flight");
   const Replayed flown = timed_replay(flight, options.log, flight_log::plan_for_replay(flight, options.log, {}));
   give_up_if_interrupted();
   chapters.end();

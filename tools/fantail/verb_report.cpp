@@ -44,7 +44,7 @@ void report_one(const ReportOptions& options) {
   flight::Flight flight = logs::read_flight(options.a);
   flight.command = "fantail report " + text::shell_word(options.a);
   give_up_if_interrupted();
-  chapters.next("figures and page");
+  chapters.next("computing the figures and writing the page");
   const report::Results results = report::results(flight, made_with({options.a}));
   const std::filesystem::path folder =
       options.out.empty() ? default_folder(name_of_log(options.a)) : std::filesystem::path{options.out};
@@ -61,7 +61,7 @@ void report_two(const ReportOptions& options) {
   const logs::RollLog a = logs::read_roll_log(options.a, {.options = ""}, {});
   chapters.next("reading " + options.b);
   const logs::RollLog b = logs::read_roll_log(options.b, {.options = ""}, {});
-  chapters.next("comparing, and its page");
+  chapters.next("comparing the logs and writing the page");
   give_up_if_interrupted();
   CompareResults results{.a = options.a,
                          .b = options.b,
