@@ -5,6 +5,7 @@ Puts together what MkDocs reads: the manual as it is, where it is, with its pict
 headers, of what Doxygen has written into XML; and a page for each source that a page links to, because a browser shows no line of a .cpp.
 """
 
+import itertools
 import os
 import pathlib
 import re
@@ -37,6 +38,17 @@ class Stage:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
 
+    def notebook(self, name, file):
+        number = itertools.count(1)
+
+        def picture(content):
+            place = self.pages / name.with_name(f"{name.stem}_{next(number)}.png")
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(content)
+            return place.name
+
+        self.page(str(name.with_suffix(".md")), notebook.as_page(file, picture))
+
     def led(self, page, match):
         """The link as it is in the site."""
         begin, target, anchor, end = match.groups(default="")
@@ -68,7 +80,7 @@ def main():
         if file.suffix == ".md":
             stage.page(name, file.read_text(encoding="utf-8"))
         elif file.suffix == ".ipynb":
-            stage.page(str(pathlib.PurePath(name).with_suffix(".md")), notebook.as_page(file))
+            stage.notebook(pathlib.PurePath(name), file)
         elif file.suffix in SHOWN and name != "docs/playground.html":  # which ./dev playground makes and the gallery shows
             (pages / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(file, pages / name)
