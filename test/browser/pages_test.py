@@ -14,6 +14,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -95,6 +96,23 @@ def on_each_other(words):
             smaller = min((right - left) * (bottom - top), (other[2] - other[0]) * (other[3] - other[1]))
             if other[1] < bottom and top < other[3] and shared > smaller / 3:
                 yield f'"{word}" lies on "{other[4]}"'
+
+
+def sentences_of(sheet):
+    """Headings, labels and notes of a bench sheet; what is measured is left out."""
+    texts = re.findall(r'<(?:h2|th|dt|figcaption|p class="note"|li|tr><td)[^>]*>([^<]+)', sheet.read_text(encoding="utf-8"))
+    return {sentence for text in texts for sentence in re.split(r"(?<=\.) ", re.sub(r"\d+(?:\.\d+)?", "#", text))}
+
+
+class KeptSheets(unittest.TestCase):
+    def test_a_bench_sheet_of_the_manual_has_the_sentences_that_the_program_writes_now(self):
+        kept = pathlib.Path(__file__).parents[2] / "docs/sheets"
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([BENCH_SHEETS, folder], check=True)
+            for made, name in (("healthy", "bench_healthy"), ("reversed", "bench_canard3_reversed")):
+                written = sentences_of(pathlib.Path(folder) / f"{made}.html")
+                self.assertGreater(len(written), 25)
+                self.assertEqual(written - sentences_of(kept / f"{name}.html"), set(), "tools/docs/manual_pictures.py makes it anew")
 
 
 class Pages(unittest.TestCase):

@@ -12,7 +12,7 @@ import time
 sys.path.append(str(pathlib.Path(__file__).parents[2] / "test/browser"))
 import browser
 
-WIDTH, HEIGHT, SCALE = 1280, 900, 0.625
+WIDTH, HEIGHT, SCALE = 1280, 900, 1
 
 
 class Album:
