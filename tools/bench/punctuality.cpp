@@ -10,6 +10,7 @@
 
 #include "bench/perform.hpp"
 #include "bench/trace.hpp"
+#include "text/number.hpp"
 
 namespace fantail::bench {
 namespace {
@@ -72,7 +73,7 @@ void Punctuality::note(const link::Tick& tick) {
 
 void Punctuality::end_look() {
   if (const std::uint32_t overrun = link_.overrun() - overrun_before_; overrun > 0) {
-    const std::string why = fmt::format("{} frames that had reached it were lost in a full buffer", overrun);
+    const std::string why = text::counted(overrun, "frame was", "frames were") + " lost in a full buffer";
     longest_silence_ > longest_look ? give_up(why) : give_up_too_slow(why);
   }
   if (const auto uncounted_ms = link_.uncounted_ms(); uncounted_ms && uncounted_before_ms_) {

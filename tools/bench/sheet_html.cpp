@@ -132,11 +132,10 @@ std::string sheet_inner_html(const Sheet& sheet, const link::Recording& recordin
 std::string sheet_so_far_html(const Sheet& sheet, const link::Recording& recording, const Exercise& exercise,
                               std::size_t turns_to_come, const std::string& given_up_because) {
   page::Page page = heading(sheet);
-  const char* plural = turns_to_come == 1 ? "" : "s";
   if (given_up_because.empty()) {
-    page.verdict_heading = fmt::format("Not finished: {} more turn{} to come", turns_to_come, plural);
+    page.verdict_heading = fmt::format("Not finished: {} to come", text::counted(turns_to_come, "more turn"));
   } else {
-    page.verdict_heading = fmt::format("Ended early with {} turn{} left", turns_to_come, plural);
+    page.verdict_heading = fmt::format("Ended early with {} left", text::counted(turns_to_come, "turn"));
     page.findings.push_back(as_finding(as_sentence(given_up_because)));
   }
   page.tone = given_up_because.empty() ? Tone::plain : Tone::unsure;

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "campaign/results.hpp"
+#include "text/number.hpp"
 
 namespace fantail::campaign {
 namespace {
@@ -89,9 +90,8 @@ Sample sample_of(const FlownCampaign& flown, std::size_t figure) {
 std::string too_little(const Sample& sample, std::size_t figure) {
   const std::size_t fewest = std::max(fewest_influence_runs, 10 * sample.quantities.size());
   if (sample.result.size() < fewest) {
-    return fmt::format("The {} is known for {} run{}; {} are needed to show its dependence on the drawn quantities.",
-                       column_words(figure_columns[figure]).words, sample.result.size(),
-                       sample.result.size() == 1 ? "" : "s", fewest);
+    return fmt::format("The {} is known for {}; {} are needed to show its dependence on the drawn quantities.",
+                       column_words(figure_columns[figure]).words, text::counted(sample.result.size(), "run"), fewest);
   }
   if (sample.quantities.empty() || !varies(sample.result)) {
     return fmt::format("{} is the same in all runs.", sample.quantities.empty()

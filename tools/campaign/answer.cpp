@@ -146,7 +146,8 @@ std::vector<result::Block> roll(const RollBand& band, std::size_t runs, const re
   }
   picture.chart.series.push_back(std::move(reference));
   picture.caption = band.runs == runs ? "The true roll angle of all runs."
-                                      : fmt::format("The true roll angle of the first {} runs that flew.", band.runs);
+                                      : fmt::format("The true roll angle of the first {} that flew.",
+                                                    text::counted(band.runs, "run"));
   return {picture};
 }
 
@@ -204,8 +205,8 @@ std::string subtitle(const Report& report) {
   for (const std::string& change : changes_of(report.campaign)) {
     changes += (changes.empty() ? ". Changed: " : ", ") + change;
   }
-  return fmt::format("{}, plan {}; {} runs, independent, seed {}{}", report.flown.vehicle, report.flown.plan,
-                     report.flown.runs.size(), report.campaign.seed, changes);
+  return fmt::format("{}, plan {}; {}, independent, seed {}{}", report.flown.vehicle, report.flown.plan,
+                     text::counted(report.flown.runs.size(), "run"), report.campaign.seed, changes);
 }
 
 }  // namespace

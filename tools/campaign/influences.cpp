@@ -48,8 +48,8 @@ std::vector<result::Block> influences(const Report& report) {
     slopes.rows.push_back({result::Named{of.name, column_words(of.name).words}, slope_cell(of.slopes[figure])});
   }
   std::vector<result::Block> all{
-      fmt::format("How the {} depends on each drawn quantity, from {} runs, with 95 % intervals.",
-                  column_words(figure_columns[figure]).words, a.influence_runs),
+      fmt::format("How the {} depends on each drawn quantity, from {}, with 95 % intervals.",
+                  column_words(figure_columns[figure]).words, text::counted(a.influence_runs, "run")),
       result::Drawing{tornado_svg(report, page::full_page), tornado_svg(report, page::half_page),
                       "The line at the end of each bar is its 95 % interval."},
       slopes,

@@ -27,7 +27,7 @@ std::string end_percent(double share, double (*outwards)(double), const std::opt
   }
 }
 
-std::string runs(std::size_t count) { return fmt::format("{} run{}", count, count == 1 ? "" : "s"); }
+std::string runs(std::size_t count) { return text::counted(count, "run"); }
 
 std::string judged(const Report& report) {
   const Analysis& a = report.analysis;

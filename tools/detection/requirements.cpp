@@ -44,15 +44,14 @@ Requirement no_false_actuation(const Report& report, std::size_t rule) {
   constexpr double says_nothing = 0.1;
   const double bound = upper_bound_95(events.controlling, events.events);
   if (events.controlling == 0 && !is_asked && bound > says_nothing) {
-    return {.sentence =
-                fmt::format("{}: false actuations {} in {} events with both accelerometers healthy: too few to judge",
-                            name, with_bound(0, events.events), events.events)};
+    return {.sentence = fmt::format("{}: false actuations {} in {} with both accelerometers healthy: too few to judge",
+                                    name, with_bound(0, events.events), text::counted(events.events, "event"))};
   }
   const bool is_met = is_asked ? bound <= *report.false_at_most : events.controlling == 0;
   return {.verdict = is_met ? Verdict::met : Verdict::not_met,
           .sentence =
-              fmt::format("{}: false actuations {} in {} events with both accelerometers healthy{}{}", name,
-                          with_bound(events.controlling, events.events), events.events,
+              fmt::format("{}: false actuations {} in {} with both accelerometers healthy{}{}", name,
+                          with_bound(events.controlling, events.events), text::counted(events.events, "event"),
                           is_asked ? "; required: at most " + percent(*report.false_at_most) + " over all kinds" : "",
                           of_worst_kind(report, rule))};
 }
@@ -247,8 +246,8 @@ std::string what_was_judged(const Report& report, Verdict verdict) {
   const std::uint64_t events = well_events_of(report.results, static_cast<std::size_t>(judged)).events;
   std::string text = events == 0
                          ? std::string{"No event other than launches was played with both accelerometers healthy."}
-                         : fmt::format("{} events of {} kinds that are not launches, both accelerometers healthy: {}.",
-                                       events, kinds_of_event,
+                         : fmt::format("{} of {} that are not launches, both accelerometers healthy: {}.",
+                                       text::counted(events, "event"), text::counted(kinds_of_event, "kind"),
                                        report.false_at_most > 0.0 ? "no more false actuations than permitted"
                                                                   : "no judged plan moved a canard");
   if (const std::optional<Kind> kind = worst_kind_of(report, static_cast<std::size_t>(judged))) {

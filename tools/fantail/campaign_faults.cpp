@@ -99,7 +99,7 @@ void fly_all(const FaultsOptions& options) {
   const std::vector<fs::path> inputs = files_of(options.scenario);
   const result::Made made = made_with(inputs, {}, changes_of(options.scenario));
   const faults::Extent& extent = prepared.extent;
-  say(fmt::format("{} flights in {} cells\n", extent.flights, extent.cells));
+  say(fmt::format("{} in {}\n", text::counted(extent.flights, "flight"), text::counted(extent.cells, "cell")));
   faults::Result result;
   {
     Progress progress{"flying " + input::name_of_file(campaign.scenario) + " with faults",

@@ -11,6 +11,7 @@
 #include "fantail/progress.hpp"
 #include "hil/emulator.hpp"
 #include "hil/wire.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -70,10 +71,11 @@ std::vector<std::string> FlightComputerOption::notes() const {
         fmt::format("That image was built from other sources than this program, {}.", avionics::git_hash()));
   }
   if (const std::uint32_t overruns = target_->times().overruns; overruns != 0) {
-    notes.push_back(fmt::format("{} ticks took the flight computer longer than a millisecond.", overruns));
+    notes.push_back(text::counted(overruns, "tick") + " took the flight computer longer than a millisecond.");
   }
   if (const std::uint32_t again = target_->link().asked_again(); again != 0) {
-    notes.push_back(fmt::format("{} messages were lost or damaged on the line, and sent again.", again));
+    notes.push_back(text::counted(again, "message was", "messages were") +
+                    " lost or damaged on the line, and sent again.");
   }
   return notes;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "text/number.hpp"
+
 namespace fantail::tool {
 
 Option add_lcm_option(const Verb& verb, std::string& url, const std::string& meaning) {
@@ -29,7 +31,7 @@ std::string report_of(const telemetry::PublisherFigures& figures, const std::str
   }
   const std::string dropped =
       figures.dropped > 0 ? fmt::format(", {} dropped because the queue was full", figures.dropped) : "";
-  return fmt::format("{} messages to {}{}", figures.published, url, dropped);
+  return fmt::format("{} to {}{}", text::counted(figures.published, "message"), url, dropped);
 }
 
 std::string LcmOutput::finish() { return publisher_ ? report_of(publisher_->finish(), url_) : ""; }

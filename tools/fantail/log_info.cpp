@@ -13,6 +13,7 @@
 #include "fantail/terminal.hpp"
 #include "flight_log/integrity.hpp"
 #include "flight_log/to_report.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -31,8 +32,8 @@ std::string heading(const flight_log::LogFile& file) {
     text += foreign + "\n";
   }
   if (file.records_left_out > 0) {
-    text += fmt::format("{} records after flight {} are left out: no more flights are read\n", file.records_left_out,
-                        file.flights.size());
+    text += fmt::format("{} after flight {} left out: no more flights are read\n",
+                        text::counted(file.records_left_out, "record"), file.flights.size());
   }
   return text;
 }

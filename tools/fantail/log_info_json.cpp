@@ -6,6 +6,7 @@
 #include "flight_log/integrity.hpp"
 #include "json/value.hpp"
 #include "protocol/plan_block.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -139,7 +140,7 @@ std::string log_info_json(const flight_log::LogFile& file, const std::vector<Fli
   const bool intact = flight_log::intact(file);
   result::put_answer(
       json, intact ? result::Answer::yes : result::Answer::no,
-      fmt::format("{}: {} flight{}, {}.", file.name, flights.size(), flights.size() == 1 ? "" : "s",
+      fmt::format("{}: {}, {}.", file.name, text::counted(flights.size(), "flight"),
                   intact ? "nothing missing and nothing damaged" : "with records missing or bytes damaged"),
       made);
   return json.pretty();

@@ -7,6 +7,7 @@
 #include "flight_log/event_text.hpp"
 #include "flight_log/integrity.hpp"
 #include "protocol/plan_block.hpp"
+#include "text/number.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -31,9 +32,9 @@ std::string plan_words(const FlightInfo& info) {
 std::string extent_words(const FlightInfo& info) {
   const flight_log::Flight& flight = info.flight;
   const std::size_t ticks = flight.ticks.size() + flight.foreign_ticks.size();
-  return fmt::format("{:.3f} s, from {:.3f} s to {:.3f} s; {} ticks",
+  return fmt::format("{:.3f} s, from {:.3f} s to {:.3f} s; {}",
                      static_cast<double>((flight.last_time - flight.first_time).count()) / 1e6,
-                     info.seconds(flight.first_time), info.seconds(flight.last_time), ticks);
+                     info.seconds(flight.first_time), info.seconds(flight.last_time), text::counted(ticks, "tick"));
 }
 
 std::string duration_words(const flight_log::LoopTimes& loop) {
@@ -51,8 +52,9 @@ std::string loop_words(const flight_log::LoopTimes& loop, bool has_gaps) {
 }
 
 std::string health_words(const flight_log::HealthFigures& health) {
-  return fmt::format("at most {} ticks waited for the flash, {} dropped; bus: {} frames unsent, {} errors",
-                     health.longest_queue, health.ticks_dropped, health.unsent, health.bus_errors);
+  return fmt::format("at most {} waited for the flash, {} dropped; bus: {} unsent, {}",
+                     text::counted(health.longest_queue, "tick"), health.ticks_dropped,
+                     text::counted(health.unsent, "frame"), text::counted(health.bus_errors, "error"));
 }
 
 std::string event_list(const FlightInfo& info) {

@@ -10,6 +10,7 @@
 
 #include "fantail/progress.hpp"
 #include "fantail/standard_streams.hpp"
+#include "text/number.hpp"
 #include "text/quoting.hpp"
 
 namespace fantail::tool {
@@ -50,8 +51,8 @@ void wait_for_viewer(const live::Broadcast& page) {
 }
 
 std::string viewers_text(const live::ServerFigures& figures) {
-  return fmt::format("at most {} viewer{} at the same time, {} frames, {} dropped because a viewer was slow",
-                     figures.most_viewers, figures.most_viewers == 1 ? "" : "s", figures.frames_sent,
+  return fmt::format("at most {} at the same time, {}, {} dropped because a viewer was slow",
+                     text::counted(figures.most_viewers, "viewer"), text::counted(figures.frames_sent, "frame"),
                      figures.frames_dropped);
 }
 
@@ -109,7 +110,7 @@ std::string PageOutput::finish() {
     page_->finish();
   }
   return viewers_text(page_->broadcast().figures()) +
-         (lost > 0 ? fmt::format("; {} messages never reached the page", lost) : "");
+         (lost > 0 ? fmt::format("; {} never reached the page", text::counted(lost, "message")) : "");
 }
 
 }  // namespace fantail::tool

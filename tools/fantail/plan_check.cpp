@@ -233,11 +233,10 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightC
   for (const std::string& what : weaker_than_shipped(subject.plan)) {
     all["weaker_than_shipped"].push_back(what);
   }
-  result::put_answer(
-      all, result::Answer::yes,
-      fmt::format("Every field is known and within its range: the firmware accepts this plan; {} warning{}.", warnings,
-                  warnings == 1 ? "" : "s"),
-      made_with({subject.file}));
+  result::put_answer(all, result::Answer::yes,
+                     fmt::format("Every field is known and within its range: the firmware accepts this plan; {}.",
+                                 text::counted(warnings, "warning")),
+                     made_with({subject.file}));
   if (!subject.scenario) {
     return all;
   }

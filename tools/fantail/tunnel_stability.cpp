@@ -22,6 +22,7 @@
 #include "input/vehicle_file.hpp"
 #include "logs/flight_file.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 #include "tunnel/stability.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/swing.hpp"
@@ -203,10 +204,10 @@ std::vector<tunnel::StabilitySwing> swings_of(const StabilityOptions& options, t
       for (const tunnel::StabilitySwing& swing : swings) {
         found += fmt::format(" {:.1f}:{:.1f}", swing.result.stretch.begin_s, swing.result.stretch.end_s);
       }
-      throw UsageError{
-          fmt::format("--speeds has {} numbers, and {} swings were found (in seconds:{}): give one for each swing, "
-                      "or name the swings with --swings",
-                      speeds.size(), swings.size(), found)};
+      throw UsageError{fmt::format(
+          "--speeds has {}, and {} found (in seconds:{}): give one for each swing, "
+          "or name the swings with --swings",
+          text::counted(speeds.size(), "number"), text::counted(swings.size(), "swing was", "swings were"), found)};
     }
     for (std::size_t i = 0; i < swings.size(); ++i) {
       swings[i].speed_m_s = speeds[i];

@@ -118,7 +118,7 @@ campaign::FlownCampaign fly(const campaign::Campaign& campaign, const fs::path& 
 result::Document answer_of_shard(const campaign::Shard& shard, std::size_t runs, const std::string& file,
                                  const result::Made& made) {
   return {.title = fmt::format("shard {} of {}", shard.number, shard.of),
-          .subtitle = fmt::format("{} runs in {}", runs, file),
+          .subtitle = fmt::format("{} in {}", text::counted(runs, "run"), file),
           .verdict = {.answer = result::Answer::none,
                       .heading = "Flown",
                       .sentence = "Merge all shards to answer the question."},
@@ -161,7 +161,8 @@ void merge(const MergeOptions& options) {
   Chapters chapters{"merge", 1, fmt::format("joining the runs of {} shards", shards.size())};
   const std::uint64_t runs = campaign::merge(shards, options.out);
   chapters.end();
-  show("{} shards, {} runs: {}\n", shards.size(), runs, (fs::path{options.out} / campaign::runs_name).string());
+  show("{}, {}: {}\n", text::counted(shards.size(), "shard"), text::counted(runs, "run"),
+       (fs::path{options.out} / campaign::runs_name).string());
   show("No answer yet: repeat the command of the shards without --shard and with --out {}; no run is flown again.\n",
        text::shell_word(options.out));
 }

@@ -18,6 +18,7 @@
 #include "link/place.hpp"
 #include "link/session.hpp"
 #include "replies/sentence.hpp"
+#include "text/number.hpp"
 #include "text/quoting.hpp"
 
 namespace fantail::tool {
@@ -66,7 +67,7 @@ class StatusPrinter {
     next_count_ = now + between_words;
     const std::uint64_t lost = gateway_.heard().lost + gateway_.overrun();
     if (lost > lost_) {
-      tell(fmt::format("{} frames lost", lost - lost_));
+      tell(text::counted(lost - lost_, "frame") + " lost");
       lost_ = lost;
     }
     const std::uint64_t failed = publisher_ != nullptr ? publisher_->figures().failed : 0;

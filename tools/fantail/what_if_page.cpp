@@ -69,8 +69,9 @@ std::string what_if_html(const WhatIf& result) {
               "As the changed plan's flight law would have estimated it from the same sensors. Every tick is "
               "in what_if.csv beside this page."));
   if (result.unreachable > 0) {
-    page.body_html += page::paragraph(fmt::format(
-        "{} ticks are left out: they follow a gap in the log, with no checkpoint in between.", result.unreachable));
+    page.body_html +=
+        page::paragraph(fmt::format("{} left out: behind a gap in the log, with no checkpoint in between.",
+                                    text::counted(result.unreachable, "tick is", "ticks are")));
   }
   return page::html(page);
 }

@@ -6,6 +6,7 @@
 #include "campaign/setup.hpp"
 #include "faults/results.hpp"
 #include "flight/model_end.hpp"
+#include "text/number.hpp"
 #include "text/quoting.hpp"
 
 // What came of it, in words, and the commands that fly it again.
@@ -75,11 +76,11 @@ std::string headline(const Result& result) {
   const std::size_t not_judged = count(result, Colour::not_judged);
   const std::size_t safe = flown - red - limits - without_need - not_judged;
   const auto line = [](std::string_view what, std::size_t number, const std::string& more = {}) {
-    return number == 0 ? std::string{} : fmt::format(" {}: {} cell{}{}.", what, number, number == 1 ? "" : "s", more);
+    return number == 0 ? std::string{} : fmt::format(" {}: {}{}.", what, text::counted(number, "cell"), more);
   };
-  return fmt::format("{}{} flights in {} cells.{}{}{}{}{}{}", flight::outside_model(result.beyond_model),
-                     result.flights, flown, red == 0 ? " No cell is RED." : "",
-                     line("RED", red, worst_of(result, Colour::red)),
+  return fmt::format("{}{} in {}.{}{}{}{}{}{}", flight::outside_model(result.beyond_model),
+                     text::counted(result.flights, "flight"), text::counted(flown, "cell"),
+                     red == 0 ? " No cell is RED." : "", line("RED", red, worst_of(result, Colour::red)),
                      line("Not safe because of a known limit", limits, worst_of(result, Colour::known_limit)),
                      line("Checked only against the rules for every flight", not_judged),
                      line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe));

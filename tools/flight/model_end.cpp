@@ -112,8 +112,7 @@ std::string which_are_beyond(const std::vector<Extremes>& runs) {
   const Extremes worst = worst_of(runs);
   return clauses(worst, ". ", [&](ModelEnd end) {
     const auto count = std::ranges::count_if(runs, [end](const Extremes& run) { return is_beyond(end, run); });
-    return fmt::format("{} of {} run{} {}, {}", count, runs.size(), runs.size() == 1 ? "" : "s", are(end),
-                       how_far(end, worst));
+    return fmt::format("{} of {} {}, {}", count, text::counted(runs.size(), "run"), are(end), how_far(end, worst));
   });
 }
 

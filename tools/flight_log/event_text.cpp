@@ -5,6 +5,7 @@
 
 #include "flight/phase_names.hpp"
 #include "hal/board.hpp"
+#include "text/number.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -87,7 +88,7 @@ std::string event_text(const protocol::LogEvent& event, core::Microseconds log_b
     case Kind::accelerometer_state: return sensor("accelerometer", event.value);
     case Kind::command_status: return std::string{text(static_cast<core::CommandStatus>(event.value))};
     case Kind::records_dropped:
-      return fmt::format("{} records were not written, because the flash was too slow", event.number);
+      return text::counted(event.number, "record was", "records were") + " not written, because the flash was too slow";
     case Kind::gyro_vote: return std::string{text(static_cast<core::GyroVote>(event.value))};
     case Kind::longest_tick: return fmt::format("longest tick so far: {} cycles of the processor", event.number);
     case Kind::board_faults: return board(event.number);

@@ -5,14 +5,11 @@
 
 #include <fmt/core.h>
 
+#include "text/number.hpp"
+
 namespace fantail::flight_log {
-namespace {
 
-std::string counted(std::uint64_t number, std::string_view noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
-}
-
-}  // namespace
+using text::counted;
 
 std::uint64_t lost_records(const Flight& flight) {
   std::uint64_t lost = 0;

@@ -11,6 +11,7 @@
 #include "input/shipped.hpp"
 #include "protocol/plan_block.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::flight_log {
 namespace {
@@ -91,19 +92,19 @@ void add_notes(flight::Flight& result, const Flight& flight, const Regeneration&
         flight.sensors));
   }
   if (const std::uint64_t dropped = dropped_records(flight); dropped > 0) {
-    note(fmt::format("{} records were never written, because the flash was too slow.", dropped));
+    note(text::counted(dropped, "record was", "records were") + " never written, because the flash was too slow.");
   }
   if (!regeneration.obstacle.empty()) {
     note("The flight could not be replayed. " + regeneration.obstacle);
   } else if (regeneration.unreachable > 0) {
     note(
-        fmt::format("{} ticks between a gap and the next checkpoint could not be replayed: the state of the flight law "
+        fmt::format("{} between a gap and the next checkpoint could not be replayed: the state of the flight law "
                     "there is lost.",
-                    regeneration.unreachable));
+                    text::counted(regeneration.unreachable, "tick")));
   }
   if (regeneration.differing > 0) {
-    note(fmt::format("{} ticks differ from what this program's flight law computes from the recorded inputs.",
-                     regeneration.differing));
+    note(fmt::format("{} from what this program's flight law computes from the recorded inputs.",
+                     text::counted(regeneration.differing, "tick differs", "ticks differ")));
   }
 }
 

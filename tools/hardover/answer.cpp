@@ -112,9 +112,10 @@ std::vector<std::string> definitions(const Effect& worst) {
 std::string base(const Study& study) {
   constexpr std::size_t few = 20;
   return fmt::format(
-      "The worst of {} flights. Each of the four canards{} fails at {}, every {} s from the end of the guide, {} s "
+      "The worst of {}. Each of the four canards{} fails at {}, every {} s from the end of the guide, {} s "
       "after ignition, to apogee at {} s.{}",
-      study.effects.size(), study.options.failure == Failure::hard_over ? ", at each stop," : "",
+      text::counted(study.effects.size(), "flight"),
+      study.options.failure == Failure::hard_over ? ", at each stop," : "",
       study.instants == 1 ? "one instant" : fmt::format("{} instants", study.instants), fixed(study.options.step_s, 2),
       fixed(study.first_s, 2), fixed(study.last_s, 2),
       study.instants < few ? " With so few instants, a failure between them can be worse (reduce --step)." : "");
@@ -223,7 +224,7 @@ result::Document answer(const Study& study) {
           .title = study.scenario,
           .subtitle = study.vehicle,
           .verdict = {.answer = result::Answer::none,
-                      .heading = fmt::format("Worst of {} flights", study.effects.size()),
+                      .heading = "Worst of " + text::counted(study.effects.size(), "flight"),
                       .sentence = headline(study, worst),
                       .not_in_it = {std::string{no_clearance()}}},
           .facts = facts(study),

@@ -13,6 +13,7 @@
 #include "identify/model/open_loop.hpp"
 #include "identify/result/uncertainty.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -26,8 +27,8 @@ void check_record(const Record& record, std::size_t nodes, Start start) {
   const std::size_t unknowns = 2 + nodes + (start == Start::fitted ? 2 * record.segment_begin.size() : std::size_t{0});
   if (record.size() <= unknowns) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("window {}: {} samples for {} unknowns; there must be more samples than unknowns",
-                            record.window, record.size(), unknowns)};
+                fmt::format("window {}: {} for {} unknowns; there must be more samples than unknowns", record.window,
+                            text::counted(record.size(), "sample"), unknowns)};
   }
   const auto still = [](const std::vector<double>& values) {
     return std::ranges::all_of(values, [&values](double value) { return value == values.front(); });

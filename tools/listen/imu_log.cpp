@@ -13,6 +13,7 @@
 #include "input/messages.hpp"
 #include "logs/interpolator.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 
 namespace fantail::listen {
 namespace {
@@ -130,8 +131,8 @@ std::string merging(const ImuLog& log) {
 
 void refuse_few_samples(const ImuLog& log) {
   if (log.axial.time_s.size() < fewest_samples) {
-    text::refuse(fmt::format("{}: {} samples of the axial specific force; at least {} are needed", log.name,
-                             log.axial.time_s.size(), fewest_samples));
+    text::refuse(fmt::format("{}: {} of the axial specific force; at least {} are needed", log.name,
+                             text::counted(log.axial.time_s.size(), "sample"), fewest_samples));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "log_export/fields.hpp"
 #include "log_export/formats.hpp"
 #include "log_export/ulog_writer.hpp"
+#include "text/number.hpp"
 
 namespace fantail::log_export {
 namespace {
@@ -79,7 +80,7 @@ void add_times(Json& head, const ReplayedFlight& source) {
     }
   }
   for (const flight_log::Gap& gap : flight.gaps) {
-    say(gap.after, true, fmt::format("{} records are missing before this", gap.count));
+    say(gap.after, true, text::counted(gap.count, "record is", "records are") + " missing before this");
   }
   for (const protocol::LogEvent& event : flight.events) {
     say(event.time, is_warning(event), flight_log::event_text(event, flight.first_time));

@@ -83,8 +83,8 @@ std::vector<result::Block> stability(const P& p, const Decision& decision) {
   margin.chart.levels = {
       {.value = asked_deg, .label = fmt::format("{} degrees required", brief(asked_deg, 1)), .role = Role::limit}};
   margin.caption = fmt::format(
-      "How far the loop is from oscillating, between the speed at control start and top speed, with a servo lag of {} "
-      "ms and {} ms of dead time.",
+      "How far the loop is from oscillating, between the speed at control start and top speed. The servo lag is {} ms, "
+      "the dead time {} ms.",
       brief(1e3 * p.servo_lag_s, 1), brief(1e3 * p.delay_s, 1));
   std::vector<result::Block> all{margin, over_speed};
   if (std::ranges::any_of(p.over_speed, may_swing_with_less)) {

@@ -7,6 +7,7 @@
 
 #include "campaign/analysis.hpp"
 #include "predict/answer.hpp"
+#include "stability/pitch_frequency.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::predict {
@@ -107,14 +108,15 @@ page::Chart resonance_chart(const Prediction& p) {
   };
   const campaign::Quantiles free = campaign::quantiles(free_1_m);
   const campaign::Quantiles driven = campaign::quantiles(driven_1_m);
-  return {.label = "Steady roll rates over the air speed, and the pitch frequency",
-          .x_label = "air speed / m/s",
-          .y_label = "roll rate, without its sign / deg/s",
-          .series = {middle("without control", Role::model, free.p50),
-                     middle("canards at their limit, with the fin offset", Role::second_model, driven.p50)},
-          .areas = {band("roll resonance", Role::limit, (1.0 - near_resonance) * resonance.least_frequency_1_m,
-                         (1.0 + near_resonance) * resonance.most_frequency_1_m),
-                    band("", Role::model, free.p5, free.p95), band("", Role::second_model, driven.p5, driven.p95)}};
+  return {
+      .label = "Steady roll rates over the air speed, and the pitch frequency",
+      .x_label = "air speed / m/s",
+      .y_label = "roll rate, without its sign / deg/s",
+      .series = {middle("without control", Role::model, free.p50),
+                 middle("canards at their limit, with the fin offset", Role::second_model, driven.p50)},
+      .areas = {band("roll resonance", Role::limit, (1.0 - stability::near_resonance) * resonance.least_frequency_1_m,
+                     (1.0 + stability::near_resonance) * resonance.most_frequency_1_m),
+                band("", Role::model, free.p5, free.p95), band("", Role::second_model, driven.p5, driven.p95)}};
 }
 
 }  // namespace fantail::predict

@@ -34,8 +34,8 @@ std::string found_share(const Share& share) {
 }
 
 std::string more_runs(const Share& share, double threshold) {
-  return fmt::format("{} too few to be sure of {}: fly more with --runs",
-                     share.of == 1 ? "1 run is" : fmt::format("{} runs are", share.of), percent(threshold));
+  return fmt::format("{} too few to be sure of {}: fly more with --runs", text::counted(share.of, "run is", "runs are"),
+                     percent(threshold));
 }
 
 /// "about 7.2 degrees": the median; where it is beyond the reach, never the same number.

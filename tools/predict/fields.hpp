@@ -123,7 +123,7 @@ using C = Criterion;
 inline constexpr auto criterion_fields = result::fields<C>({
     {"label", "criterion", u::none, 0, &C::label, "what a go requires"},
     {"found", "found", u::none, 0, &C::found, "what was found"},
-    {"required", "asked for", u::none, 0, &C::required, "what is asked for"},
+    {"required", "asked for", u::none, 0, &C::required, "the value that a go requires"},
     {"judgement", "judgement", u::none, 0, judged, "met, not met, or not judged"},
 });
 inline constexpr auto filed_criterion_fields = result::fields<C>({

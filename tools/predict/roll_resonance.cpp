@@ -7,22 +7,16 @@
 
 #include <fmt/core.h>
 
+#include "stability/pitch_frequency.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
 
+using stability::near_resonance;
 using text::degrees;
 using text::fixed;
-
-/// Over the air speed; empty: it does not swing back.
-std::optional<double> pitch_frequency_1_m(const sim::Airframe& airframe, const sim::Airframe::MassProperties& mass,
-                                          double density_kg_m3) {
-  const double square = 0.5 * density_kg_m3 * airframe.cross_section_m2() * airframe.normal_force_slope_per_rad *
-                        sim::static_margin_m(airframe, mass) / mass.transverse_inertia_kg_m2;
-  return square > 0.0 ? std::optional{std::sqrt(square)} : std::nullopt;
-}
 
 /// Over the air speed, of a steady roll.
 double roll_rate_1_m(const TunnelStep& airframe, double fin_angle_rad) {
@@ -36,23 +30,19 @@ std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const
   if (!scenario.vehicle.airframe || runs.empty()) {
     return std::nullopt;
   }
-  const sim::Airframe& airframe = *scenario.vehicle.airframe;
-  const double density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0);
-  const auto before = pitch_frequency_1_m(airframe, airframe.at_liftoff, density_kg_m3);
-  const auto after = pitch_frequency_1_m(airframe, airframe.after_burnout, density_kg_m3);
-  if (!before || !after) {
+  const auto frequency = stability::pitch_frequency(*scenario.vehicle.airframe, scenario.atmosphere.density_kg_m3(0.0));
+  if (!frequency) {
     return std::nullopt;
   }
-  RollResonance found{.least_frequency_1_m = std::min(*before, *after),
-                      .most_frequency_1_m = std::max(*before, *after),
-                      .runs = runs.size()};
+  RollResonance found{
+      .least_frequency_1_m = frequency->least_1_m, .most_frequency_1_m = frequency->most_1_m, .runs = runs.size()};
   std::vector<double> at_least;
   std::vector<double> in_the_middle;
   std::vector<double> at_most;
   for (const Run& run : runs) {
     const double rate_1_m_rad = roll_rate_1_m(run.airframe, 1.0);
     at_least.push_back(found.least_frequency_1_m / rate_1_m_rad);
-    in_the_middle.push_back(0.5 * (*before + *after) / rate_1_m_rad);
+    in_the_middle.push_back(0.5 * (frequency->least_1_m + frequency->most_1_m) / rate_1_m_rad);
     at_most.push_back(found.most_frequency_1_m / rate_1_m_rad);
     const double offset_rad = std::abs(run.airframe.offset_end_rad);  // the one that stays
     const double free = roll_rate_1_m(run.airframe, offset_rad);
@@ -75,15 +65,15 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
   if (r.with_canards == 0) {
     return {};
   }
-  const auto of_runs = [&r](std::size_t count) { return fmt::format("{} of {} runs", count, r.runs); };
+  const auto of_runs = [&r](std::size_t count) { return fmt::format("{} of {}", count, text::counted(r.runs, "run")); };
   const campaign::Quantiles& angle = r.resonant_rad;
   return fmt::format(
       "Roll resonance: a fin or canard angle of {} degrees ({} to {}) makes the roll rate equal to the pitch "
-      "frequency, at any speed (frequency / speed {} to {} rad/m from lift-off to burn-out). Without control, the fin "
-      "offset would keep {} near that rate and spin {} through it. With the canards at {} degrees in the sense of the "
-      "offset, {} come near it. There, small misalignments multiply the angle of attack, and the roll may lock in "
-      "(Hoult and Tran, Sounding Rocket Fin Design to Mitigate Roll Lock-In). The simulated roll includes neither this "
-      "nor the angle of attack.",
+      "frequency. That holds at any speed (frequency / speed {} to {} rad/m from lift-off to burn-out). Without "
+      "control, the fin offset would keep {} near that rate and spin {} through it. With the canards at {} degrees in "
+      "the sense of the offset, {} come near it. There, small misalignments multiply the angle of attack, and the roll "
+      "may lock in (Hoult and Tran, Sounding Rocket Fin Design to Mitigate Roll Lock-In). The simulated roll includes "
+      "neither this nor the angle of attack.",
       fixed(degrees(angle.p50), 1), fixed(degrees(angle.p5), 1), fixed(degrees(angle.p95), 1),
       fixed(r.least_frequency_1_m, 3), fixed(r.most_frequency_1_m, 3), of_runs(r.near), of_runs(r.past),
       fixed(degrees(canard_reach_rad), 1), of_runs(r.with_canards));
@@ -91,19 +81,18 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
 
 std::string caution(const RollResonance& r) {
   return fmt::format(
-      "roll resonance, a roll rate within {} % of the pitch frequency, is reached in {} of {} runs without control. "
+      "roll resonance, a roll rate within {} % of the pitch frequency, is reached in {} of {} without control. "
       "With the canards at their limit, {} reach it",
-      fixed(100.0 * near_resonance, 0), r.near + r.past, r.runs, r.with_canards);
+      fixed(100.0 * near_resonance, 0), r.near + r.past, text::counted(r.runs, "run"), r.with_canards);
 }
 
 std::string in_short(const RollResonance& r, double canard_reach_rad) {
   return fmt::format(
-      "Roll resonance, a roll rate within {} % of the pitch frequency: {} of {} runs reach it without control. {} "
-      "reach "
-      "it with the canards at {} degrees in the sense of the fin offset, as after a failure. Straighter fins and a "
-      "smaller canard "
-      "limit keep the roll rate farther from it. fantail campaign hardover flies a failed canard.",
-      fixed(100.0 * near_resonance, 0), r.near + r.past, r.runs, r.with_canards, fixed(degrees(canard_reach_rad), 1));
+      "Roll resonance, a roll rate within {} % of the pitch frequency: {} of {} reach it without control. {} reach it "
+      "with the canards at {} degrees in the sense of the fin offset, as after a failure. Straighter fins and a "
+      "smaller canard limit keep the roll rate farther from it. fantail campaign hardover flies a failed canard.",
+      fixed(100.0 * near_resonance, 0), r.near + r.past, text::counted(r.runs, "run"), r.with_canards,
+      fixed(degrees(canard_reach_rad), 1));
 }
 
 }  // namespace fantail::predict

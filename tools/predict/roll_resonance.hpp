@@ -31,10 +31,6 @@ struct RollResonance {
   std::size_t runs = 0;
 };
 
-/// How far from the resonance, as a share of its rate, a rocket still counts as near. With the damping ratio of 0.14 of
-/// a usual rocket the angle of attack is about twice as large there, and 3.6 times as large at the resonance.
-inline constexpr double near_resonance = 0.25;
-
 /// Empty for a vehicle without airframe, for one that is not stable, and without runs.
 [[nodiscard]] std::optional<RollResonance> roll_resonance(const sim::Scenario& scenario, const std::vector<Run>& runs,
                                                           double canard_reach_rad);

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "predict/run.hpp"
+#include "text/number.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -28,7 +29,8 @@ std::string told(const Note& note, std::size_t runs) {
   if (note.count == runs && !note.figures_differ) {
     return note.sentence;
   }
-  return fmt::format("In {} of {} runs{}: {}", note.count == runs ? "all" : fmt::format("{}", note.count), runs,
+  return fmt::format("In {} of {}{}: {}", note.count == runs ? "all" : fmt::format("{}", note.count),
+                     text::counted(runs, "run"),
                      note.figures_differ ? fmt::format(" (figures of run {})", note.first_run) : "", note.sentence);
 }
 

@@ -25,7 +25,7 @@ std::string percent(double share) {
 
 std::string percent_at_least(double share) { return fixed(std::floor(100.0 * share), 0) + " %"; }
 
-std::string runs(std::size_t count) { return fmt::format("{} run{}", count, count == 1 ? "" : "s"); }
+std::string runs(std::size_t count) { return text::counted(count, "run"); }
 
 std::string cause(const Run& run) {
   std::string_view text = run.verdict;
@@ -144,9 +144,12 @@ std::string spread_not_drawn(const Prediction& p) {
     return {};
   }
   const std::size_t shown = std::min(named, fields.size());
-  return fmt::format("The scenario's [[spread]] of {}{} is not drawn here: fantail campaign draws it.",
+  return fmt::format("The scenario's [[spread]] of {}{}: fantail campaign draws {}.",
                      fmt::join(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-                     shown < fields.size() ? fmt::format(" and {} more", fields.size() - shown) : "");
+                     shown < fields.size() ? fmt::format(" and {} more are not drawn here", fields.size() - shown)
+                     : shown == 1          ? " is not drawn here"
+                                           : " are not drawn here",
+                     fields.size() == 1 ? "it" : "them");
 }
 
 std::vector<std::string> not_in_verdict(const Prediction& p) {
@@ -168,10 +171,9 @@ std::vector<std::string> basis(const Prediction& p) {
     all.push_back(fmt::format("Source of {}: {}.", p.tunnel.name, source));
   }
   all.push_back(fmt::format(
-      "{} drawn from Student's t distribution with {} degrees of freedom, fitted to the {} rows of {}, with "
-      "the correlation of damping, torque and offset; each flown with its own sensor noise.",
-      p.runs.size() == 1 ? "1 airframe" : fmt::format("{} airframes", p.runs.size()), p.tunnel.steps.size() - 1,
-      p.tunnel.steps.size(), p.tunnel.name));
+      "{} drawn from Student's t distribution with {} degrees of freedom, fitted to the {} rows of {}. Damping, torque "
+      "and offset are correlated as there. Each is flown with its own sensor noise.",
+      text::counted(p.runs.size(), "airframe"), p.tunnel.steps.size() - 1, p.tunnel.steps.size(), p.tunnel.name));
   all.push_back(
       p.tunnel.standard_errors.empty()
           ? fmt::format("{} states no standard errors, so all scatter of its rows counts as scatter of the airframes.",

@@ -150,11 +150,10 @@ TunnelResult read_tunnel_result(const std::filesystem::path& file, const std::op
   const NumberColumn begin{table, "disturbance_begin_deg", angle};
   const NumberColumn end{table, "disturbance_end_deg", angle};
   if (table.rows() < fewest_tunnel_steps) {
-    throw text::Error{
-        text::ErrorKind::bad_data,
-        fmt::format("{}: has {} of the rows that a spread is made from, one for each step; allowed: {} or "
-                    "more, better eight, because fewer show almost nothing of the scatter",
-                    table.name(), table.rows(), fewest_tunnel_steps)};
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: has {} of the rows that a spread is made from, one for each step. Allowed: {} "
+                                  "or more, better eight. Fewer show almost nothing of the scatter",
+                                  table.name(), table.rows(), fewest_tunnel_steps)};
   }
   TunnelResult result;
   result.name = file.filename().string();

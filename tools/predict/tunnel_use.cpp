@@ -35,7 +35,7 @@ std::string whose_rows(const sim::Scenario& scenario, const TunnelResult& tunnel
       : same_inertia(*tunnel.inertia_kg_m2, own_kg_m2)
           ? "they were identified with its roll inertia"
           : fmt::format(
-                "they were identified with a roll inertia of {:.4g} kg m2, where this vehicle has {:.4g}: damping and "
+                "they were identified with a roll inertia of {:.4g} kg m2, where this vehicle has {:.4g}. Damping and "
                 "torque are right only if the rocket in the tunnel had the former",
                 *tunnel.inertia_kg_m2, own_kg_m2);
   if (!tunnel.vehicle) {
@@ -67,7 +67,7 @@ std::string which_area(const sim::Scenario& scenario, const TunnelResult& tunnel
   return range.empty()
              ? unknown + ", as if it were exact."
              : fmt::format(
-                   "{}. By the vehicle file it lies with 95 % probability between {:.2g} and {:.2g} m2: damping and "
+                   "{}. By the vehicle file it lies with 95 % probability between {:.2g} and {:.2g} m2. Damping and "
                    "torque of each run are multiplied by a factor drawn from that range's distribution.",
                    unknown, range[0], range[1]);
 }

@@ -73,6 +73,10 @@ std::string brief(double value, int decimals) {
   return text;
 }
 
+std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", number, number == 1 ? std::string{one} : many.empty() ? fmt::format("{}s", one) : many);
+}
+
 std::string with_minus(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -27,6 +27,9 @@ namespace fantail::text {
 /// The same with no trailing zeros after the point: "6", "-7.3".
 [[nodiscard]] std::string brief(double value, int decimals);
 
+/// "1 run", "3 runs": a number with what it counts. `many` is empty where an s makes it.
+[[nodiscard]] std::string counted(std::uint64_t number, std::string_view one, std::string_view many = {});
+
 /// For print, a number or a sentence with numbers: a hyphen is half as wide as a minus and gets lost before a large
 /// figure.
 [[nodiscard]] std::string with_minus(std::string_view text);

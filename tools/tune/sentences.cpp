@@ -17,7 +17,7 @@ using text::fixed;
 
 std::string number(float value) { return brief(static_cast<double>(value), 4); }
 
-std::string rockets(std::size_t number) { return fmt::format("{} rocket{}", number, number == 1 ? "" : "s"); }
+std::string rockets(std::size_t number) { return text::counted(number, "rocket"); }
 
 std::string settling(const std::optional<double>& settling_s) {
   return settling_s ? "settles in " + fixed(*settling_s, 2) + " s" : "does not settle in 10 s";
@@ -108,11 +108,11 @@ namespace {
 std::string lost(const Sum& before, const Sum& after) {
   return after.steady < before.steady
              ? fmt::format(
-                   "In {} flights, the new plan keeps {} steady, each where its own law settles, and the old one {}. "
+                   "In {}, the new plan keeps {} steady, each where its own law settles, and the old one {}. "
                    "The new plan is not proposed.",
-                   after.flights, after.steady, before.steady)
-             : fmt::format("In {} flights, the new plan holds {} and the old one {}. The new plan is not proposed.",
-                           after.flights, after.held, before.held);
+                   text::counted(after.flights, "flight"), after.steady, before.steady)
+             : fmt::format("In {}, the new plan holds {} and the old one {}. The new plan is not proposed.",
+                           text::counted(after.flights, "flight"), after.held, before.held);
 }
 
 }  // namespace

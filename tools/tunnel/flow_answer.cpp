@@ -154,8 +154,7 @@ std::vector<result::Block> turbulences(const Flow& sorted) {
 }
 
 result::Verdict verdict(const Flow& flow) {
-  const std::string heading =
-      fmt::format("{} steady set point{}", flow.points.size(), flow.points.size() == 1 ? "" : "s");
+  const std::string heading = text::counted(flow.points.size(), "steady set point");
   return {.answer = result::Answer::none,
           .heading = heading,
           .sentence =

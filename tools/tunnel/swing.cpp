@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "linear/dense.hpp"
+#include "text/number.hpp"
 #include "tunnel/statistics.hpp"
 
 namespace fantail::tunnel {
@@ -231,7 +232,8 @@ SwingResult fit_swing(const SwingLog& log, const SwingStretch& stretch) {
     }
   }
   if (time_s.size() < fewest_samples) {
-    result.reason = fmt::format("it has only {} samples; allowed: {} or more", time_s.size(), fewest_samples);
+    result.reason =
+        fmt::format("it has only {}; allowed: {} or more", text::counted(time_s.size(), "sample"), fewest_samples);
     return result;
   }
   if (first_too_large && departs(log, *first_too_large, largest_rad)) {

@@ -11,6 +11,7 @@
 #include "flight/table.hpp"
 #include "flight_log/flight_log.hpp"
 #include "text/error.hpp"
+#include "text/number.hpp"
 #include "tunnel/statistics.hpp"
 #include "tunnel/swing.hpp"
 
@@ -71,8 +72,8 @@ SwingLog of_flight_log(const std::filesystem::path& path) {
     z.push_back(scale * tick.rate_counts[2]);
   }
   if (log.time_s.size() < fewest_rows) {
-    text::refuse(
-        fmt::format("{}: only {} samples of the gyro; allowed: {} or more", log.name, log.time_s.size(), fewest_rows));
+    text::refuse(fmt::format("{}: only {} of the gyro; allowed: {} or more", log.name,
+                             text::counted(log.time_s.size(), "sample"), fewest_rows));
   }
   log.value = along_the_swing(std::move(y), std::move(z));
   return log;
@@ -96,8 +97,8 @@ SwingLog of_table(const std::filesystem::path& path) {
                .value = std::move(rows.values[1]),
                .remarks = std::move(rows.notes)};
   if (log.time_s.size() < fewest_rows) {
-    text::refuse(fmt::format("{}: only {} rows with time and pitch; allowed: {} or more", log.name, log.time_s.size(),
-                             fewest_rows));
+    text::refuse(fmt::format("{}: only {} with time and pitch; allowed: {} or more", log.name,
+                             text::counted(log.time_s.size(), "row"), fewest_rows));
   }
   return log;
 }

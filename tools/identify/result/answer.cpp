@@ -233,7 +233,8 @@ output::Verdict verdict_of(const Study& study) {
   });
   const auto all = std::ssize(study.windows);
   output::Verdict verdict{.answer = good == all && doubtful == 0 ? yes : undecided,
-                          .heading = fmt::format("{} of {} windows determine damping and torque", good, all),
+                          .heading = fmt::format("{} of {} windows {} damping and torque", good, all,
+                                                 good == 1 ? "determines" : "determine"),
                           .sentence = ""};
   for (const WindowFindings& window : study.windows) {
     const model::RollModel& model = main_result(window).model;

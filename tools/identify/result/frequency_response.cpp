@@ -225,8 +225,8 @@ FrequencyResponse frequency_response(const Record& record, const Simulation& sim
   }
   if (response.segments < least_segments) {
     response.obstacle =
-        fmt::format("No frequency response: the gaps leave {} segments of {} s; at least {} are needed.",
-                    response.segments, text::brief(response.segment_s, 2), least_segments);
+        fmt::format("No frequency response: the gaps leave {} of {} s; at least {} are needed.",
+                    text::counted(response.segments, "segment"), text::brief(response.segment_s, 2), least_segments);
     return response;
   }
   for (std::size_t k = 0; k < spectra.size(); ++k) {
