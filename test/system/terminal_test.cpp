@@ -5,28 +5,11 @@
 #include <cstdlib>
 #include <thread>
 
+#include "system/on_terminal.hpp"
 #include "system/refusal.hpp"
-#include "system/screen.hpp"
 
 namespace fantail::test {
 namespace {
-
-using Variables = std::vector<std::pair<const char*, const char*>>;  // null: none of that name
-
-std::function<void()> surroundings(const Variables& variables) {
-  return [variables] {
-    for (const auto& [name, value] : variables) {
-      value == nullptr ? unsetenv(name) : setenv(name, value, 1);
-    }
-  };
-}
-
-const Variables plain{{"TERM", "xterm"}, {"NO_COLOR", nullptr}};
-
-Outcome on_terminal(const Words& words, const Folder& folder, unsigned short columns = 80,
-                    const Variables& variables = plain) {
-  return Screen{columns}.fantail(words, {.working_folder = folder.path(), .prepare = surroundings(variables)});
-}
 
 std::string in_a_pipe(const Words& words, const Folder& folder, const Variables& variables) {
   return fantail(words, {.working_folder = folder.path(), .prepare = surroundings(variables)}).out;
@@ -59,115 +42,6 @@ TEST(Terminal, HearsNoControlCharactersOfAnyFile) {
       EXPECT_FALSE(("\n" + said).find("\nGo: yes") != std::string::npos) << words[0] << ": " << said;
     }
   }
-}
-
-bool has_escape(const std::string& text) { return text.find('\033') != std::string::npos; }
-
-// Columns of a line that has no colours.
-std::size_t width(const std::string& line) {
-  return static_cast<std::size_t>(std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-// One word, which may be a command.
-bool is_unbreakable(const std::string& line) {
-  const std::string words = line.substr(line.find_first_not_of(' '));
-  return words.starts_with("fantail ") || words.find(' ') == std::string::npos;
-}
-
-// Lines that are too wide and could have been broken.
-std::string too_wide(const std::string& text, std::size_t columns) {
-  std::string found;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find("\r\n", begin), text.size());
-    const std::string line = text.substr(begin, end - begin);
-    found += width(line) > columns && !is_unbreakable(line) ? line + "\n" : "";
-    begin = end + 2;
-  }
-  return found;
-}
-
-// Of a flight in the folder: what people run after it, and what needs none.
-std::vector<Words> usual_commands() {
-  return {
-      {"fly", "--out", "flight"},
-      {"fly", "tasha3_launch1"},
-      {"report", "flight/flight.ftl"},
-      {"report", "flight", "flight/flight.ftl"},
-      {"compare", "flight", "flight/flight.ftl", "--out", "compared"},
-      {"identify", "flight", "--method", "both", "--grid-alpha", "20:24:1", "--grid-beta", "8:10:0.5"},
-      {"identify", "flight", "--shared", "alpha,beta", "--window", "1:4", "--window", "4:8"},
-      {"log", "info", "flight"},
-      {"replay", "flight"},
-      {"replay", "flight", "--set", "controller.proportional_gain=0.3"},
-      {"listen", "flight/flight.csv"},
-      {"plan", "show", "tasha3_launch2"},
-      {"plan", "check", "tasha3_launch1"},
-      {"airframe", "tasha3_launch2"},
-      {"predict", "tasha3_launch1", "--runs", "20"},
-      {"campaign", "tasha3_launch2", "--runs", "12"},
-      {"campaign", "detection", "--plan", "tasha3_launch2", "--events", "20", "--launches", "20", "--out", "detection"},
-      {"campaign", "faults", "--list"}};
-}
-
-TEST(Terminal, NoLineIsWiderThanItButOneOfASingleWordOrCommand) {
-  const Folder folder;
-  for (const Words& words : usual_commands()) {
-    const Outcome outcome = on_terminal(words, folder, 80, {{"TERM", "xterm"}, {"NO_COLOR", "1"}});
-    ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << words.front() << ": " << outcome.err;
-    EXPECT_EQ(too_wide(outcome.out, 80), "") << words.front();
-    EXPECT_FALSE(has_escape(outcome.out)) << words.front();
-    EXPECT_FALSE(outcome.out.empty()) << words.front();
-  }
-}
-
-TEST(Terminal, NoHelpIsWiderThanIt) {
-  const Folder folder;
-  for (const Words& words : std::vector<Words>{{},
-                                               {"fly"},
-                                               {"identify"},
-                                               {"paper"},
-                                               {"predict"},
-                                               {"campaign"},
-                                               {"campaign", "detection"},
-                                               {"bench"},
-                                               {"bench", "limits"},
-                                               {"node"},
-                                               {"watch"},
-                                               {"gateway"},
-                                               {"tunnel", "steps"},
-                                               {"log", "export"},
-                                               {"compare"},
-                                               {"plan"},
-                                               {"tune"},
-                                               {"new"},
-                                               {"listen"}}) {
-    Words asked = words;
-    asked.emplace_back("--help");
-    for (const unsigned short columns : std::initializer_list<unsigned short>{60, 80, 100}) {
-      const Outcome outcome = on_terminal(asked, folder, columns);
-      EXPECT_EQ(outcome.exit_code, 0);
-      EXPECT_EQ(too_wide(outcome.out, columns), "") << columns;
-    }
-  }
-}
-
-TEST(Terminal, NoExitCodeIsParted) {
-  const Folder folder;
-  for (const unsigned short columns : std::initializer_list<unsigned short>{60, 80, 120}) {
-    const std::string help = on_terminal({"--help"}, folder, columns).out;
-    expect_said(help, {"1 a requirement was not met,", "66 no such input,", "70 internal error,"});
-  }
-}
-
-TEST(Terminal, ATableThatIsTooWideHasItsRowsAsSentences) {
-  const Folder folder;
-  const std::string narrow = on_terminal({"airframe", "tasha3_launch2"}, folder).out;
-  expect_said(narrow, {"number mass at lift-off; from shape 3.990; file 3.99; unit kg\r\n"});
-  const std::string wide = on_terminal({"airframe", "tasha3_launch2"}, folder, 120).out;
-  EXPECT_NE(wide.find("1.05 to 1.81      1.5  calibres\r\n"), std::string::npos) << wide;
-  folder.write("a.csv", "time_s,roll_angle_deg,roll_rate_deg_s\n0,0,1\n1,1,1\n2,2,1\n");
-  const std::string compared = on_terminal({"compare", "a.csv", "a.csv"}, folder, 40).out;
-  EXPECT_EQ(too_wide(compared, 40), "");
 }
 
 TEST(Terminal, AVerdictIsColouredWhereNobodyObjects) {

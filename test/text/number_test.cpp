@@ -156,8 +156,20 @@ TEST(Wrapped, ACellThatWouldBeATowerOfWordsGoesBelowAsAWhole) {
   EXPECT_EQ(wrapped("  a long command line  what it does\n", 30), "  a long command line\n    what it does\n");
 }
 
+TEST(Wrapped, ACellThatIsTooNarrowForItsWordGoesBelowAsAWhole) {
+  EXPECT_EQ(wrapped("  page     out/flight.html\n", 20), "  page\n    out/flight.html\n");
+  EXPECT_EQ(wrapped("  page     out/a/very/long/path.html here\n", 20),
+            "  page\n    out/a/very/long/path.html\n    here\n");
+  EXPECT_EQ(wrapped(std::string(20, ' ') + "a meaning below its option\n", 30), "    a meaning below its option\n");
+}
+
+TEST(Wrapped, AHeadThatIsTooWideIsBrokenToo) {
+  EXPECT_EQ(wrapped("  ticks with another command  17\n", 20), "  ticks with another\n    command\n    17\n");
+}
+
 TEST(Wrapped, ACommentStaysOne) {
   EXPECT_EQ(wrapped("x = 1   # how it begins\n", 18), "x = 1   # how it\n        # begins\n");
+  EXPECT_EQ(wrapped("a_long_name = 1   # how it begins\n", 20), "a_long_name = 1\n    # how it begins\n");
 }
 
 TEST(Wrapped, AWordIsNeverSplitEvenWhenItIsWiderThanTheLine) {
@@ -183,6 +195,11 @@ TEST(Wrapped, ACommandStaysWhole) {
   EXPECT_EQ(wrapped("  fantail fly my_rocket --seed 3\n", 20), "  fantail fly my_rocket --seed 3\n");
 }
 
+TEST(Wrapped, ThePatternOfACommandIsNoCommand) {
+  EXPECT_EQ(wrapped("Usage: fantail fly [OPTIONS] [SCENARIO]\n", 20),
+            "Usage: fantail fly\n  [OPTIONS]\n  [SCENARIO]\n");
+}
+
 TEST(Wrapped, CharactersCountAndNotTheirBytes) {
   EXPECT_EQ(display_width("\u221220 \u00b0"), 5U);
   EXPECT_EQ(wrapped("\u00b1\u00b1\u00b1\u00b1 \u00b1\u00b1\u00b1\u00b1\n", 9),
@@ -193,6 +210,14 @@ TEST(Wrapped, CharactersCountAndNotTheirBytes) {
 TEST(Wrapped, AColourTakesNoRoom) {
   EXPECT_EQ(display_width("\033[31mNo go\033[0m"), 5U);
   EXPECT_EQ(wrapped("\033[31mNo go\033[0m: why\n", 10), "\033[31mNo go\033[0m: why\n");
+}
+
+TEST(Counted, IsOneOrMany) {
+  EXPECT_EQ(counted(0, "run"), "0 runs");
+  EXPECT_EQ(counted(1, "run"), "1 run");
+  EXPECT_EQ(counted(2, "run"), "2 runs");
+  EXPECT_EQ(counted(1, "record was", "records were"), "1 record was");
+  EXPECT_EQ(counted(12, "record was", "records were"), "12 records were");
 }
 
 TEST(Figures, OfASentenceAreItsNumbersAsTheyStandInItAndNoDigitsOfNames) {

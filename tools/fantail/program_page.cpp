@@ -11,14 +11,16 @@ std::string program_page(const Command& program, const std::string& date) {
   std::string page = command_page(program, title, exit_codes);
   page += heading("TERMINALS");
   page += paragraph(sentence(
-      "On a terminal lines are wrapped between words, at its width or at 120 columns, and a table that is too wide "
-      "leaves out columns and says which. Verdicts and phases, which say the same in words, are coloured where "
-      "`NO_COLOR` is unset or empty and `TERM` is not `dumb`; every verb has `--color`, which counts more. In a pipe "
-      "or a file everything is as wide as it is, and without colours unless `--color always` asks for them."));
+      "On a terminal lines are wrapped between words, at its width or at 120 columns. A table that is too wide leaves "
+      "out columns and says which, or has its rows as sentences. Verdicts and phases, which say the same in words, are "
+      "coloured where "
+      "`NO_COLOR` is unset or empty and `TERM` is not `dumb`. Every verb has `--color`, which counts more. Output in a "
+      "pipe or a file is never reformatted, and has no colours unless `--color always` asks for them."));
   page += heading("ENVIRONMENT");
   page += item(bold("FANTAIL_DATA"),
                roff("The folder of the shipped scenarios, vehicles, motors and plans, instead of the one that was "
                     "installed."));
+  page += item(bold("COLUMNS"), roff("The width of a terminal that does not know its own."));
   page += item(bold("NO_COLOR"), sentence("When it is set to anything but nothing: no colours, unless `--color always` "
                                           "asks for them."));
   page += heading("FILES");

@@ -90,13 +90,20 @@ void add_color(CLI::App& app) {
   }
 }
 
-// From the help alone: CLI11 does not name a hidden option in its complaints about a value either.
-void hide(CLI::App& app) {
-  for (CLI::Option* option : app.get_options([](const CLI::Option* o) { return declared(o).hidden; })) {
-    option->group("");
+// For the help alone: CLI11 does not name a hidden option in its complaints about a value either, and repeats the words
+// that a value is named after.
+void tidy(CLI::App& app) {
+  for (CLI::Option* option : app.get_options(nullptr)) {
+    const Declared& more = declared(option);
+    if (more.hidden) {
+      option->group("");
+    }
+    if (!more.words.empty() && option->get_type_name().starts_with(fmt::format("{}:", fmt::join(more.words, "|")))) {
+      option->get_validator(0)->description("");
+    }
   }
   for (CLI::App* verb : app.get_subcommands(nullptr)) {
-    hide(*verb);
+    tidy(*verb);
   }
 }
 
@@ -194,7 +201,7 @@ void read_command_line(const std::string& name, const std::string& meaning, void
       throw UsageError{complaint(*program, error)};
     }
     // Asked for. CLI11 puts the examples at its end.
-    hide(*program);
+    tidy(*program);
     std::string help = program->help();
     for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n", at)) {
       help.erase(at, 1);  // CLI11 puts two lines between sections

@@ -10,6 +10,7 @@
 
 #include "fantail/standard_streams.hpp"
 #include "text/layout.hpp"
+#include "text/number.hpp"
 #include "text/quoting.hpp"
 
 namespace fantail::tool {
@@ -53,7 +54,12 @@ std::size_t readable_columns(std::size_t told) {
 }
 
 std::size_t columns_of(int stream) {
-  return ::isatty(stream) == 1 ? readable_columns(size_of(stream).ws_col) : text::any_width;
+  if (::isatty(stream) != 1) {
+    return text::any_width;
+  }
+  const std::size_t told = size_of(stream).ws_col;
+  const char* const stated = std::getenv("COLUMNS");  // for a serial line, which does not know
+  return readable_columns(told != 0 || stated == nullptr ? told : text::whole_number(stated).value_or(0));
 }
 
 bool output_is_screen() { return ::isatty(STDOUT_FILENO) == 1 && !is_dumb(std::getenv("TERM")); }

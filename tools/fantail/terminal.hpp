@@ -22,7 +22,7 @@ enum class Color { green, red, yellow, cyan };
 /// How wide text may be in a terminal that says it has so many columns, and 0 when it does not know.
 [[nodiscard]] std::size_t readable_columns(std::size_t told);
 
-/// text::any_width when the stream is no terminal: there everything stays as it is.
+/// As the terminal says, else COLUMNS. text::any_width when the stream is no terminal: there everything stays as it is.
 [[nodiscard]] std::size_t columns_of(int stream);
 
 /// Whether pictures can be drawn over one another on standard output.

@@ -48,8 +48,8 @@ void fill(const Verb& verb) {
       "  fantail tunnel steps out/tunnel_steps                                  the roll model of every step\n"
       "  fantail tunnel stability out/tunnel_stability                          is the pinned rocket stable?\n"
       "\n"
-      "The simulated tunnel makes such logs: fantail fly tunnel_flow, tunnel_swirl_without, tunnel_swirl_with,\n"
-      "tunnel_steps and tunnel_stability.");
+      "The simulated tunnel makes such logs. Its scenarios for fantail fly: tunnel_flow, tunnel_swirl_without,\n"
+      "tunnel_swirl_with, tunnel_steps and tunnel_stability.");
   add_tunnel_flow(verb);
   add_tunnel_swirl(verb);
   add_tunnel_steps(verb);

@@ -71,41 +71,62 @@ std::size_t last_cell(std::string_view line) {
   return blanks == std::string_view::npos ? 0 : blanks + 2;
 }
 
+// Nobody copies the pattern of one.
+bool is_command(std::string_view text) {
+  return text.starts_with("fantail ") && text.find(" [") == std::string_view::npos &&
+         text.find("...") == std::string_view::npos;
+}
+
 // Words, of which a command is one.
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   while (!text.empty()) {
-    const bool is_command = text.starts_with("fantail ") && (words.empty() || words.back().ends_with(':'));
-    const std::size_t end = is_command ? text.size() : std::min(text.find(' '), text.size());
+    const bool is_whole = is_command(text) && (words.empty() || words.back().ends_with(':'));
+    const std::size_t end = is_whole ? text.size() : std::min(text.find(' '), text.size());
     words.push_back(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return words;
 }
 
+std::size_t width_of(const std::vector<std::string_view>& words) {
+  std::size_t width = 0;
+  for (const std::string_view word : words) {
+    width = std::max(width, display_width(word));
+  }
+  return width;
+}
+
 void append_wrapped(std::string_view line, std::size_t columns, std::string& whole) {
+  constexpr std::size_t below = 4;
   const std::size_t own = line.find_first_not_of(' ');
   if (own == std::string_view::npos) {
     return;  // nothing but blanks
   }
   const std::size_t begin = std::max(last_cell(line), own);
-  const std::size_t cell = display_width(line.substr(0, begin));
-  // In a few columns words would make a tower: such a cell goes below as a whole.
-  const bool is_narrow = cell > columns * 5 / 8;
-  const std::size_t indent = begin == own && own < deep ? own + 2 : cell;
-  std::string next{'\n'};
-  next.append(is_narrow ? 4 : indent, ' ').append(line.substr(begin).starts_with("# ") ? "# " : "");
-  const bool goes_below = is_narrow && begin > own;
+  const bool is_comment = line.substr(begin).starts_with("# ");
+  const std::vector<std::string_view> words = words_of(line.substr(begin + (is_comment ? 2 : 0)));
+  const std::size_t cell = display_width(line.substr(0, begin)) + (is_comment ? 2 : 0);
+  const bool is_cell = begin > own || own >= deep;
+  // In a few columns words would make a tower, if they fit at all: such a cell goes below as a whole.
+  const bool goes_below = is_cell && cell > below && (cell > columns * 5 / 8 || cell + width_of(words) > columns);
   const std::string_view head = line.substr(0, goes_below ? line.find_last_not_of(' ', begin - 1) + 1 : begin);
-  whole += head;
-  std::size_t used = display_width(head);
-  bool breaks = goes_below;
+  const std::string mark = is_comment ? "# " : "";
+  if (goes_below && display_width(head) > columns) {
+    append_wrapped(head, columns, whole);
+  } else {
+    whole += head;
+  }
+  whole += goes_below ? (head.empty() ? "" : "\n") + std::string(below, ' ') + mark : mark;
+  const std::size_t indent = goes_below ? below + mark.size() : is_cell ? cell : cell + 2;
+  const std::string next = "\n" + std::string(indent - mark.size(), ' ') + mark;
+  std::size_t used = goes_below ? indent : cell;
   bool is_behind_a_word = false;
-  for (const std::string_view word : words_of(line.substr(begin))) {
+  for (const std::string_view word : words) {
     const std::size_t width = display_width(word);
-    if (breaks || (is_behind_a_word && used + 1 + width > columns)) {
+    if (is_behind_a_word && used + 1 + width > columns) {
       whole += next;
-      used = next.size() - 1;
+      used = indent;
     } else if (is_behind_a_word) {
       whole += ' ';
       used += 1;
@@ -113,7 +134,6 @@ void append_wrapped(std::string_view line, std::size_t columns, std::string& who
     whole += word;
     used += width;
     is_behind_a_word = true;
-    breaks = false;
   }
 }
 

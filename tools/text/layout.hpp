@@ -41,9 +41,10 @@ inline constexpr std::size_t any_width = std::numeric_limits<std::size_t>::max()
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
 /// Breaks lines that are wider than `columns` between two words; the others stay as they are. What follows stands below
-/// the last cell of the line, where two blanks or more set cells apart; else two columns farther in than the line.
-/// After a "# " it begins with one, too. A word that is wider than a line stays whole, and so does a command `fantail
-/// ...` that begins a cell or follows a colon: whoever copies a part of it copies another command.
+/// the last cell of the line, where two blanks or more set cells apart; else two columns farther in than the line. A
+/// cell that is too narrow for its words goes to a line of its own, four columns in. After a "# " every line begins
+/// with one, too. A word that is wider than a line stays whole, and so does a command `fantail fly ...` that begins a
+/// cell or follows a colon: whoever copies a part of it copies another command.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t columns);
 
 }  // namespace fantail::text
