@@ -84,7 +84,7 @@ TEST(Compare, BIsNeverExtrapolated) {
   EXPECT_NEAR(result.time_s.back(), 7.0, 1e-9);
   EXPECT_EQ(result.time_s.size(), 50U);
   ASSERT_EQ(result.warnings.size(), 1U);
-  EXPECT_NE(result.warnings[0].find("51 of A's 101"), std::string::npos) << result.warnings[0];
+  EXPECT_NE(result.warnings[0].find("51 of the 101 samples"), std::string::npos) << result.warnings[0];
 }
 
 TEST(Compare, BIsNeverTakenAcrossAGap) {
@@ -107,10 +107,10 @@ TEST(Compare, WhereAHasNoSamplesIsSaid) {
   }
   const RollLog b = line({0, 10, 0.01}, 0, 1);
   EXPECT_EQ(compare(a, b, {}).warnings,
-            std::vector<std::string>{"A has no samples between 2.000 s and 3.000 s, nor in 1 more gap: nothing is "
+            std::vector<std::string>{"log has no samples between 2.000 s and 3.000 s, nor in 1 more gap: nothing is "
                                      "compared there."});
   EXPECT_EQ(compare(a, b, {.from_s = 5.0}).warnings,
-            std::vector<std::string>{"A has no samples between 6.000 s and 6.500 s: nothing is compared there."});
+            std::vector<std::string>{"log has no samples between 6.000 s and 6.500 s: nothing is compared there."});
   EXPECT_TRUE(compare(a, b, {.from_s = 7.0}).warnings.empty());
   EXPECT_TRUE(compare(line({0, 10, 0.2}, 0, 1), b, {}).warnings.empty());  // they are all so far apart
 }
@@ -220,7 +220,7 @@ TEST(Compare, LogsWithoutOverlapAreRefused) {
 }
 
 TEST(Compare, OneSampleIsTooFew) {
-  test::expect_refused(text::ErrorKind::bad_data, {"there is only one sample to compare, at 5 s of A"},
+  test::expect_refused(text::ErrorKind::bad_data, {"there is only one sample to compare, at 5 s of log"},
                        [] { (void)compare(sine({0, 5, 0.01}), sine({5, 9, 0.01}), {}); });
 }
 

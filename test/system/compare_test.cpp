@@ -91,9 +91,41 @@ TEST(Compare, ASimulatedFlightHasItsTruthBesideIt) {
   const Words words{"compare", "flight", "flight", "--b", "true", "--window", "control", "--require-angle", "1"};
   const Outcome outcome = fantail(words, {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("  B        flight (true)\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("  second   flight (true)\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("  window   control\n"), std::string::npos) << outcome.out;
   EXPECT_NE(content(folder / "out/compare/compare.html").find("Close enough"), std::string::npos);
+}
+
+// Whoever reads a page does not know which was A.
+TEST(Compare, CallsEachLogByTheShortestNameThatTellsItFromTheOther) {
+  const Folder folder;
+  for (const char* name : {"flown.csv", "monday/flight.csv", "tuesday/flight.csv"}) {
+    folder.write(name, line({.end_s = 1.0}, 0.0, 20.0));
+  }
+  ASSERT_EQ(fantail({"fly", "--out", folder / "sim"}).exit_code, 0);
+  struct Case {
+    Words words;
+    std::string title;
+  };
+  for (const Case& one :
+       {Case{{"compare", "flown.csv", "monday/flight.csv"}, "flown.csv against flight.csv"},
+        {{"compare", "monday/flight.csv", "tuesday/flight.csv"}, "monday/flight.csv against tuesday/flight.csv"},
+        {{"compare", "monday/../flown.csv", "flown.csv"}, "flown.csv (first) against flown.csv (second)"},
+        {{"compare", "sim/", "sim", "--b", "true"}, "sim (measured) against sim (true)"},
+        {{"report", "sim", "tuesday/flight.csv"}, "sim and flight.csv"}}) {
+    Words words = one.words;
+    words.insert(words.end(), {"--out", "o"});
+    const Outcome outcome = fantail(words, {.working_folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with(one.title)) << outcome.out;
+    const std::string page = content(folder / (words[0] == "report" ? "o/report.html" : "o/compare.html"));
+    EXPECT_NE(page.find("<h1>" + one.title), std::string::npos) << one.title;
+    for (const std::string& text : {outcome.out, page.substr(page.find("<h1>"))}) {
+      for (const char* letter : {">A<", ">B<", "  A ", "  B ", "A's", "B's", " of A", " of B", "A minus B"}) {
+        EXPECT_EQ(text.find(letter), std::string::npos) << one.title << ": " << letter;
+      }
+    }
+  }
 }
 
 TEST(Compare, ADifferenceAboveTheRequiredOneIsExitCodeOneAndStillWritten) {

@@ -100,30 +100,31 @@ page::Series curve(std::string name, Role role, const std::vector<double>& time_
   return {.name = std::move(name), .role = role, .x = time_s, .y = std::move(values)};
 }
 
-Picture over_time(std::string_view what, std::string_view unit, double height, std::vector<page::Series> series,
-                  const page::Range& stretch) {
+Picture over_time(const R& r, std::string_view what, std::string_view unit, double height,
+                  std::vector<page::Series> series) {
   return {{.label = fmt::format("{} over time", what),
-           .x_label = "time on A's clock / s",
+           .x_label = r.comparison.shift_s == 0.0 ? "time / s" : fmt::format("time of {} / s", r.names.a),
            .y_label = fmt::format("{} / {}", what, unit),
            .height = height,
            .series = std::move(series),
-           .x_range = stretch,
+           .x_range = page::Range{r.comparison.time_s.front(), r.comparison.time_s.back()},
            .sampled = true,
            .least_left = 48.0}};
 }
 
 constexpr double tall = 280.0, flat = 190.0;
 
-result::Section motion(std::string heading, std::string_view what, std::string_view unit, const C& c,
+result::Section motion(std::string heading, std::string_view what, std::string_view unit, const R& r,
                        const std::vector<double>& of_a, const std::vector<double>& of_b,
                        const std::vector<double>& difference) {
+  const std::vector<double>& time_s = r.comparison.time_s;
+  Picture apart = over_time(r, "difference", unit, flat, {curve("", Role::measured, time_s, in_degrees(difference))});
+  apart.caption = fmt::format("Difference: {} minus {}.", r.names.a, r.names.b);
   return {std::move(heading),
-          {over_time(what, unit, tall,
-                     {curve("A", Role::measured, c.time_s, in_degrees(of_a)),
-                      curve("B", Role::model, c.time_s, in_degrees(of_b))},
-                     {c.time_s.front(), c.time_s.back()}),
-           over_time("A minus B", unit, flat, {curve("", Role::measured, c.time_s, in_degrees(difference))},
-                     {c.time_s.front(), c.time_s.back()})},
+          {over_time(r, what, unit, tall,
+                     {curve(r.names.a, Role::measured, time_s, in_degrees(of_a)),
+                      curve(r.names.b, Role::model, time_s, in_degrees(of_b))}),
+           std::move(apart)},
           result::Readers::files};
 }
 
@@ -137,22 +138,23 @@ result::Figures figures(const R& r) {
   some["max_abs_angle_difference"].remark = fmt::format("at {:.3f} s", r.comparison.angle.max_at_s);
   some["max_abs_rate_difference"].remark = fmt::format("at {:.3f} s", r.comparison.rate.max_at_s);
   some["samples"].remark =
-      fmt::format("{:.3f} s to {:.3f} s of A", r.comparison.time_s.front(), r.comparison.time_s.back());
+      fmt::format("of {}, {:.3f} s to {:.3f} s", r.names.a, r.comparison.time_s.front(), r.comparison.time_s.back());
   return some;
 }
 
 std::string how(const R& r) {
   const C& c = r.comparison;
-  std::string text = c.shift_s == 0.0 ? "Both logs are compared on their own clocks"
-                                      : fmt::format("B's clock shows {:+.4f} s at A's zero", c.shift_s);
+  std::string text = c.shift_s == 0.0
+                         ? "Both logs are compared on their own clocks"
+                         : fmt::format("{} shows {:+.4f} s at the zero of {}", r.names.b, c.shift_s, r.names.a);
   text += r.shift_found ? ", which makes the roll rates agree best. " : c.shift_s != 0.0 ? ", as stated. " : ". ";
   if (c.offset_rad != 0.0) {
-    text += fmt::format("B's roll angles are shifted by {:+.3g} deg, so that both begin at the same angle. ",
-                        degrees(c.offset_rad));
+    text += fmt::format("The roll angles of {} are shifted by {:+.3g} deg, so that both begin at the same angle. ",
+                        r.names.b, degrees(c.offset_rad));
   }
   return text +
-         "For the differences B is interpolated linearly at A's times. Every sample that was compared is in "
-         "differences.csv, every figure in compare.json.";
+         fmt::format("For the differences, {} is interpolated linearly at the times of {}. ", r.names.b, r.names.a) +
+         "Every sample that was compared is in differences.csv, every figure in compare.json.";
 }
 
 result::Verdict verdict_of(const R& r) {
@@ -189,7 +191,7 @@ std::optional<result::Section> section_of(const Quantity& quantity, const Compar
                                           const logs::RollLog& a, const logs::RollLog& b) {
   const page::Range stretch{results.comparison.time_s.front(), results.comparison.time_s.back()};
   std::vector<page::Series> series;
-  const auto add = [&](const char* name, Role role, const logs::RollLog& log, double shift_s) {
+  const auto add = [&](const std::string& name, Role role, const logs::RollLog& log, double shift_s) {
     page::Series one = curve(name, role, log.time_s, log.*quantity.values);
     bool known = false;
     for (std::size_t i = 0; i < one.y.size(); ++i) {
@@ -201,17 +203,18 @@ std::optional<result::Section> section_of(const Quantity& quantity, const Compar
       series.push_back(std::move(one));
     }
   };
-  add("A", Role::measured, a, 0.0);
-  add("B", Role::model, b, results.comparison.shift_s);
+  add(results.names.a, Role::measured, a, 0.0);
+  add(results.names.b, Role::model, b, results.comparison.shift_s);
   if (series.empty()) {
     return {};
   }
   result::Section section{std::string{quantity.heading}, {}, result::Readers::files};
-  const std::string missing = series.front().name == "A" ? "B" : "A";
-  const bool alone = series.size() == 1;
-  section.blocks.emplace_back(over_time(quantity.what, quantity.unit, tall, std::move(series), stretch));
-  if (alone) {
-    section.blocks.emplace_back(fmt::format("Log {} does not have this quantity.", missing));
+  const std::string without = series.size() > 1                        ? ""
+                              : series.front().name == results.names.a ? results.names.b
+                                                                       : results.names.a;
+  section.blocks.emplace_back(over_time(results, quantity.what, quantity.unit, tall, std::move(series)));
+  if (!without.empty()) {
+    section.blocks.emplace_back(without + " does not have this quantity.");
   }
   return section;
 }
@@ -220,13 +223,13 @@ result::Document document_of(const R& r, const result::Made& made, std::vector<r
   const C& c = r.comparison;
   result::Document document{
       .verdict = verdict_of(r),
-      .facts = {{"a", "A", r.a},
-                {"b", "B", r.b},
+      .facts = {{"a", "first", r.a},
+                {"b", "second", r.b},
                 {"window", "window", json::text_or_null(r.window)},
                 {"version", "", made.version}},
       .sections = {{"Absolute differences", {figures(r)}},
-                   motion("Roll angle", "roll angle", "deg", c, c.a_angle_rad, c.b_angle_rad, c.angle_difference_rad),
-                   motion("Roll rate", "roll rate", "deg/s", c, c.a_rate_rad_s, c.b_rate_rad_s,
+                   motion("Roll angle", "roll angle", "deg", r, c.a_angle_rad, c.b_angle_rad, c.angle_difference_rad),
+                   motion("Roll rate", "roll rate", "deg/s", r, c.a_rate_rad_s, c.b_rate_rad_s,
                           c.rate_difference_rad_s)},
       .spreadsheets = {samples(c)},
       .made = made};
@@ -241,7 +244,7 @@ result::Document document_of(const R& r, const result::Made& made, std::vector<r
 }  // namespace
 
 void CompareResults::take_warnings(const logs::RollLog& log_a, const logs::RollLog& log_b) {
-  for (const auto& [name, log] : {std::pair{"A", &log_a}, std::pair{"B", &log_b}}) {
+  for (const auto& [name, log] : {std::pair{names.a, &log_a}, std::pair{names.b, &log_b}}) {
     for (const std::string& warning : log->warnings) {
       warnings.push_back(fmt::format("{}: {}", name, warning));
     }
@@ -272,18 +275,16 @@ std::vector<result::Listed> listed_comparison() {
 result::Document comparison(const CompareResults& results, const result::Made& made) {
   result::Document document = document_of(results, made, {});
   document.kind = "comparison of two logs";
-  document.title = "A against B";
-  document.subtitle = fmt::format("{} against {}", results.a, results.b);
+  document.title = fmt::format("{} against {}", results.names.a, results.names.b);
   return document;
 }
 
 result::Document overlay(const CompareResults& results, const logs::RollLog& a, const logs::RollLog& b,
                          const result::Made& made) {
   std::vector<result::Section> more;
-  const double per_radian = degrees(1.0);
   for (const Quantity& quantity :
-       {Quantity{"Roll command", "roll command", "deg", &logs::RollLog::command_rad, per_radian},
-        Quantity{"Canards", "mean of the encoders", "deg", &logs::RollLog::canard_rad, per_radian},
+       {Quantity{"Roll command", "roll command", "deg", &logs::RollLog::command_rad, degrees(1.0)},
+        Quantity{"Canards", "mean of the encoders", "deg", &logs::RollLog::canard_rad, degrees(1.0)},
         Quantity{"Speed, as the avionics estimated it", "speed", "m/s", &logs::RollLog::speed_m_s, 1.0},
         Quantity{"Height", "height", "m", &logs::RollLog::height_m, 1.0}}) {
     if (auto section = section_of(quantity, results, a, b)) {
@@ -292,8 +293,7 @@ result::Document overlay(const CompareResults& results, const logs::RollLog& a, 
   }
   result::Document document = document_of(results, made, std::move(more));
   document.kind = "report of two flights";
-  document.title = "A and B";
-  document.subtitle = fmt::format("A, the broad lines: {}. B, the fine lines: {}", results.a, results.b);
+  document.title = fmt::format("{} and {}", results.names.a, results.names.b);
   return document;
 }
 

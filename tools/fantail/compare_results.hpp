@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fantail/log_names.hpp"
 #include "logs/compare.hpp"
 #include "logs/roll_log.hpp"
 #include "result/document.hpp"
@@ -16,6 +17,7 @@ namespace fantail::tool {
 struct CompareResults {
   std::string a;  ///< "out/flight (measured)"
   std::string b;
+  LogNames names;
   std::string window;  ///< "control"; may be empty
   bool shift_found = false;
   logs::Comparison comparison{};

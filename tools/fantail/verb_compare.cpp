@@ -76,9 +76,9 @@ void compare_logs(const CompareVerbOptions& options) {
   }
   Chapters chapters{"compare", 3, "reading " + options.a.path};
   const result::Made made = made_with({options.a.path, options.b.path});
-  const logs::RollLog a = read(options.a, "--a-");
+  logs::RollLog a = read(options.a, "--a-");
   chapters.next("reading " + options.b.path);
-  const logs::RollLog b = read(options.b, "--b-");
+  logs::RollLog b = read(options.b, "--b-");
   chapters.next("comparing the logs and writing the page");
   for (const auto& [choice, dashes] : {std::pair{&options.a, "--a-"}, std::pair{&options.b, "--b-"}}) {
     if (options.save_columns && !choice->columns.said.empty()) {
@@ -86,13 +86,17 @@ void compare_logs(const CompareVerbOptions& options) {
     }
   }
   give_up_if_interrupted();
-  CompareResults results{.a = fmt::format("{} ({})", options.a.path, options.a.motion),
-                         .b = fmt::format("{} ({})", options.b.path, options.b.motion),
-                         .window = options.window.value_or(""),
-                         .shift_found = options.align == "angle",
-                         .required_angle_rad = in_radians(options.most_angle_deg),
-                         .required_rate_rad_s = in_radians(options.most_rate_deg_s),
-                         .logs = {options.a.path, options.b.path}};
+  CompareResults results{
+      .a = fmt::format("{} ({})", options.a.path, options.a.motion),
+      .b = fmt::format("{} ({})", options.b.path, options.b.motion),
+      .names = distinct_names({options.a.path, options.a.motion}, {options.b.path, options.b.motion}),
+      .window = options.window.value_or(""),
+      .shift_found = options.align == "angle",
+      .required_angle_rad = in_radians(options.most_angle_deg),
+      .required_rate_rad_s = in_radians(options.most_rate_deg_s),
+      .logs = {options.a.path, options.b.path}};
+  a.name = results.names.a;
+  b.name = results.names.b;
   results.comparison = logs::compare(a, b, question(options, a));
   results.take_warnings(a, b);
   give_up_if_interrupted();

@@ -58,16 +58,19 @@ void report_one(const ReportOptions& options) {
 void report_two(const ReportOptions& options) {
   Chapters chapters{"report", 3, "reading " + options.a};
   const result::Made made = made_with({options.a, options.b});
-  const logs::RollLog a = logs::read_roll_log(options.a, {.options = ""}, {});
+  logs::RollLog a = logs::read_roll_log(options.a, {.options = ""}, {});
   chapters.next("reading " + options.b);
-  const logs::RollLog b = logs::read_roll_log(options.b, {.options = ""}, {});
+  logs::RollLog b = logs::read_roll_log(options.b, {.options = ""}, {});
   chapters.next("comparing the logs and writing the page");
   give_up_if_interrupted();
   CompareResults results{.a = options.a,
                          .b = options.b,
+                         .names = distinct_names({options.a}, {options.b}),
                          .window = {},
                          .shift_found = options.align == "angle",
                          .logs = {options.a, options.b}};
+  a.name = results.names.a;
+  b.name = results.names.b;
   logs::CompareOptions question{.from_s = options.from_s, .to_s = options.to_s};
   question.shift_s = options.shift_s.value_or(0.0);
   question.find_shift = results.shift_found;

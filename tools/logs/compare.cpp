@@ -159,7 +159,7 @@ void note_holes_of_a(const RollLog& a, double longest_step_s, Extent extent, std
   std::string first;
   for (std::size_t i = extent.begin + 1; i < extent.end; ++i) {
     if (a.time_s[i] - a.time_s[i - 1] > longest_step_s && ++holes == 1) {
-      first = fmt::format("A has no samples between {:.3f} s and {:.3f} s", a.time_s[i - 1], a.time_s[i]);
+      first = fmt::format("{} has no samples between {:.3f} s and {:.3f} s", a.name, a.time_s[i - 1], a.time_s[i]);
     }
   }
   if (holes > 0) {
@@ -190,10 +190,10 @@ double choose_shift(const RollLog& a, const RollLog& b, const CompareOptions& op
   constexpr double poor = 0.25;  // of the motion itself: half of it in amplitude
   if (const double motion = mean_square_of_rate(a, extent); found->mean_square > poor * motion) {
     warnings.push_back(
-        fmt::format("Even at the best shift within {:g} s, {:.3f} s, the roll rates differ by {:.0f} % of A's motion "
-                    "(rms): the clocks differ by more (then give the shift with --shift), or the logs show different "
-                    "motions.",
-                    options.most_shift_s, found->shift_s, 100.0 * std::sqrt(found->mean_square / motion)));
+        fmt::format("Even at the best shift within {:g} s, {:.3f} s, the roll rates differ by {:.0f} % (rms) of the "
+                    "motion in {}. Either the logs show different motions, or the clocks differ by more: then give "
+                    "the shift with --shift.",
+                    options.most_shift_s, found->shift_s, 100.0 * std::sqrt(found->mean_square / motion), a.name));
   }
   return found->shift_s;
 }
@@ -216,15 +216,15 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
   }
   if (result.time_s.empty()) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("{} and {}: no overlap: no sample of A from {:g} s to {:g} s, shifted by {:g} s, lies "
-                            "between samples of B ({:g} s to {:g} s) that are at most {:g} s apart",
+                fmt::format("{0} and {1}: no overlap. Samples of {0}: {2:g} s to {3:g} s, shifted by {4:g} s. None "
+                            "lies between samples of {1} ({5:g} s to {6:g} s) that are at most {7:g} s apart",
                             a.name, b.name, a.time_s[extent.begin], a.time_s[extent.end - 1], result.shift_s,
                             b.time_s.front(), b.time_s.back(), options.longest_gap_s)};
   }
   if (result.time_s.size() == 1) {
     throw Error{ErrorKind::bad_data,
-                fmt::format("{} and {}: there is only one sample to compare, at {:g} s of A, and two are needed",
-                            a.name, b.name, result.time_s.front())};
+                fmt::format("{} and {}: there is only one sample to compare, at {:g} s of {}, and two are needed",
+                            a.name, b.name, result.time_s.front(), a.name)};
   }
   const bool is_window = options.from_s || options.to_s;
   result.asked_s = is_window ? options.to_s.value_or(a.time_s.back()) - options.from_s.value_or(a.time_s.front())
@@ -236,8 +236,9 @@ Comparison compare(const RollLog& a, const RollLog& b, const CompareOptions& opt
   }
   note_holes_of_a(a, longest_step_s, extent, result.warnings);
   if (const std::size_t lost = extent.end - extent.begin - result.time_s.size(); lost > 0) {
-    result.warnings.push_back(fmt::format("{} of A's {} samples{} have no counterpart in B and are left out.", lost,
-                                          extent.end - extent.begin, is_window ? " in the window" : ""));
+    result.warnings.push_back(fmt::format("{} of the {} samples{} of {} have no counterpart in {} and are left out.",
+                                          lost, extent.end - extent.begin, is_window ? " in the window" : "", a.name,
+                                          b.name));
   }
   if (options.remove_offset) {
     result.offset_rad = result.a_angle_rad.front() - result.b_angle_rad.front();
