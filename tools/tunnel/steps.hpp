@@ -160,9 +160,10 @@ struct Outlier {
 [[nodiscard]] std::vector<Outlier> outliers(const StepTable& table);
 
 /// All steps over each other in one chart, each from its own begin and in the sense of its step; the odd ones are
-/// named.
+/// named. Nothing for a single one.
 [[nodiscard]] std::vector<result::Block> overlay(const StepTable& table);
-/// Damping, torque and disturbance over the steps, with their means.
+/// Damping, torque and disturbance over the steps, each with its 95 % interval, and their means. For a single one its
+/// intervals, a sentence.
 [[nodiscard]] std::vector<result::Block> over_steps(const StepTable& table);
 /// Each step alone, measured and modelled.
 [[nodiscard]] std::vector<result::Block> responses(const StepTable& table);

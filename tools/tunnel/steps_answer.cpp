@@ -47,7 +47,7 @@ std::string airframe_source(const StepsHeading& heading) {
 std::string basis(const StepsHeading& heading) {
   const std::string speed = heading.speed_m_s ? fmt::format("{:.3f} m/s", *heading.speed_m_s) : "the speed of each row";
   return fmt::format(
-      "{}: inertia {:g} kg m2, reference area {:g} m2; {} ({}), density {:g} kg/m3 ({}); the first {:g} s of each "
+      "{}: inertia {:g} kg m2, reference area {:g} m2; {} ({}), density {:g} kg/m3 ({}). The first {:g} s of each "
       "step, method {}, initial angle and rate {}.",
       airframe_source(heading), heading.airframe.inertia_kg_m2, heading.airframe.reference_area_m2, speed,
       heading.speed_source, heading.density_kg_m3, heading.density_source, heading.options.seconds,
@@ -145,9 +145,9 @@ result::Table read_table(const StepTable& table) {
   for (const StepResult& result : table.steps) {
     names.push_back(fmt::format("{} at {:g} s", result.number, result.step.begin_s));
   }
-  figures.push_back(table.mean);
-  names.emplace_back("mean");
   if (table.standard_deviation) {
+    figures.push_back(table.mean);
+    names.emplace_back("mean");
     figures.push_back(*table.standard_deviation);
     names.emplace_back("deviation");
   }
@@ -194,9 +194,18 @@ std::vector<result::Block> identified(const StepTable& table) {
 
 /// The means, a sentence.
 std::string means(const StepTable& table) {
-  return fmt::format("Mean of {} step{}: damping alpha {} m2, torque beta {} m.", table.steps.size(),
-                     table.steps.size() == 1 ? "" : "s", result::shown(step_column(table, 0), table.mean.alpha_m2),
+  const std::string whose = table.steps.size() == 1 ? fmt::format("Step {}", table.steps.front().number)
+                                                    : fmt::format("Mean of {} steps", table.steps.size());
+  return fmt::format("{}: damping alpha {} m2, torque beta {} m.", whose,
+                     result::shown(step_column(table, 0), table.mean.alpha_m2),
                      result::shown(step_column(table, 1), table.mean.beta_m));
+}
+
+/// Of a single step, the picture that a reader looks for.
+result::Section each_alone(const StepTable& table) {
+  const bool is_one = table.steps.size() == 1;
+  return {is_one ? "Measured and modelled" : "Each step, measured and modelled", responses(table),
+          result::Readers::files, is_one ? "" : "Show each step alone"};
 }
 
 }  // namespace
@@ -227,9 +236,9 @@ result::Document steps_answer(const StepsHeading& heading, const StepTable& tabl
                     {"method", "", name(heading.options.method)},
                     {"initial_state", "", name(heading.options.start)},
                     {"seconds", "", rounded(heading.options.seconds)}},
-          .sections = {{"Every step identified", identified(table)},
+          .sections = {{table.steps.size() == 1 ? "Identified" : "Every step identified", identified(table)},
                        {"All steps together", overlay(table)},
-                       {"Each step, measured and modelled", responses(table), files, "Show each step alone"},
+                       each_alone(table),
                        {"Remarks", {result::Sentences{"remarks", table.remarks}}},
                        {"For programs",
                         {whole, result::figures("mean", table.mean, step_fields),

@@ -33,6 +33,9 @@ using text::in_degrees;
 
 constexpr double low_chart = 200.0;
 
+constexpr std::string_view source_of_intervals =
+    "Each interval comes from the noise in the step's own roll angle, its autocorrelation included.";
+
 /// "19.388 m2"
 std::string with_unit(const StepTable& table, std::size_t figure, double value) {
   const result::Column column = step_column(table, figure);
@@ -49,6 +52,35 @@ double value(std::size_t figure, const StepFigures& figures) {
   return std::get<double>(step_fields[figure].get(figures));
 }
 
+/// Where an estimate lies with a probability of 95 %.
+const result::Range& interval_of(const StepResult& result, std::size_t figure) {
+  const auto& known = result.identified.uncertainty.value();
+  switch (figure) {
+    case 0: return known.alpha_profile_m2;
+    case 1: return known.interval[1];
+    case 2: return known.interval[2];  // the first node
+    default: return known.interval.back();
+  }
+}
+
+/// An error bar at each step, as wide in a chart of few steps as in one of many.
+std::vector<page::Area> error_bars(const StepTable& table, std::size_t figure) {
+  const double per_si = step_fields[figure].unit.per_si;
+  const auto reach = 0.005 * static_cast<double>(table.steps.back().number - table.steps.front().number + 1);
+  std::vector<page::Area> bars;
+  for (const StepResult& result : table.steps) {
+    const auto x = static_cast<double>(result.number);
+    if (const auto& [low, high] = interval_of(result, figure); low && high) {
+      bars.push_back({.name = "95 % interval",
+                      .role = page::Role::measured,
+                      .x = {x - reach, x + reach},
+                      .low = {per_si * *low, per_si * *low},
+                      .high = {per_si * *high, per_si * *high}});
+    }
+  }
+  return bars;
+}
+
 result::Picture over_steps(const StepTable& table, std::size_t figure, const char* label, const char* y_label) {
   const double per_si = step_fields[figure].unit.per_si;
   const double mean = value(figure, table.mean);
@@ -58,18 +90,30 @@ result::Picture over_steps(const StepTable& table, std::size_t figure, const cha
                     .width = page::half_page,
                     .height = low_chart,
                     .series = {{.name = "identified", .mark = page::Mark::points}},
+                    .areas = error_bars(table, figure),
                     .levels = {{.value = per_si * mean, .label = "mean"}},
+                    .x_range = page::Range{static_cast<double>(table.steps.front().number) - 0.5,
+                                           static_cast<double>(table.steps.back().number) + 0.5},
                     .equal_x_ticks_at_points = true};
   for (const StepResult& result : table.steps) {
     chart.series[0].x.push_back(static_cast<double>(result.number));
     chart.series[0].y.push_back(per_si * value(figure, figures_of(result)));
   }
-  const std::string deviation =
-      table.standard_deviation
-          ? ", standard deviation " + with_unit(table, figure, value(figure, *table.standard_deviation))
-          : "";
-  return {chart, fmt::format("{}: {}{}{}.", label, table.standard_deviation ? "mean " : "",
-                             with_unit(table, figure, mean), deviation)};
+  const std::string source = figure == 0 ? " " + std::string{source_of_intervals} : "";
+  return {chart, fmt::format("{}: mean {}, standard deviation {}.{}", label, with_unit(table, figure, mean),
+                             with_unit(table, figure, value(figure, *table.standard_deviation)), source)};
+}
+
+std::string intervals(const StepTable& table) {
+  std::string all;
+  for (std::size_t figure = 0; figure < step_estimates; ++figure) {
+    const result::Column column = step_column(table, figure);
+    const auto& [low, high] = interval_of(table.steps.front(), figure);
+    all += fmt::format("{}{} {} to {} {}", all.empty() ? "" : ", ", step_fields[figure].label,
+                       low ? result::shown(column, *low) : "unknown", high ? result::shown(column, *high) : "unknown",
+                       column.unit.symbol);
+  }
+  return fmt::format("95 % intervals: {}.", all);
 }
 
 page::Chart response(const StepResult& result, const char* what, const char* unit, const std::vector<double>& measured,
@@ -116,6 +160,9 @@ std::vector<Outlier> outliers(const StepTable& table) {
 }
 
 std::vector<result::Block> overlay(const StepTable& table) {
+  if (table.steps.size() < 2) {
+    return {};
+  }
   const std::vector<Outlier> odd = outliers(table);
   page::Chart chart{.label = "All steps over each other: roll angle from the reference before the step",
                     .x_label = "time after the step / s",
@@ -157,6 +204,9 @@ std::vector<result::Block> overlay(const StepTable& table) {
 }
 
 std::vector<result::Block> over_steps(const StepTable& table) {
+  if (table.steps.size() < 2) {
+    return {fmt::format("{} {}", intervals(table), source_of_intervals)};
+  }
   return {over_steps(table, 0, "Damping alpha", "alpha / m\u00b2"),
           over_steps(table, 1, "Torque constant beta", "beta / m"),
           over_steps(table, 2, "Disturbance at the beginning", "disturbance / deg"),
