@@ -130,6 +130,28 @@ class ReportPage(unittest.TestCase):
             over.dispatchEvent(new MouseEvent('mouseenter', at)); over.dispatchEvent(new MouseEvent('mousemove', at));""")
         self.assertNotEqual(self.page.run(ANGLES), before)
 
+    def test_a_finger_that_is_drawn_along_a_plot_moves_the_cursor_of_all_plots_and_turns_the_rocket(self):
+        self.page.screen(390, 844, phone=True)
+        self.page.run("document.querySelector('.u-over').scrollIntoView({block: 'center'})")
+        left, top, width = self.page.run("const box = document.querySelector('.u-over').getBoundingClientRect(); return [box.left, box.top, box.width]")
+
+        def touch(kind, *points):
+            self.page.devtools("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in points])
+
+        seen = []
+        touch("touchStart", (left + .2 * width, top + 50))
+        for share in (.3, .5, .7):
+            touch("touchMove", (left + share * width, top + 50))
+            cursors = self.page.run("return [...document.querySelectorAll('.u-cursor-x')].map((one) => one.getBoundingClientRect().left)")
+            self.assertAlmostEqual(cursors[0], left + share * width, delta=2)
+            self.assertGreater(cursors[1], left)
+            time_s = float(self.page.run(TIME).split()[0].replace("\u2212", "-"))
+            seen.append(time_s)
+            self.assertAlmostEqual(degrees(self.page.run(ANGLES)[0]), column_at("flight.csv", "true_roll_angle_deg", time_s), delta=0.5)
+        touch("touchEnd")
+        self.assertEqual(seen, sorted(set(seen)))
+        self.assertGreater(seen[-1] - seen[0], 3.0)
+
     def test_each_canard_alone_is_shown_when_it_is_asked_for(self):
         titles = "return [...document.querySelectorAll('.plot')].filter((one) => one.offsetHeight > 0).map((one) => one.textContent)"
         self.assertFalse(any("Canard 3" in one for one in self.page.run(titles)))

@@ -226,6 +226,31 @@ TEST(SideDeflection, IsNotKnownWithoutAllFourEncoders) {
   EXPECT_FALSE(figures(synthetic.flight).side_deflection);
 }
 
+// 1.2 and 2 rad/m at 50 m/s are 3438 and 5730 deg/s, out of sight of a roll of 100 deg/s; at 1 m/s they are in sight.
+TEST(RollRateChart, HasTheResonanceWithThePitchAsFarAsItIsInSight) {
+  SyntheticFlight synthetic;
+  for (flight::Row& row : synthetic.flight.rows) {
+    row.truth->roll_rate_rad_s = text::radians(100.0);
+    row.truth->speed_m_s = row.time_s < 2.0 ? 50.0 : 1.0;
+  }
+  const auto rates = [&] { return charts(synthetic.flight).charts[1]; };
+  EXPECT_TRUE(rates().areas.empty()) << "a vehicle that does not say how it swings";
+  synthetic.flight.resonance_1_m = {1.2, 2.0};
+  const page::Chart chart = rates();
+  ASSERT_EQ(chart.areas.size(), 2U);
+  for (std::size_t i = 0; i < chart.areas[0].x.size(); ++i) {
+    if (chart.areas[0].x[i] < 2.0) {
+      EXPECT_TRUE(std::isnan(chart.areas[0].low[i]));
+    } else {
+      EXPECT_NEAR(chart.areas[0].low[i], 68.755, 1e-3);
+      EXPECT_NEAR(chart.areas[0].high[i], 114.592, 1e-3);
+      EXPECT_NEAR(chart.areas[1].low[i], -114.592, 1e-3);
+      EXPECT_NEAR(chart.areas[1].high[i], -68.755, 1e-3);
+    }
+  }
+  EXPECT_EQ(chart.areas[0].name, "roll resonance");
+}
+
 }  // namespace
 
 }  // namespace fantail::report

@@ -198,6 +198,9 @@ struct Flight {
   /// Of one canard that is turned by a radian: its moment about the centre of gravity after burn-out, over 1/2 rho v^2.
   /// Empty: the vehicle does not say where its canards are.
   std::optional<double> side_moment_m3;
+  /// Over the air speed, in the air at the ground: the least and the largest roll rate in resonance with the pitch.
+  /// Empty: not a simulated launch, or nothing is known of the pitch.
+  std::optional<std::array<double, 2>> resonance_1_m;
   double rest_limit_rad = 10.0 * std::numbers::pi / 180.0;  ///< farther from R than this the roll may not rest
   Extremes extremes{};                                      ///< of a simulated one, not in the tunnel
   std::vector<Row> rows;

@@ -2,6 +2,7 @@
 #include "fly/describe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "sim/deflection_range.hpp"
 #include "sim/roll_inertia_course.hpp"
 #include "stability/canard_sense.hpp"
+#include "stability/pitch_frequency.hpp"
 
 namespace fantail::fly {
 namespace {
@@ -68,6 +70,22 @@ std::optional<double> side_moment_m3(const sim::Vehicle& vehicle) {
   return side->area_m2 * std::abs(vehicle.airframe->after_burnout.centre_of_gravity_m - side->position_m);
 }
 
+namespace {
+
+/// Of a path that is not Fantail's the masses are unknown.
+std::optional<std::array<double, 2>> resonance_1_m(const sim::Scenario& scenario) {
+  if (!scenario.vehicle.airframe || scenario.path || scenario.surroundings != sim::Surroundings::flight) {
+    return {};
+  }
+  const auto frequency = stability::pitch_frequency(*scenario.vehicle.airframe, scenario.atmosphere.density_kg_m3(0.0));
+  if (!frequency) {
+    return {};
+  }
+  return std::array{frequency->least_1_m, frequency->most_1_m};
+}
+
+}  // namespace
+
 flight::Flight describe(const sim::Scenario& scenario) {
   flight::Flight flight;
   flight.scenario = scenario.name;
@@ -92,6 +110,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   flight.why_uncontrollable = stability::why_uncontrollable(scenario);
   flight.left_by_fins = stability::left_in_the_end(scenario);
+  flight.resonance_1_m = resonance_1_m(scenario);
   if (const std::string against = stability::works_against(scenario); !against.empty()) {
     flight.notes.push_back("C" + against.substr(1) + ".");
   }

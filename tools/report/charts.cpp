@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -137,12 +138,41 @@ Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
   return chart;
 }
 
+/// To either side, as far as the rates that were flown are in sight: a resonance far away would flatten them.
+std::vector<page::Area> resonance(const flight::Flight& flight, const ChartDrawer& drawer, const page::Series& rate) {
+  if (!flight.resonance_1_m) {
+    return {};
+  }
+  double sight_deg_s = 0.0;
+  for (std::size_t i = 0; i < rate.x.size() && rate.x[i] <= plot_window(flight).end_s; ++i) {
+    sight_deg_s = std::fmax(sight_deg_s, 1.3 * std::abs(rate.y[i]));
+  }
+  const auto edge = [&](double sign, double frequency_1_m) -> RowValue {
+    return [=, low_1_m = flight.resonance_1_m->front()](const flight::Row& row) {
+      const double speed_m_s = row.truth ? row.truth->speed_m_s : row.speed_m_s;
+      const bool is_in_sight = text::degrees(low_1_m * speed_m_s) < sight_deg_s && speed_m_s > Figures::still_air_m_s;
+      return is_in_sight ? sign * std::min(text::degrees(frequency_1_m * speed_m_s), sight_deg_s) : unknown_value;
+    };
+  };
+  std::vector<page::Area> areas;
+  for (const double sign : {1.0, -1.0}) {
+    const std::array edges{edge(sign, flight.resonance_1_m->front()), edge(sign, flight.resonance_1_m->back())};
+    areas.push_back(drawer.band(sign > 0.0 ? "roll resonance" : "", Role::limit, edges));
+  }
+  return areas;
+}
+
+Chart roll_rate(const flight::Flight& flight, const ChartDrawer& drawer) {
+  const page::Series truth = drawer.line("true", Role::target, column("true_roll_rate_deg_s"));
+  const page::Series estimate = drawer.line("estimate", Role::measured, column("roll_rate_deg_s"));
+  Chart chart = drawer.chart("Roll rate", "deg/s", page::full_page, flat_chart, {truth, estimate});
+  chart.areas = resonance(flight, drawer, knows_true_roll(flight.rows) ? truth : estimate);
+  return chart;
+}
+
 std::vector<Chart> all_charts(const flight::Flight& flight, const ChartDrawer& drawer) {
-  std::vector<Chart> all{roll_angle(flight, drawer),
-                         drawer.chart("Roll rate", "deg/s", page::full_page, flat_chart,
-                                      {drawer.line("true", Role::target, column("true_roll_rate_deg_s")),
-                                       drawer.line("estimate", Role::measured, column("roll_rate_deg_s"))}),
-                         canards_together(flight, drawer), drawer.with_limits(disturbance(flight, drawer))};
+  std::vector<Chart> all{roll_angle(flight, drawer), roll_rate(flight, drawer), canards_together(flight, drawer),
+                         drawer.with_limits(disturbance(flight, drawer))};
   const page::Series true_speed = drawer.line(flight.path.empty() ? "true" : "true, through the air along the axis",
                                               Role::target, column("true_speed_m_s"));
   if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate

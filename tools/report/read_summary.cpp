@@ -58,6 +58,16 @@ std::vector<std::string> texts(const Json& object, const char* name) {
   return all;
 }
 
+std::vector<double> numbers(const Json& object, const char* name) {
+  std::vector<double> all;
+  for (const Json& value : member(object, name)) {
+    if (value.is_number()) {
+      all.push_back(value.number());
+    }
+  }
+  return all;
+}
+
 std::optional<double> number(const Json& object, const char* name) {
   const Json& value = member(object, name);
   return value.is_number() ? std::optional{value.number()} : std::nullopt;
@@ -235,6 +245,9 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
                    .height_m = number(wind, "height_m").value_or(0.0)};
   }
   flight.side_moment_m3 = number(summary, "canard_side_moment_m3");
+  if (const std::vector<double> ends = numbers(summary, "pitch_frequency_per_speed_rad_m"); ends.size() == 2) {
+    flight.resonance_1_m = {ends[0], ends[1]};
+  }
   flight.why_uncontrollable = text(summary, "why_uncontrollable");
   flight.left_by_fins = number(summary, "left_by_fins").value_or(flight.left_by_fins);
   const Json& imposed = member(summary, "imposed_roll");

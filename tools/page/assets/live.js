@@ -25,7 +25,7 @@
     spreading = false;
     charts.forEach((chart, i) => chart?.root.querySelector(".u-wrap").setAttribute("aria-label", inWords(data.plots[i])));
     drawTimeline();
-    if (scene) queueMicrotask(placeCursors);  // when the plots have taken their new range
+    if (scene) queueMicrotask(() => placeCursors(scene.time()));  // when the plots have taken their new range
     for (const button of toolbar.querySelectorAll("[data-begin]")) {
       const pressed = Number(button.dataset.begin) === begin && Number(button.dataset.end) === end;
       button.setAttribute("aria-pressed", pressed);
@@ -33,17 +33,23 @@
   }
 
   // --- the rocket that turns: its time is where the cursor of the plots stands ---
-  function placeCursors() {
-    const inside = scene.time() >= view[0] && scene.time() <= view[1];
+  function placeCursors(time) {
+    const inside = time >= view[0] && time <= view[1];
     for (const chart of charts) {
-      chart?.setCursor(inside ? {left: chart.valToPos(scene.time(), "x"), top: 1} : {left: -10, top: -10});
+      chart?.setCursor(inside ? {left: chart.valToPos(time, "x"), top: 1} : {left: -10, top: -10});
     }
   }
   function followPointer(chart) {
-    chart.over.addEventListener("mousemove", () => {
-      if (!scene.isPlaying()) scene.go(chart.posToVal(chart.cursor.left, "x"));
+    if (scene) chart.over.addEventListener("mousemove", () => scene.isPlaying() || scene.go(chart.posToVal(chart.cursor.left, "x")));
+    if (scene) chart.over.addEventListener("mouseleave", () => placeCursors(scene.time()));
+    // uPlot knows no touch. A finger moves the cursor of all plots, where a mouse would zoom; up and down it scrolls.
+    chart.over.style.touchAction = "pan-y";
+    for (const kind of ["pointerdown", "pointermove"]) chart.over.addEventListener(kind, (event) => {
+      if (event.pointerType !== "touch" || scene?.isPlaying()) return;
+      const time = chart.posToVal(event.clientX - chart.over.getBoundingClientRect().left, "x");
+      scene?.go(time);
+      placeCursors(time);
     });
-    chart.over.addEventListener("mouseleave", placeCursors);
   }
   const scene = data.scene ? fantailScene(data.scene, number, placeCursors) : null;
 
@@ -263,7 +269,7 @@
       charts.push(new uPlot(chartOptions(plot, holders[i].clientWidth, height), unpacked.get(plot), holders[i]));
       charts[i].root.querySelector(".u-wrap").role = "img";
     });
-    if (scene) charts.filter(Boolean).forEach(followPointer);
+    charts.filter(Boolean).forEach(followPointer);
     scene?.draw();
     show(...view);
   }
