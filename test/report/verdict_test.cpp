@@ -2,6 +2,7 @@
 #include "report/verdict.hpp"
 
 #include "flight/phase_names.hpp"
+#include "report/results.hpp"
 #include "synthetic_flight.hpp"
 #include "test.hpp"
 
@@ -61,6 +62,23 @@ TEST(Verdict, ARocketThatItsCanardsDoNotTurnIsNotCalledHeld) {
   synthetic.flight.loop_margins.clear();
   synthetic.each_controlled([](flight::Row& row) { row.truth->roll_angle_rad += text::radians(-24.0); });
   EXPECT_EQ(verdict_of(synthetic.flight).outcome, Outcome::not_held);
+}
+
+// A guide that is longer than the plan's: the canards moved while it still held the rocket.
+TEST(Verdict, ControlThatBeginsOnTheGuideIsNamedAndTakesTheGreen) {
+  SyntheticFlight synthetic;
+  const double start_s = synthetic.flight.events.control_start_s.value();
+  const auto page_of = [&] { return results(synthetic.flight, {}).document; };
+  synthetic.flight.events.guide_clear_s = start_s - 0.2;
+  EXPECT_FALSE(says(verdict_of(synthetic.flight), "guide"));
+  EXPECT_EQ(tone(page_of().verdict), page::Tone::good);
+  synthetic.flight.events.guide_clear_s = start_s + 0.25;
+  const Verdict v = verdict_of(synthetic.flight);
+  EXPECT_EQ(v.outcome, Outcome::held);
+  EXPECT_TRUE(says(v, " Control began 0.250 s before the rocket left the launch guide")) << v.text;
+  EXPECT_EQ(tone(page_of().verdict), page::Tone::unsure);
+  synthetic.flight.events.guide_clear_s.reset();  // of a log nobody knows
+  EXPECT_FALSE(says(verdict_of(synthetic.flight), "guide"));
 }
 
 TEST(Verdict, ALargeErrorIsNotCalledHeld) {

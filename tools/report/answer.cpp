@@ -67,6 +67,8 @@ std::vector<result::Fact> facts(const flight::Flight& flight, const Figures& fig
       {"verdict", "", verdict.text},
       {"outcome", "", name(verdict.outcome)},
       {"canard_side_moment_m3", "", flight.side_moment_m3},
+      {"pitch_frequency_per_speed_rad_m", "",
+       flight.resonance_1_m ? Json::array({(*flight.resonance_1_m)[0], (*flight.resonance_1_m)[1]}) : Json{}},
       {"rest_limit_deg", "", json::rounded(degrees(flight.rest_limit_rad))},
       {"why_uncontrollable", "", flight.why_uncontrollable},
       {"left_by_fins", "", json::rounded(flight.left_by_fins)},
@@ -136,8 +138,8 @@ result::Document summary(const flight::Flight& flight, const Figures& figures, c
                       .heading = std::string{display_name(verdict.outcome)},
                       .sentence = verdict.text,
                       .beside = beside_the_verdict(flight, figures, verdict),
-                      // Steady, though not where it was commanded to be.
-                      .with_caution = verdict.outcome == Outcome::off_command},
+                      // Steady, though not where it was commanded to be, or not off the guide yet.
+                      .with_caution = verdict.outcome == Outcome::off_command || !begun_on_guide(flight).empty()},
           .facts = facts(flight, figures, verdict),
           .sections = {figures_section(flight, figures, verdict),
                        events_section(flight, verdict),

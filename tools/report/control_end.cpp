@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -86,6 +87,16 @@ std::string no_control(const flight::Flight& flight) {
       flight.phase_changes.empty() ? !flight.seed && flight.why_not_armed.empty() : !flight.phase_changes.back().reason;
   return is_table && !flight.rows.empty() ? no_control_in_rows(flight)
                                           : fmt::format("No control: {}.", why_no_control(flight));
+}
+
+std::string begun_on_guide(const flight::Flight& flight) {
+  const auto& [start_s, clear_s] = std::pair{flight.events.control_start_s, flight.events.guide_clear_s};
+  return flight.tunnel || !start_s || !clear_s || *start_s >= *clear_s
+             ? ""
+             : fmt::format(
+                   " Control began {} s before the rocket left the launch guide, where moving canards can jam "
+                   "it: check guide.length_m in the plan.",
+                   text::fixed(*clear_s - *start_s, 3));
 }
 
 bool ended_early(const flight::Flight& flight, const Figures& f) {

@@ -260,7 +260,8 @@ Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
             fmt::format("Roll not judged: no tick under control is on record.{}", unknown_roll(flight, figures))};
   }
   Verdict v = figures.control_time_s ? judge_flight(flight, figures) : Verdict{Outcome::no_control, no_control(flight)};
-  v.text += outages(flight) + unknown_roll(flight, figures) + unmeasured(flight) + canard_faults(flight);
+  v.text += begun_on_guide(flight) + outages(flight) + unknown_roll(flight, figures) + unmeasured(flight) +
+            canard_faults(flight);
   if (flight.trajectory_end_s) {
     say_how_far_it_reaches(
         v, fmt::format("the trajectory ends at {} s, before apogee", text::fixed(*flight.trajectory_end_s, 2)));

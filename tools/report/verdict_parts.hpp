@@ -18,6 +18,10 @@ inline constexpr double near_apogee_s = 0.5;
 /// Of a flight without control: why it never began, as far as is known.
 [[nodiscard]] std::string no_control(const flight::Flight& flight);
 
+/// " Control began 0.12 s before the rocket left the launch guide.", where that is known: canards that move in a guide
+/// can jam the rocket. Empty: it did not.
+[[nodiscard]] std::string begun_on_guide(const flight::Flight& flight);
+
 /// Did control end before apogee, whatever ended it? In the tunnel, where there is no apogee: for another reason than
 /// the plan's own time.
 [[nodiscard]] bool ended_early(const flight::Flight& flight, const Figures& f);

@@ -30,6 +30,10 @@ struct Verdict {
 };
 [[nodiscard]] page::Tone tone(const Verdict& verdict);
 
+/// The sentence without what its heading says already. "Go: every ..." below "Go" is "every ...", "Roll not held: up to
+/// ..." below "Not held" is "up to ...", and "Steady, 20 deg ..." below "Steady, off the command" is "20 deg ...".
+[[nodiscard]] std::string behind_heading(const Verdict& verdict);
+
 /// How somebody gets the same again; in JSON "made".
 struct Made {
   struct Input {

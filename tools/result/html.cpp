@@ -123,10 +123,10 @@ std::vector<const Section*> picture_first(const std::vector<Section>& sections) 
   return all;
 }
 
-/// "Go: every ..." below the heading "Go": "Every ..."
-std::string without(const std::string& heading, std::string text) {
-  if (text.starts_with(heading + ": ")) {
-    text.erase(0, heading.size() + 2);
+/// Below the heading it begins as a sentence does, whatever was before it.
+std::string below_heading(const Verdict& verdict) {
+  std::string text = behind_heading(verdict);
+  if (!text.empty() && text != verdict.sentence) {
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   }
   return text;
@@ -141,7 +141,7 @@ std::string html(const Document& document) {
                   .subtitle = document.subtitle,
                   .tone = tone(verdict),
                   .verdict_heading = document.verdict.heading,
-                  .verdict = without(verdict.heading, verdict.sentence),
+                  .verdict = below_heading(verdict),
                   .footer = document.footer};
   for (auto& [label, value] : read_facts(document)) {
     page.facts.push_back({std::move(label), std::move(value)});

@@ -103,11 +103,10 @@ std::string text(const Table& table, std::size_t columns) {
 
 std::string text(const Document& document, Paint paint, std::size_t columns) {
   const Verdict& verdict = document.verdict;
-  const bool leads = verdict.sentence.starts_with(verdict.heading + ":");
   std::string all = fmt::format("{}{}{}\n", text::printable(document.title), document.subtitle.empty() ? "" : ": ",
                                 text::printable(document.subtitle));
   all += paint != nullptr ? paint(tone(verdict), verdict.heading) : verdict.heading;
-  all += text::printable(leads ? verdict.sentence.substr(verdict.heading.size()) : ": " + verdict.sentence);
+  all += ": " + text::printable(behind_heading(verdict));
   for (const std::string& sentence : verdict.beside) {
     all += "\n" + text::printable(sentence);
   }

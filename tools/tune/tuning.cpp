@@ -86,7 +86,7 @@ double largest_offset_rad(const sim::Scenario& scenario) {
 
 void say_why_beyond_limit(Tuning& t) {
   t.why_none = fmt::format(
-      "No gains can do it: the fin offset of up to {} degrees is beyond the {}. While it is, the canards stay at their "
+      "The fin offset of up to {} degrees is beyond the {}. While it is, the canards stay at their "
       "limit with any law. A wider limit (--set controller.canard_limit_deg=DEG) or straighter fins could.",
       brief(degrees(t.largest_offset_rad), 1), t.limit);
 }
@@ -101,26 +101,25 @@ void say_why_not_found(Tuning& t, const Found& found) {
   const char* const law = t.request.rejection == core::OffsetRejection::integral   ? "law with integral action"
                           : t.request.rejection == core::OffsetRejection::observer ? "law with an observer"
                                                                                    : "law without offset rejection";
-  const std::string given = fmt::format("with damping and torque within a factor of {} and a servo lag of {} ms",
+  const std::string given = fmt::format("Damping and torque were within a factor of {}, the servo lag was {} ms",
                                         brief(t.request.spread, 2), brief(1e3 * t.servo_lag_s, 1));
   if (!found.phase_margin_is_there) {
     t.why_none = fmt::format(
-        "No such gains were found: {}, no {} that was tried has {}. The largest margin found, at the worst speed of {} "
-        "m/s, is {} degrees{}. Tried: {}.",
-        given, law, asked, fixed(found.most.speed_m_s, 0), floored(degrees(found.most.phase_margin_rad)),
+        "No tried {} has {}. {}. The largest margin found, at the worst speed of {} m/s, is {} degrees{}. "
+        "Tried: {}.",
+        law, asked, given, fixed(found.most.speed_m_s, 0), floored(degrees(found.most.phase_margin_rad)),
         t.request.schedule ? ", without a schedule" : "", found.tried);
   } else if (!found.gain_margin_is_there) {
-    t.why_none = fmt::format(
-        "No such gains were found: {}, no {} that was tried has both {} and a gain margin of two. Tried: {}.", given,
-        law, asked, found.tried);
+    t.why_none =
+        fmt::format("No tried {} has both {} and a gain margin of two. {}. Tried: {}.", law, asked, given, found.tried);
   } else {
     t.why_none = fmt::format(
-        "No such gains were found: {}, no {} that was tried and has {} settles in {} s after a step of the reference "
-        "at the median speed of {} m/s and above; {}. Tried: {}.",
-        given, law, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
+        "No tried {} with {} settles fast enough. Required: {} s after a step of the reference, at the median speed of "
+        "{} m/s and above; {}. {}. Tried: {}.",
+        law, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
         found.shortest_settling_s ? fmt::format("the shortest time found is {} s", fixed(*found.shortest_settling_s, 2))
-                                  : fmt::format("none does in {} s", brief(3.0 * t.request.settling_s, 2)),
-        found.tried);
+                                  : fmt::format("none settles in {} s", brief(3.0 * t.request.settling_s, 2)),
+        given, found.tried);
   }
 }
 
@@ -191,7 +190,7 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
     }
   } else if (!best) {
     t.why_none = fmt::format(
-        "No such gains were found: the laws that were found miss the phase margin of {} degrees between the speeds of "
+        "All laws that were found miss the phase margin of {} degrees between the speeds of "
         "the search.",
         brief(degrees(t.request.phase_margin_rad), 1));
   }
