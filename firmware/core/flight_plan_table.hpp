@@ -172,7 +172,7 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   number(MEMBER(guide.clearance_time), "guide", "clearance_time_s", "s", 1.5F, {0.2F, 5}, "and within this time of launch detection"),
 
   choice(MEMBER(motion.height_origin), "motion", "height_origin", height_origin_names, "where height and speed begin: first thrust replayed, its speed only, or launch detection"),
-  number(MEMBER(motion.stale_time), "motion", "stale_time_s", "s", 0.005F, {0.004F, 0.02F}, "a sample older than this is no sample"),
+  number(MEMBER(motion.stale_time), "motion", "stale_time_s", "s", 0.005F, {0.004F, 0.02F}, "a sample older than this counts as missing"),
   number(MEMBER(motion.longest_gyro_gap), "motion", "longest_gyro_gap_s", "s", 0.25F, {0, 1}, "under control, canards wait at trim this long for a silent gyro"),
   number(MEMBER(motion.rest_tolerance_m_s2), "motion", "rest_tolerance_g", "g", 0.1F, {0.02F, 0.3F}, "at rest: specific force within 1 g of this"),
   number(MEMBER(motion.quiet_rate_rad_s), "motion", "quiet_rate_deg_s", "deg/s", 2, {0.5F, 20}, "at rest: no angular rate beyond this"),

@@ -122,7 +122,7 @@ TEST(Geometry, OfATransitionNeedsAllOfIt) {
     return refusal(changes);
   };
   EXPECT_NE(at("0.2").find("is on the nose"), std::string::npos);
-  EXPECT_NE(at("1.45").find("at most what is left before the tail"), std::string::npos);
+  EXPECT_NE(at("1.45").find("at most the distance to the tail"), std::string::npos);
   EXPECT_NE(at("1.35").find("fins.position_m = 1.33 puts them on the transition"), std::string::npos);
 }
 

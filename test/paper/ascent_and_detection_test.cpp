@@ -179,11 +179,14 @@ TEST(Print, HalfOfAResponseToATenthOfAHertzLasts2500Milliseconds) {
 }
 
 TEST(Print, EachErrorInPercentNamesItsDenominator) {
-  EXPECT_NE(row("Section 4.3.2", "damping, 23,").why.find("Of the launch's value; of the tunnel's it is 18.6 %"),
+  EXPECT_NE(row("Section 4.3.2", "damping, 23,")
+                .why.find("Relative to the launch's value; relative to the tunnel's it is 18.6 %"),
             std::string::npos);
-  EXPECT_NE(row("Section 4.3.2", "in percent").why.find("Of the launch's value; of the tunnel's it is 19.5 %"),
+  EXPECT_NE(row("Section 4.3.2", "in percent")
+                .why.find("Relative to the launch's value; relative to the tunnel's it is 19.5 %"),
             std::string::npos);
-  EXPECT_NE(row("Section 4.3.2", "constant, 8,").why.find("Of the tunnel's value; of the launch's it is 20.0 %"),
+  EXPECT_NE(row("Section 4.3.2", "constant, 8,")
+                .why.find("Relative to the tunnel's value; relative to the launch's it is 20.0 %"),
             std::string::npos);
 }
 

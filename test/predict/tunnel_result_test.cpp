@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "steps.csv:2: swirl_deg = \"\""},
         BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n", "has 1 of the rows"},
         BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg\n19,9,-5,-6\n20,9,-5,-6\n",
-                "has 2 of the rows that a spread is made from, one for each step; allowed: 3 or more"},
+                "has 2 of the rows that a spread is made from, one for each step. Allowed: 3 or more"},
         BadFile{"alpha_m2,beta_m,disturbance_begin_deg,disturbance_end_deg,vehicle\n19,9,-5,-6,A\n20,9,-5,-6,B\n"
                 "19,9,-5,-6,A\n",
                 "steps.csv:3: vehicle = \"B\", and \"A\" in the first row"},

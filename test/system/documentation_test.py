@@ -122,10 +122,26 @@ class Manual(unittest.TestCase):
             return self.said("test/system/plain_english.py", text, self.folder, "page.md", *words)
 
         good = "A list:\n\n- " + "word " * 34 + "word\n- `a b c` [two words](x.md#what-is-broken).\n\n| " + "word " * 20 + "| " + "word " * 20 + "|\n"
-        self.assertEqual(plain(good), (0, "\n0 sentences to mend; 82 words in 1 pages\n"))
+        self.assertEqual(plain(good), (0, "\n0 sentences to mend; 82 words in 1 pages, 0 sources\n"))
         for wrong, said in (("word " * 36, "page.md:1: 36 words"), ("All but for one.", '"but for" (write: except for)'),
                             ("Found.\nThe board hears nothing.", "page.md:1"), ("| a | It was not to be found. |", "page.md:1")):
             code, printed = plain(wrong)
+            self.assertEqual(code, 1, wrong)
+            self.assertIn(said, printed)
+
+    def test_texts_of_a_source_that_are_too_long_or_odd(self):
+        def checked(source):
+            (self.folder / "one.cpp").write_text(source, encoding="utf-8")
+            return self.said("test/system/plain_english.py", "Well.", self.folder, "page.md", "one.cpp")
+
+        half = '"' + "word " * 14 + '"'
+        for good in (half + "  // goes on\n    " + half, half + ";" + half + ' "word. Word {:.{}f}"', "// " + "word " * 40, f"R\"({'word ' * 40})\"",
+                     '"const f = (a) => { return a; }' + "word " * 40 + '"', '"key = ' + "word " * 40 + '"', '"' + "tick 50 u16:0.3 " * 20 + '"',
+                     '"<p>' + "word " * 20 + "</p><p>" + "word " * 20 + '</p>"', '"' + "word " * 20 + "\\n\\n  " + "word " * 20 + '"'):
+            self.assertEqual(checked(good)[0], 0, good)
+        for wrong, said in (("\n" + half + "  // goes on\n    " + half + ' "{:g}{}"', "one.cpp:2: 29 words"),
+                            ('say("All but for one.");', '"but for" (write: except for)'), ("'\"'" + half + half + '"word"', "29 words")):
+            code, printed = checked(wrong)
             self.assertEqual(code, 1, wrong)
             self.assertIn(said, printed)
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Usage: plain_english.py PROJECT [PAGE...] [--fantail PROGRAM] [--count]
 
-Lists sentences that are too long, and turns of phrase that read like another language put into English: in the pages of the manual (or
-those that are named), and with --fantail in the help of every verb. --count prints the words of each page. Exit code 1 if there is one.
+Lists sentences that are too long, and turns of phrase that read like another language put into English: in the pages of the manual and in
+the texts of the program's sources (or in those that are named), and with --fantail in the help of every verb. --count prints the words of
+each page. Exit code 1 if there is one.
 
 A word has a letter or a digit; code counts as one word. A sentence ends at a full stop, a question mark or a paragraph; a cell of a
 table and an element of a list are paragraphs.
@@ -62,7 +63,7 @@ def words(text):
 
 
 def sentences(text):
-    return re.split(r"(?<=[.?!])[)\"”]? +(?=[\"(A-Z0-9]|\w+: )", plain(text))
+    return re.split(r"(?<=[.?!])[)\"”]? +(?=[\"\u201c(A-Z0-9]|\w+: )", plain(text))
 
 
 def offences(where, text, longest):
@@ -73,6 +74,42 @@ def offences(where, text, longest):
         for pattern, better in ODD:
             if found := pattern.search(sentence):
                 yield f"{where}: \"{found[0].strip()}\" (write: {better}): {sentence}"
+
+
+TOKEN = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<raw>R"(?P<mark>[^( ]*)\(.*?\)(?P=mark)")|(?P<include>^\#[^\n]*)
+    |"(?P<text>(?:[^"\\\n]|\\.)*)"|'(?:[^'\\\n]|\\.)+'|(?P<blank>\s+)|(?P<other>\w+|.)""", re.VERBOSE | re.DOTALL | re.MULTILINE)
+ESCAPES = {"n": "\n", "t": " ", '"': '"', "\\": "\\"}
+# What a person does not read as sentences: style and script of a page, and settings.
+NO_PROSE = re.compile(r"=>|\)\s*;\s*$|\bfunction\b|^\s*[\w.\"]+ = |\w:[^ ]+;|^\s*[{}]")
+
+
+def literals(source):
+    """The texts of a C++ source with their lines. Those that follow each other are one; raw ones are files and pages."""
+    line, begin, text = 1, 0, None
+    for token in TOKEN.finditer(source):
+        if token["text"] is not None:
+            text, begin = (token["text"], line) if text is None else (text + token["text"], begin)
+        elif not (token["blank"] or token["comment"]) and text is not None:
+            yield begin, text
+            text = None
+        line += token[0].count("\n")
+    if text is not None:
+        yield begin, text
+
+
+def is_prose(text):
+    """More words than names and numbers."""
+    all_words = words(text)
+    return not NO_PROSE.search(text) and 2 * sum(bool(re.search(r"[\d_]", word)) for word in all_words) <= len(all_words)
+
+
+def prose(literal):
+    """Its paragraphs as a person reads them: what is put in later is one word, whatever it is."""
+    text = re.sub(r"\\u([0-9a-fA-F]{4})", lambda found: chr(int(found[1], 16)), literal)
+    text = re.sub(r"\\(.)", lambda found: ESCAPES.get(found[1], " "), text)
+    text = re.sub(r"\{\w*(?::[^{}]*(?:\{\w*\}[^{}]*)*)?\}", "X", text)
+    text = re.sub(r"</?[a-z][^<>]*>", "\n ", text)
+    return [one.replace("\n", " ") for one in re.split(r"\n(?=[\s#-])", text) if is_prose(one)]
 
 
 def help_paragraphs(text):
@@ -107,8 +144,15 @@ def main():
     parser.add_argument("--count", action="store_true")
     asked = parser.parse_args()
     pages = [asked.project / page for page in asked.pages] or [
-        asked.project / "README.md", *sorted((asked.project / "docs").rglob("*.md"))]
+        asked.project / "README.md", *sorted((asked.project / "docs").rglob("*.md")),
+        *(source for folder in ("firmware", "hal", "sim", "tools") for source in sorted((asked.project / folder).rglob("*.[ch]pp")))]
+    sources = [page for page in pages if page.suffix != ".md"]
+    pages = [page for page in pages if page.suffix == ".md"]
     found, total = [], 0
+    for source in sources:
+        for line, literal in literals(source.read_text(encoding="utf-8")):
+            for paragraph in prose(literal):
+                found += offences(f"{source.relative_to(asked.project)}:{line}", paragraph, LONGEST_IN_HELP)
     for page in pages:
         text, name = page.read_text(encoding="utf-8"), page.relative_to(asked.project)
         total += (count := len(words(text)))
@@ -120,7 +164,7 @@ def main():
         for paragraph in help_paragraphs(text):
             found += offences(verb, paragraph, LONGEST_IN_HELP)
     print("\n".join(found))
-    print(f"{len(found)} sentences to mend; {total} words in {len(pages)} pages")
+    print(f"{len(found)} sentences to mend; {total} words in {len(pages)} pages, {len(sources)} sources")
     return 1 if found else 0
 
 

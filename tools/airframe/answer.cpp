@@ -74,7 +74,7 @@ result::Answer answer_of(const Summary& summary) {
 
 constexpr const char* method =
     "Ranges are the method's error: normal force 10 %, centre of pressure 3 % of its distance from the nose, roll a "
-    "factor of two; errors of the measurements come on top. Valid for small angles, well below the speed of sound.";
+    "factor of two. Errors of the measurements come on top. Valid for small angles, well below the speed of sound.";
 
 }  // namespace
 

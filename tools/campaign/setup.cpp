@@ -85,9 +85,9 @@ std::vector<Spread> spreads_of(const Campaign& campaign, const input::ScenarioFi
   if (spreads.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       files.scenario().file() +
-                          ": has no [[spread]] table; add one or more, each with a field, a law and the values of the "
-                          "law, for example field = \"body.roll_inertia_kg_m2\", law = \"normal\", effect = "
-                          "\"factor\", standard_deviation = 0.03, one per line (man fantail.toml)"};
+                          ": has no [[spread]] table. Add one or more, each with a field, a law and its values, for "
+                          "example: field = \"body.roll_inertia_kg_m2\", law = \"normal\", effect = \"factor\", "
+                          "standard_deviation = 0.03, one per line (man fantail.toml)"};
   }
   for (const input::Override& change : campaign.changes) {
     for (const Spread& spread : spreads) {

@@ -174,7 +174,7 @@ ShownEvent show_event(const Campaign& campaign, Kind kind, std::uint64_t event) 
                         condition_names[static_cast<std::size_t>(errors.condition)],
                         errors.bad == 0 ? "first" : "second", text::fixed(seconds(errors.onset), 3)));
   say("gate: control may begin when the estimated distance along the guide exceeds the guide and a clearance, and the "
-      "estimated speed reaches the minimum of the plan; the share of the gate is the smaller of the two");
+      "estimated speed reaches the minimum of the plan. The share of the gate is the smaller of the two");
   page::Chart readings = readings_chart(rehearsal, campaign.rules);
   for (std::size_t rule = 0; rule < campaign.rules.size(); ++rule) {
     say(said(campaign.rules[rule], answers[rule], is_launch(kind)));

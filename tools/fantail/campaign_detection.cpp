@@ -129,7 +129,7 @@ void detect(const DetectionOptions& options) {
     report.at_most = *options.at_most_percent / 100.0;
     if (!detection::judges_launches(report.campaign)) {
       throw UsageError{
-          "--at-most needs launches with both accelerometers healthy and a plan that is judged; allowed: --kind "
+          "--at-most needs launches with both accelerometers healthy and a plan that is judged. Allowed: --kind "
           "launch, launch_at_2_g or stirred_launch, --launches of 1 or more, and another plan than published_launch2"};
     }
   }

@@ -177,8 +177,8 @@ void run_node(const NodeOptions& options) {
   node.run(options.seconds);
   const hal::CanCounters counters = bus.counters();
   show(
-      "ended after {:.1f} s of the rocket's time; {} of {} ticks ended more than a millisecond late, {:.1f} s were "
-      "left out; frames: {} sent, {} received, {} dropped\n",
+      "ended after {:.1f} s of the rocket's time; {} of {} ticks ended more than a millisecond late; {:.1f} s were "
+      "left out. Frames: {} sent, {} received, {} dropped\n",
       1e-3 * static_cast<double>(node.ticks()), node.pace().late(), node.ticks(),
       std::chrono::duration<double>{node.pace().left_out()}.count(), counters.sent, counters.received, counters.unsent);
   if (const std::string sent = lcm.finish(); !sent.empty()) {

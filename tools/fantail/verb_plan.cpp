@@ -149,7 +149,7 @@ void fill(const Verb& plan) {
   add(plan, checking, options)
       .option("--scenario", options->scenario,
               "A scenario whose rocket is to fly it. The phase margin of the loop is checked from the speed at control "
-              "start to top speed: below 45 degrees is a warning, and an unstable loop is refused")
+              "start to top speed. Below 45 degrees is a warning; an unstable loop is refused")
       .offers(shipped(input::Shipped::scenario));
   add(plan, showing, options);
   add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]").offers(files);

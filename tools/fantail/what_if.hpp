@@ -45,12 +45,12 @@ struct WhatIf {
 /// What must stand beside every figure of it.
 inline constexpr const char* open_loop_sentence =
     "Open loop: the recorded sensor readings do not respond to these commands. The commands are right for the first "
-    "moments after they begin to differ; later ones show what the flight law would have commanded, not how the rocket "
+    "moments after they begin to differ. Later ones show what the flight law would have commanded, not how the rocket "
     "would have rolled.";
 
 /// And beside those of a plan that rejects the offset.
 inline constexpr const char* winding_sentence =
     "The changed plan rejects the offset. Commands in a replay do not move the rocket, so an integral or an observer "
-    "gets no response to its commands: its estimate of the offset may grow up to the plan limit.";
+    "gets no response to its commands. Its estimate of the offset may grow up to the plan limit.";
 
 }  // namespace fantail::tool

@@ -37,9 +37,8 @@ constexpr std::string_view untested =
     "one canard far off makes more roll moment than the other three can balance. Just before arming, the self-test has "
     "already tested this canard";
 constexpr std::string_view stop_near =
-    "limit each canard with a stop in the linkage just beyond the plan limit, and keep 4 times the fin offset plus "
-    "that stop "
-    "below 3 times the plan limit";
+    "limit each canard with a stop in the linkage just beyond the plan limit. Keep 4 times the fin offset plus that "
+    "stop below 3 times the plan limit";
 
 constexpr std::string_view turned =
     "the failed canard rolls the rocket before the other three respond; they have enough moment and bring it back";
@@ -53,7 +52,7 @@ constexpr auto limits = std::to_array<KnownLimit>({
     {spike(Device::imu), armed, one_gyro, believed, fit_a_second},
     {offset(Device::imu, 100.0), armed, one_gyro, believed, fit_a_second},
     {offset(Device::imu, 15.0), armed, false, "the roll angle follows a rate error below the permitted difference of two gyros (gyro_disagreement_deg_s)", "make gyro_disagreement_deg_s as small as both gyros allow, and run fantail bench axes before the flight"},
-    {slow_samples(Device::imu), launched, one_gyro, "each gap of 10 ms counts as a silent sensor: the canards wait at trim nearly all the time, the roll is not held, and control does not end", fit_a_second},
+    {slow_samples(Device::imu), launched, one_gyro, "each gap of 10 ms counts as a silent sensor. The canards wait at trim nearly all the time, the roll is not held, and control does not end", fit_a_second},
     {broken(Device::imu, Behaviour::stuck), launched, false, wrong_force, look_at_bus},
     {spike(Device::imu), armed, false, wrong_force, look_at_bus},
     {silent_for(2.0, Device::imu), before_launch, false, launch_is_late, look_at_bus},

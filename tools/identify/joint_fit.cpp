@@ -72,11 +72,10 @@ void require_one_area(const std::vector<Study>& studies) {
   for (const Study& study : studies) {
     const double other_m2 = study.airframe.reference_area_m2;
     if (std::abs(other_m2 - area_m2) > 1e-6 * area_m2) {
-      throw text::Error{
-          text::ErrorKind::bad_configuration,
-          fmt::format("--shared alpha,beta: the reference area of {} is {} m2 and that of {} {} m2, so they cannot "
-                      "share alpha and beta; name one vehicle for all with --vehicle",
-                      studies.front().data, area_m2, study.data, other_m2)};
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("--shared alpha,beta: the reference area of {} is {} m2 and that of {} {} m2. They "
+                                    "cannot share alpha and beta; name one vehicle for all with --vehicle",
+                                    studies.front().data, area_m2, study.data, other_m2)};
     }
   }
 }

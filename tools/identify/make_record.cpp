@@ -121,8 +121,8 @@ std::vector<double> speeds(const RollLog& log, const Indices& samples, const Rec
   // On board, speed is the integral of acceleration; in a tunnel there is none, and it drifts about zero.
   constexpr double standing_m_s = 1.0;
   if (std::ranges::max(speed) < standing_m_s) {
-    refuse(log, fmt::format("no speed: speed_m_s is never above {} m/s in this window (on board it comes from the "
-                            "acceleration, which a wind tunnel lacks); give --speed, or --truth for a simulated flight",
+    refuse(log, fmt::format("no speed: speed_m_s is never above {} m/s in this window. On board it comes from the "
+                            "acceleration, which a wind tunnel lacks. Give --speed, or --truth for a simulated flight",
                             about(std::ranges::max(speed))));
   }
   return speed;

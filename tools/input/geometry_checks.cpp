@@ -52,8 +52,8 @@ void check_body(const Document& document, const sim::Geometry& shape) {
                                plain_number(transition.position_m), plain_number(shape.nose_length_m)));
   }
   if (transition.position_m + transition.length_m > shape.length_m + a_millimetre_m) {
-    section.refuse("transition_length_m", at_most(transition.length_m, "what is left before the tail",
-                                                  shape.length_m - transition.position_m));
+    section.refuse("transition_length_m",
+                   at_most(transition.length_m, "the distance to the tail", shape.length_m - transition.position_m));
   }
 }
 

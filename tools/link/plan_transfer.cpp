@@ -156,7 +156,7 @@ protocol::PlanReply send_plan(Place& place, AvionicsLink& link, std::span<const 
     }
     if (writing && writing->expired(place.now())) {
       throw LinkError{
-          "the avionics has written the plan but does not use it yet: it comes into force when the phase is Safe and "
+          "the avionics has written the plan but does not use it yet. It comes into force when the phase is Safe and "
           "no bench session or self-test is running"};
     }
     if (answer.expired(place.now())) {

@@ -17,9 +17,9 @@ namespace {
 std::string guess(double rest_g, const char* quantity) {
   constexpr double about = 0.3;
   const auto is = [&](double g) { return std::abs(rest_g - g) < about; };
-  return is(-1.0)  ? "its sign seems to be wrong (a minus before the column reverses it): "
-         : is(0.0) ? fmt::format("it seems to lack gravity ({}_from_rest), or its unit is wrong: ", quantity)
-         : is(2.0) ? fmt::format("it seems to include gravity twice ({0} instead of {0}_from_rest): ", quantity)
+  return is(-1.0)  ? "Its sign seems to be wrong (a minus before the column reverses it). "
+         : is(0.0) ? fmt::format("It seems to lack gravity ({}_from_rest), or its unit is wrong. ", quantity)
+         : is(2.0) ? fmt::format("It seems to include gravity twice ({0} instead of {0}_from_rest). ", quantity)
                    : "";
 }
 
@@ -32,7 +32,7 @@ std::string axial_doubt(const Heard& heard, const Signal& axial, const char* wha
   }
   const double rest_g = rest->mean_m_s2 / one_g_m_s2;
   return fmt::format(
-      "{} {} reads {} g on average, and a rocket in its guide reads 1 g: {}check axis, sign and unit, and whether it "
+      "{} {} reads {} g on average, and a rocket in its guide reads 1 g. {}Check axis, sign and unit, and whether it "
       "includes gravity ({}) or not ({}_from_rest).",
       rest->where, what, text::fixed(rest_g, 2), guess(rest_g, quantity), quantity, quantity);
 }

@@ -127,11 +127,10 @@ std::string clipped_sentence(const Heard& heard, const Clipped& clipped) {
   const bool is_rate = clipped.what.ends_with("rate");
   const RangeEnd& end = clipped.end;
   const std::string sentence = fmt::format(
-      "{} stands at {} {} in {} samples, for up to {} ms, the first at {:.3f} s of the log's clock: that looks like "
-      "the end of its range",
+      "{} stands at {} {} in {}, for up to {} ms, the first at {:.3f} s of the log's clock, as at the end of its range",
       clipped.what, text::brief(is_rate ? text::degrees(end.value) : end.value, 2),
-      is_rate ? "deg/s" : fmt::format("m/s2 ({} g)", text::brief(end.value / one_g_m_s2, 2)), end.samples,
-      in_ms(end.longest_s), end.first_s);
+      is_rate ? "deg/s" : fmt::format("m/s2 ({} g)", text::brief(end.value / one_g_m_s2, 2)),
+      text::counted(end.samples, "sample"), in_ms(end.longest_s), end.first_s);
   if (clipped.what == "axial" && end.value > 0.0) {
     return sentence + (heard.is_lower_bound ? fmt::format(". The law's speed and height are lower bounds{}.",
                                                           heard.apogee_s ? ", and its apogee comes too early" : "")
@@ -183,10 +182,10 @@ std::string disagreement_sentence(const Heard& heard) {
         no_hold.first_s));
   }
   if (no_control.in_all_s > 0.0) {
-    refused.push_back(fmt::format(
-        "within a quarter of a second before the law assumed the rocket to be beyond its guide, or at that time, so "
-        "control did not begin for {} ms, from {:.3f} s on",
-        in_ms(no_control.in_all_s), no_control.first_s));
+    refused.push_back(
+        fmt::format("at most a quarter of a second before the law assumed the rocket to be beyond its guide. So "
+                    "control did not begin for {} ms, from {:.3f} s on",
+                    in_ms(no_control.in_all_s), no_control.first_s));
   }
   return fmt::format(
       "The two accelerometers differed by more than the plan's {} g{}: {}.",

@@ -32,11 +32,11 @@ std::array<double, 4> flight_errors_deg(P print) {
           print[N::coast_angle_error_deg]};
 }
 
-// "Of the launch's value; of the tunnel's it is 18.6 %."
+// "Relative to the launch's value; relative to the tunnel's it is 18.6 %."
 std::string denominator(const char* taken, const char* other, double difference, double other_value) {
   return fmt::format(
-      "Of the {} value; of the {} it is {:.1f} %. The three errors of this section do not all have the "
-      "same denominator.",
+      "Relative to the {} value; relative to the {} it is {:.1f} %. The three errors of this section do not all have "
+      "the same denominator.",
       taken, other, percent(difference, other_value));
 }
 

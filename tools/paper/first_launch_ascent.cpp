@@ -25,11 +25,10 @@ std::string time_to_apogee_reason(const sim::Vehicle& vehicle) {
       printed_control_start_s +
       least_time_to_apogee_s(printed_apogee_m - printed_control_height_m, printed_top_speed_m_s, coasting);
   return fmt::format(
-      "Our motor thrusts once and then coasts. Height and speed alone allow 10.2 s: a motor that makes 97 m/s at once "
-      "and "
-      "holds it (boost and sustain) needs at least {:.2f} s with our drag area. One that is 7 m up after 0.63 s, as "
-      "printed, needs at least {:.2f} s. So these figures contradict each other, unless the drag area is larger than "
-      "ours.",
+      "Our motor thrusts once and then coasts. Height and speed alone allow 10.2 s. A motor that makes 97 m/s at once "
+      "and holds it (boost and sustain) needs at least {:.2f} s with our drag area. One that is 7 m up after 0.63 s, "
+      "as printed, needs at least {:.2f} s. So these figures contradict each other, unless the drag area is larger "
+      "than ours.",
       at_once_s, behind_control_s);
 }
 

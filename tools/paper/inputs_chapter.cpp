@@ -104,10 +104,9 @@ void add_excitation(std::vector<Claim>& claims, const core::ExcitationPlan& plan
           fmt::format("4 deg sin(2\u03c0 (2t \u2212 10) t); the flight code is within {:.6f} deg of it", furthest_deg),
       .holds = furthest_deg < 1e-3,
       .kind = Kind::definition,
-      .why =
-          "Our text of the publication has no operator between 2t and 10; 2t \u2212 10 is taken. \u03c90 multiplies "
-          "t, so the frequency is |4t \u2212 10| Hz: 8.4 at 0.4 s, zero at 2.5 s, 18 at 7 s. Were \u03c90 itself the "
-          "frequency, it would be |2t \u2212 10| Hz, zero at 5 s."}));
+      .why = "Our text of the publication has no operator between 2t and 10; 2t \u2212 10 is taken. \u03c90 multiplies "
+             "t, so the frequency is |4t \u2212 10| Hz. It is 8.4 at 0.4 s, zero at 2.5 s, 18 at 7 s. Were \u03c90 "
+             "itself the frequency, it would be |2t \u2212 10| Hz, zero at 5 s."}));
   claims.push_back(unpublished("Eq 46", "Random variations \u0394A and \u0394\u03c9 of the excitation", "not given",
                                "Neither their size nor their course is printed; the runs here are without."));
 }

@@ -22,7 +22,7 @@ inline constexpr const char* how_it_was_tested = "How a test was made.";
 inline constexpr std::array<OutsideRow, 15> outside_rows{{
     {"Section 1", "Other tunnels run for", "0.1 to 0.2 s", Kind::outside, "Supersonic tunnels elsewhere."},
     {"Section 2", "Sizes of the tunnel",
-     "inlet 1.4 m; section 0.6 m wide, 2 m long; fan 1 m, 15 kW, blades at 23 degrees; walls of 6, 9 and 17 mm; cloth "
+     "inlet 1.4 m; section 0.6 m wide, 2 m long; fan 1 m, 15 kW, blades at 23 degrees. Walls of 6, 9 and 17 mm; cloth "
      "of 200 g",
      Kind::outside, how_it_was_built},
     {"Table 1", "Fins, canards and avionics of each vehicle",

@@ -77,7 +77,7 @@ void add_contradictions(std::vector<Claim>& slips) {
                        "Table 1 and section 3.1 have the fibreglass canards of the supersonic avionics stack."));
   slips.push_back(slip("Section 4.1.2", "Rocket whose back fins were damaged, so that it missed the swirl test",
                        "of figure 8b (launch 1)", "of figure 8c (launch 2)",
-                       "Launch 1 was recovered but for two canards (section 4.2). Stony ground and a gust damaged the "
+                       "Launch 1 was recovered without two canards (section 4.2). Stony ground and a gust damaged the "
                        "fins of launch 2 (section 4.3.2), and the swirl test came after it (section 5)."));
   slips.push_back(slip("Section 4.1.2, figure 14", "Which panel shows the roll rate", "14a in the text", "14b",
                        "The caption has the fan speeds as (a) and the roll rate as (b)."));

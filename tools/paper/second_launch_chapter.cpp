@@ -149,9 +149,9 @@ Chapter second_launch_chapter(const Tell& tell) {
   const flight::Flight& flight = run.flight;
   Chapter chapter{.title = "Launch 2",
                   .introduction =
-                      "Tasha III, 4 December 2015: canards limited to 9 degrees, 0 degrees held, then \u221220 from "
-                      "2 s after control start, with a chirp that makes the damping identifiable. The gains are "
-                      "not printed; those of the tunnel are taken.",
+                      "Tasha III, 4 December 2015. Canards limited to 9 degrees, 0 degrees held, then \u221220 from 2 "
+                      "s after control start, with a chirp that makes the damping identifiable. The gains are not "
+                      "printed; those of the tunnel are taken.",
                   .claims = {},
                   .figures_html = {}};
   std::vector<Claim>& claims = chapter.claims;

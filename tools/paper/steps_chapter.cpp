@@ -57,10 +57,10 @@ Chapter steps_chapter(const Tell& tell) {
   const sim::Scenario tunnel = input::load_scenario("tunnel_steps", {});
   Chapter chapter{.title = "Steps in the wind tunnel",
                   .introduction =
-                      "Launch 2's rocket on a string at 22 m/s, eight steps of 45 degrees, gains 0.5 and 0.05 s, "
-                      "five seconds of each identified with a disturbance that runs straight. The measured "
-                      "steps are not published. Each is flown here with the numbers printed for it, and the "
-                      "published search finds them again, which says nothing about the measured step."};
+                      "Launch 2's rocket on a string at 22 m/s, eight steps of 45 degrees, gains 0.5 and 0.05 s. Five "
+                      "seconds of each are identified with a disturbance that runs straight. The measured steps are "
+                      "not published. Each is flown here with the numbers printed for it, and the published search "
+                      "finds them again, which says nothing about the measured step."};
   std::optional<ReadBack> sixth;
   std::vector<StepShape> shapes;
   for (const PublishedStep& row : published_steps()) {

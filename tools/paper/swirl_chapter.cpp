@@ -82,8 +82,8 @@ Chapter swirl_chapter(const Tell& tell) {
   Chapter chapter{.title = "Swirl",
                   .introduction =
                       "The rocket rolls freely with its canards at zero, once without and once with a flow "
-                      "straightener; Eq 27 turns the steady roll rates into an equivalent fin offset. The rates "
-                      "are not published: a simulated tunnel with 2 degrees of swirl stands in for theirs."};
+                      "straightener. Eq 27 turns the steady roll rates into an equivalent fin offset. The rates are "
+                      "not published: a simulated tunnel with 2 degrees of swirl stands in for theirs."};
   add_rows(chapter.claims, swirl);
   const auto rate = [](const tunnel::OffsetPoint& point) { return text::degrees(point.rate_rad_s.mean); };
   const auto offset = [](const tunnel::OffsetPoint& point) { return text::degrees(point.offset_rad); };

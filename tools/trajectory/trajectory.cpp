@@ -169,9 +169,9 @@ std::optional<std::string> left_unused(const flight::Table& table, const Columns
 std::string origin(const std::string& name, const Series& series, const std::vector<Quantity>& read,
                    const std::vector<std::string>& derived) {
   return fmt::format(
-      "The path of this flight is that of {} ({} rows to {:.2f} s): {} are read from it; {}; thrust, drag, "
-      "mass and wind of vehicle and scenario play no part in it.",
-      name, series.times_s.size(), series.times_s.back(), listed(read), fmt::join(derived, "; "));
+      "The path of this flight is that of {} ({} to {:.2f} s): {} are read from it; {}. Thrust, drag, mass and wind of "
+      "vehicle and scenario play no part in it.",
+      name, text::counted(series.times_s.size(), "row"), series.times_s.back(), listed(read), fmt::join(derived, "; "));
 }
 
 }  // namespace

@@ -242,9 +242,8 @@ void remark(Stability& s, const PitchAirframe& airframe) {
   s.remarks.push_back(remark_on_turbulence(s.swings));
   if (s.line->chi_square && *s.line->chi_square > 9.0 * static_cast<double>(s.swings.size() - 2)) {
     s.remarks.push_back(fmt::format(
-        "The points lie farther from the line than their errors allow (chi-square {}): something changed between the "
-        "swings, or they are too large for a moment in proportion to the angle. The interval is wider for that "
-        "reason.",
+        "The points lie farther from the line than their errors allow (chi-square {}). Something changed between the "
+        "swings, or they are too large for a moment in proportion to the angle. The interval is wider for that reason.",
         fixed(*s.line->chi_square, 1)));
   }
 }

@@ -46,8 +46,8 @@ void Reader::apply_overrides(const Component& c, const Overrides& o, Geometry::M
   }
   if (o.mass_kg && o.centre_m && o.mass_is_of_all != o.centre_is_of_all && sum_kg({}, children) > 0.0) {
     c.refuse(
-        "overrides mass or centre of gravity with the parts inside it and the other without them, which versions of "
-        "OpenRocket read differently; override both with them, or both without");
+        "overrides mass or centre of gravity with the parts inside it, and the other without them. Versions of "
+        "OpenRocket read that differently. Override both with them, or both without");
   }
   const double sum = sum_kg(own, children);
   if (o.mass_kg && o.mass_is_of_all && !o.centre_m && sum > 0.0) {
@@ -55,10 +55,9 @@ void Reader::apply_overrides(const Component& c, const Overrides& o, Geometry::M
     std::ranges::for_each(children, [&](const Geometry::Mass& child) { whole = together(whole, child); });
     if (own.mass_kg > 0.0 && std::abs(whole.position_m - own.position_m) > a_millimetre_m) {
       design_.left_out.push_back(
-          {.what =
-               fmt::format("{} \"{}\": its mass is overridden with the parts inside, but not its centre of gravity, "
-                           "which versions of OpenRocket put at {:.3f} or {:.3f} m (taken: the first)",
-                           c.kind(), c.name(), whole.position_m, own.position_m)});
+          {.what = fmt::format("{} \"{}\": its mass is overridden with the parts inside, but not its centre of "
+                               "gravity. Versions of OpenRocket put that at {:.3f} or {:.3f} m (taken: the first)",
+                               c.kind(), c.name(), whole.position_m, own.position_m)});
     }
     own.mass_kg *= *o.mass_kg / sum;
     std::ranges::for_each(children, [&](Geometry::Mass& child) { child.mass_kg *= *o.mass_kg / sum; });

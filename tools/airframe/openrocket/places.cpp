@@ -22,12 +22,10 @@ void Reader::check_places() {
   Masses placed;
   for (Geometry::Mass mass : g.masses) {
     if (mass.position_m < 0.0 || mass.position_m > g.length_m) {
-      throw text::Error{
-          text::ErrorKind::bad_data,
-          fmt::format(
-              "{}: \"{}\": its centre of gravity is {:.4g} m behind the tip of the nose, outside of the rocket, "
-              "which is {:.4g} m long; move it inside, or leave it out",
-              file_.string(), mass.name, mass.position_m, g.length_m)};
+      throw text::Error{text::ErrorKind::bad_data,
+                        fmt::format("{}: \"{}\": its centre of gravity is {:.4g} m behind the tip of the nose, but the "
+                                    "rocket is {:.4g} m long. Move it inside, or leave it out",
+                                    file_.string(), mass.name, mass.position_m, g.length_m)};
     }
     Geometry::Mass shorter = mass;
     shorten_to_rocket(shorter, g.length_m);
