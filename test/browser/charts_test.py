@@ -95,6 +95,17 @@ class Charts(unittest.TestCase):
             all_of_it, part = ([number(text) for text in said[axis]] for said in (before, zoomed))
             self.assertLess(max(part) - min(part), 0.5 * (max(all_of_it) - min(all_of_it)), axis)
 
+    def test_a_flat_drag_on_a_map_is_about_both_axes_alike(self):
+        self.page.open((self.folder / "hardover/hardover.html").as_uri())
+        for where in ("Where the apogee lies over ground, seen from above", "Where the rocket lands, seen from above"):
+            before = self.at(where, "pointermove", 0.5)
+            zoomed = self.zoom(where, (0.4, 0.5), (0.6, 0.5))
+            for axis in ("across", "upwards"):
+                all_of_it, part = ([number(text) for text in said[axis]] for said in (before, zoomed))
+                self.assertLess(max(part) - min(part), 0.25 * (max(all_of_it) - min(all_of_it)), axis)
+                middle = 0.5 * (max(all_of_it) + min(all_of_it))
+                self.assertLess(abs(0.5 * (max(part) + min(part)) - middle), 0.15 * (max(all_of_it) - min(all_of_it)), axis)
+
     def test_paper_has_no_folds(self):
         self.page.open((self.folder / "tasha3_launch2/campaign.html").as_uri())
         opened = "return [...document.querySelectorAll('details')].map((one) => one.open)"

@@ -31,7 +31,12 @@ FlownCampaign made(std::size_t count) {
     const double b = random.gaussian();
     FlownRun run{.run = i, .seed = i, .numbers = {a, b, 5.0}};
     run.figures[0] = 6.0 + 3.0 * a - b;
-    run.outcome = *run.figures[0] <= 10.0 ? "held" : "not_held";
+    if (*run.figures[0] > 10.0) {
+      run.outcome = "not_held";
+      run.failed_by = {"hold_error"};
+    } else {
+      run.outcome = "held";
+    }
     flown.runs.push_back(std::move(run));
   }
   return flown;
@@ -45,7 +50,7 @@ double attribute(const std::string& svg, std::size_t at, const std::string& name
 TEST(Analysis, ABarOfAnInfluenceReachesFromZeroToItsSlopeAndTheLargestStandsFirst) {
   Report report{.flown = made(4000)};
   report.analysis = analyse(report.flown, {.runs = 4000}, {}, 0.5);
-  const std::string svg = tornado_svg(report, page::full_page);
+  const std::string svg = tornado_svg(report, 0, page::full_page);
   const std::size_t first = svg.find("<rect class=\"bar");
   const std::size_t second = svg.find("<rect class=\"bar", first + 1);
   ASSERT_NE(second, std::string::npos) << svg;
@@ -76,7 +81,7 @@ TEST(Analysis, FindsTheShareAndWhatTheFigureDependsOn) {
   for (const FlownRun& run : flown.runs) {
     largest = std::max(largest, *run.figures[0]);
   }
-  EXPECT_EQ(flown.runs[analysis.worst[0]].figures[0], largest);
+  EXPECT_EQ(flown.runs[analysis.worst[0].index].figures[0], largest);
   EXPECT_EQ(analysis.looked.back().runs, 4000U);
   EXPECT_EQ(analysis.looked.back().share, analysis.share.value);
 }
@@ -89,13 +94,13 @@ TEST(Analysis, LeavesUndecidedWhatIsWithinTheInterval) {
 }
 
 TEST(Analysis, SaysWhyItKnowsNoInfluences) {
-  EXPECT_EQ(figures(analyse(made(99), {.runs = 99}, {}, {}).no_influences), (Numbers{"99", "100"}));
-  EXPECT_EQ(analyse(made(120), {.runs = 120}, {}, {}).no_influences, "");
+  EXPECT_EQ(figures(analyse(made(99), {.runs = 99}, {}, {}).fits[0].why_none), (Numbers{"99", "100"}));
+  EXPECT_EQ(analyse(made(120), {.runs = 120}, {}, {}).fits[0].why_none, "");
   FlownCampaign same = made(120);
   for (FlownRun& run : same.runs) {
     run.figures[0] = 3.0;
   }
-  const std::string why = analyse(same, {.runs = 60}, {}, {}).no_influences;
+  const std::string why = analyse(same, {.runs = 60}, {}, {}).fits[0].why_none;
   EXPECT_NE(why.find("same"), std::string::npos) << why;
   EXPECT_EQ(figures(why), Numbers{});
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include <fmt/core.h>
 
@@ -14,7 +13,8 @@
 namespace fantail::campaign {
 namespace {
 
-constexpr std::size_t worst_runs = 5;
+constexpr std::size_t most_worst_runs = 5;
+constexpr std::size_t most_deciding = 3;
 constexpr std::size_t most_looks = 200;
 constexpr std::size_t most_influence_runs = 20'000;  // beyond, the intervals are narrow enough
 constexpr std::size_t fewest_influence_runs = 100;   // of fewer, too few intervals hold the truth
@@ -101,34 +101,54 @@ std::string too_little(const Sample& sample, std::size_t figure) {
   return {};
 }
 
+/// Analysis::decided_by, of its question and its failures.
+std::vector<std::size_t> decided_by(const Analysis& analysis) {
+  if (analysis.question.relation != Relation::is) {
+    return {analysis.question.figure};
+  }
+  if (analysis.failures.empty()) {
+    return {0};
+  }
+  std::vector<std::size_t> all;
+  for (const Failure& failure : analysis.failures) {
+    const std::optional<std::size_t>& figure = failure.criterion->figure;
+    if (figure && all.size() < most_deciding && std::ranges::find(all, *figure) == all.end()) {
+      all.push_back(*figure);
+    }
+  }
+  return all;
+}
+
 void add_influences(Analysis& analysis, const FlownCampaign& flown) {
-  const std::size_t main = analysis.question.measured_by();
   for (const std::string& name : flown.quantities) {
     analysis.influences.push_back(
         {.name = name, .slopes = std::vector<std::optional<Estimate>>(figure_columns.size())});
   }
   for (std::size_t figure = 0; figure < figure_columns.size(); ++figure) {
     const Sample sample = sample_of(flown, figure);
-    const std::string nothing = too_little(sample, figure);
-    if (figure == main) {
-      analysis.no_influences = nothing;
-      analysis.influence_runs = sample.result.size();
-    }
-    if (!nothing.empty()) {
+    Fit& fit = analysis.fits.emplace_back(Fit{.why_none = too_little(sample, figure), .runs = sample.result.size()});
+    if (!fit.why_none.empty()) {
       continue;
     }
     const Sensitivity found = sensitivity(sample.drawn, sample.result);
     for (std::size_t i = 0; i < sample.quantities.size(); ++i) {
       analysis.influences[sample.quantities[i]].slopes[figure] = found.slopes[i];
     }
-    analysis.explained = figure == main ? found.explained : analysis.explained;
+    fit.explained = found.explained;
   }
-  std::ranges::stable_sort(analysis.influences, std::greater{}, [main](const QuantityInfluence& of) {
-    return of.slopes[main] ? std::abs(of.slopes[main]->value) : 0.0;
-  });
+  if (!analysis.decided_by.empty()) {
+    analysis.influences = steepest_first(std::move(analysis.influences), analysis.decided_by.front());
+  }
 }
 
 }  // namespace
+
+std::vector<QuantityInfluence> steepest_first(std::vector<QuantityInfluence> influences, std::size_t figure) {
+  std::ranges::stable_sort(influences, std::greater{}, [figure](const QuantityInfluence& of) {
+    return of.slopes[figure] ? std::abs(of.slopes[figure]->value) : -1.0;
+  });
+  return influences;
+}
 
 Analysis analyse(const FlownCampaign& flown, const Campaign& campaign, const Question& question,
                  std::optional<double> required) {
@@ -167,13 +187,11 @@ Analysis analyse(const FlownCampaign& flown, const Campaign& campaign, const Que
     std::ranges::transform(runs, std::back_inserter(values), [i](const FlownRun& run) { return run.numbers[i]; });
     analysis.quantities.push_back(column(flown.quantities[i], std::move(values)));
   }
+  analysis.failures = failures(runs, question);
+  analysis.decided_by = decided_by(analysis);
   add_influences(analysis, flown);
-  analysis.worst.resize(runs.size());
-  std::iota(analysis.worst.begin(), analysis.worst.end(), std::size_t{0});
-  const std::size_t kept = std::min(worst_runs, runs.size());
-  std::ranges::partial_sort(analysis.worst, analysis.worst.begin() + static_cast<std::ptrdiff_t>(kept),
-                            [&](std::size_t a, std::size_t b) { return question.is_worse(runs[a], runs[b]); });
-  analysis.worst.resize(kept);
+  analysis.worst =
+      worst_runs(runs, question, analysis.decided_by.empty() ? 0 : analysis.decided_by.front(), most_worst_runs);
   analysis.drawn_again =
       static_cast<std::size_t>(std::ranges::count_if(runs, [](const FlownRun& run) { return run.drawn_again > 0; }));
   return analysis;

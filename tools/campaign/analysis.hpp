@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "campaign/criteria.hpp"
 #include "campaign/question.hpp"
 #include "result/field.hpp"
 
@@ -74,6 +75,13 @@ struct QuantityInfluence {
   std::vector<std::optional<Estimate>> slopes{};  ///< of each of figure_columns; empty where nothing is known
 };
 
+/// How well straight lines explain one of figure_columns.
+struct Fit {
+  std::string why_none{};  ///< there are no slopes, a sentence; empty: there are
+  std::size_t runs = 0;    ///< that have the figure; of many, the first ones
+  double explained = 0.0;  ///< Sensitivity::explained
+};
+
 /// The share after so many runs, with bounds that hold however often one looks.
 struct Looked {
   std::uint64_t runs = 0;
@@ -90,14 +98,20 @@ struct Analysis {
   std::vector<std::pair<std::string, std::size_t>> outcomes{};  ///< the most frequent first
   std::vector<Column> figures{};                                ///< those that some run has
   std::vector<Column> quantities{};
-  std::vector<QuantityInfluence> influences{};  ///< of the asked figure, the steepest slope first
-  double explained = 0.0;                       ///< Sensitivity::explained, of the figure that the question is about
-  std::size_t influence_runs = 0;               ///< that have that figure; of many, the first ones
-  std::string no_influences{};                  ///< why there are none, a sentence
-  std::vector<std::size_t> worst{};             ///< indices of runs, the worst first
+  std::vector<Failure> failures{};  ///< of runs that count against a question about an outcome
+  /// Of figure_columns, those that decide: of the question, or of the criteria that most runs fail, at most three. The
+  /// hold error where no run fails; none where no figure measures any of these criteria.
+  std::vector<std::size_t> decided_by{};
+  std::vector<QuantityInfluence> influences{};  ///< of the first of these figures, the steepest slope first
+  std::vector<Fit> fits{};                      ///< of each of figure_columns
+  std::vector<RankedRun> worst{};               ///< the worst first
   std::vector<Looked> looked{};
   std::size_t drawn_again = 0;  ///< runs of which a draw left what a field allows
 };
+
+/// By their slopes of one of figure_columns, whatever their sign; those without a slope last.
+[[nodiscard]] std::vector<QuantityInfluence> steepest_first(std::vector<QuantityInfluence> influences,
+                                                            std::size_t figure);
 
 /// `flown` has a run at least. `required`: a share that is asked for.
 [[nodiscard]] Analysis analyse(const FlownCampaign& flown, const Campaign& campaign, const Question& question,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include <fmt/core.h>
@@ -19,9 +20,6 @@ using result::Named;
 using result::Worse;
 namespace u = result::units;
 
-/// The unit is that of the row, and the decimals with it.
-std::string five_digits(double value) { return text::brief(value, std::max(0, result::decimals_for(value, 5))); }
-
 constexpr auto column_fields = result::fields<Column>({
     {"name", "figure", u::none, 0,
      [](const Column& c) { return Cell{Named{c.name, column_words(c.name).with_unit()}}; },
@@ -38,38 +36,6 @@ constexpr auto column_fields = result::fields<Column>({
     {"p95", "95 %", u::none, 0, [](const Column& c) { return Cell{c.quantiles.p95}; },
      "value below which 95 % of the runs lie", Worse::neither, five_digits},
     {"largest", "largest", u::none, 0, &Column::largest, "largest value", Worse::neither, five_digits},
-});
-
-struct Outcome {
-  std::string name;
-  std::size_t runs;
-  double share;
-};
-constexpr auto outcome_fields = result::fields<Outcome>({
-    {"outcome", "outcome", u::none, 0, [](const Outcome& o) { return Cell{outcome_words(o.name)}; },
-     "verdict of the flight report in one word"},
-    {"runs", "runs", u::none, 0, &Outcome::runs, "runs with it"},
-    {"share", "share", u::percent, 1, &Outcome::share, "their share of all runs", Worse::neither, percent},
-});
-
-/// One of the runs that are shown.
-struct WorstRun {
-  const FlownRun* flown;
-  std::optional<double> value;
-  std::string folder;
-};
-Cell words_or_none(const std::string& words) { return words.empty() ? Cell{} : Cell{words}; }
-constexpr auto worst_fields = result::fields<WorstRun>({
-    {"run", "run", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->run}; }, "its number"},
-    {"seed", "seed", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->seed}; }, "seed of its random streams"},
-    {"outcome", "outcome", u::none, 0, [](const WorstRun& w) { return Cell{w.flown->outcome}; },
-     "verdict of its flight report in one word"},
-    {"value", "figure", u::none, 0, &WorstRun::value, "figure of the question; for an outcome, the largest hold error",
-     Worse::neither, five_digits},
-    {"note", "note", u::none, 0, [](const WorstRun& w) { return words_or_none(w.flown->note); },
-     "reason why there is no outcome of a flight"},
-    {"folder", "folder", u::none, 0, [](const WorstRun& w) { return words_or_none(w.folder); },
-     "folder of its flight report; null for a run that was not flown"},
 });
 
 constexpr std::string_view name(Judgement judgement) {
@@ -116,16 +82,6 @@ std::string heading(const Report& report) {
                                             : "Not decided";
 }
 
-std::vector<result::Block> outcomes(const Report& report) {
-  std::vector<Outcome> all;
-  Json counts;
-  for (const auto& [name, count] : report.analysis.outcomes) {
-    all.push_back({name, count, static_cast<double>(count) / static_cast<double>(report.analysis.share.of)});
-    counts[name] = count;
-  }
-  return {result::table({}, all, outcome_fields), result::Data{"outcomes", counts}};
-}
-
 constexpr auto instant_fields = result::fields<RollBand::Instant>({
     {"time", "time", u::s, 2, &RollBand::Instant::time_s, "after lift-off, in the tunnel after control start"},
     {"roll_angle", "roll angle", u::deg, 1, &RollBand::Instant::roll_rad, "true roll angle of the runs of the band"},
@@ -167,30 +123,6 @@ std::vector<result::Block> distributions(const Analysis& analysis, const result:
   return all;
 }
 
-std::vector<WorstRun> runs_shown(const Report& report) {
-  std::vector<WorstRun> all;
-  for (std::size_t i = 0; i < report.analysis.worst.size(); ++i) {
-    const FlownRun& run = report.flown.runs[report.analysis.worst[i]];
-    all.push_back({&run, run.figures[report.analysis.question.measured_by()], report.run_folders[i]});
-  }
-  return all;
-}
-
-std::vector<result::Block> worst(const Report& report) {
-  const ColumnWords asked = column_words(figure_columns[report.analysis.question.measured_by()]);
-  const std::string unit = asked.unit.empty() ? "" : " " + asked.unit;
-  result::Links links;
-  for (const WorstRun& one : runs_shown(report)) {
-    const FlownRun& run = *one.flown;
-    const std::string value = one.value ? fmt::format(", {} {}{}", asked.words, five_digits(*one.value), unit) : "";
-    links.all.push_back({.href = one.folder.empty() ? "" : one.folder + "/report.html",
-                         .text = fmt::format("run {}", run.run),
-                         .about = fmt::format(": {}{}{}{}", outcome_words(run.outcome), value,
-                                              run.note.empty() ? "" : "; ", run.note)});
-  }
-  return {links, "To fly any run again, with its flight report: " + report.run_command + " RUN"};
-}
-
 std::vector<std::string> changes_of(const Campaign& campaign) {
   std::vector<std::string> all;
   all.reserve(campaign.changes.size());
@@ -212,8 +144,11 @@ std::string subtitle(const Report& report) {
 }  // namespace
 
 std::vector<result::Listed> listed_fields() {
-  return {result::listed("", report_fields), result::listed("figures[], quantities[]", column_fields),
-          result::listed("worst_runs[]", worst_fields), result::listed("band.csv", instant_fields)};
+  std::vector<result::Listed> all{result::listed("", report_fields),
+                                  result::listed("figures[], quantities[]", column_fields)};
+  std::ranges::move(listed_of_runs(), std::back_inserter(all));
+  all.push_back(result::listed("band.csv", instant_fields));
+  return all;
 }
 
 result::Document answer(const Report& report) {
@@ -223,37 +158,37 @@ result::Document answer(const Report& report) {
   const result::Table figures = result::table("figures", a.figures, column_fields);
   const result::Table quantities = result::table("quantities", a.quantities, column_fields);
   const result::Table instants = result::table("band", report.roll_band.instants, instant_fields);
-  return {.kind = "campaign",
-          .title = report.flown.scenario,
-          .subtitle = subtitle(report),
-          .verdict = {.answer = answer_of(report), .heading = heading(report), .sentence = headline(report)},
-          .facts = {{"scenario", "", report.flown.scenario},
-                    {"vehicle", "", report.flown.vehicle},
-                    {"plan", "", report.flown.plan},
-                    {"changes", "", changes_of(campaign)},
-                    {"version", "", report.made.version},
-                    {"seed", "", campaign.seed},
-                    {"sampling", "", "independent"},
-                    {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
-          .sections = {{"Roll angle of the runs", roll(report.roll_band, report.flown.runs.size(), instants), files},
-                       {"Outcomes", outcomes(report)},
-                       {"Figures of the runs", distributions(a, figures)},
-                       {"Influences", influences(report)},
-                       {"Slope of each figure", {slopes_of_each_figure(a)}, files},
-                       {"The worst runs", worst(report)},
-                       {"Drawn quantities", {shown(quantities)}, files},
-                       {.heading = "How the share settled",
-                        .blocks = {result::Picture{convergence_chart(report)}},
-                        .folded = "The share over the number of runs"},
-                       {"Limits of this result", {result::Sentences{"remarks", remarks(report)}}},
-                       {"Repeat", {report.command}},
-                       {"For programs",
-                        {result::figures("", report, report_fields), result::Data{"share", share_of(a)}, figures,
-                         quantities, result::Data{"influences", influences_for_programs(a)},
-                         result::table("worst_runs", runs_shown(report), worst_fields)},
-                        programs}},
-          .spreadsheets = {instants},
-          .made = report.made};
+  return {
+      .kind = "campaign",
+      .title = report.flown.scenario,
+      .subtitle = subtitle(report),
+      .verdict = {.answer = answer_of(report), .heading = heading(report), .sentence = headline(report)},
+      .facts = {{"scenario", "", report.flown.scenario},
+                {"vehicle", "", report.flown.vehicle},
+                {"plan", "", report.flown.plan},
+                {"changes", "", changes_of(campaign)},
+                {"version", "", report.made.version},
+                {"seed", "", campaign.seed},
+                {"sampling", "", "independent"},
+                {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
+      .sections = {{"Roll angle of the runs", roll(report.roll_band, report.flown.runs.size(), instants), files},
+                   {"Outcomes", outcomes(report)},
+                   {"Figures of the runs", distributions(a, figures)},
+                   {"Influences", influences(report)},
+                   {"Slopes of the other figures", {slopes_of_other_figures(a)}, files},
+                   {"The worst runs", worst(report)},
+                   {"Drawn quantities", {shown(quantities)}, files},
+                   {.heading = "How the share settled",
+                    .blocks = {result::Picture{convergence_chart(report)}},
+                    .folded = "The share over the number of runs"},
+                   {"Limits of this result", {result::Sentences{"remarks", remarks(report)}}},
+                   {"Repeat", {report.command}},
+                   {"For programs",
+                    {result::figures("", report, report_fields), result::Data{"share", share_of(a)}, figures,
+                     quantities, result::Data{"influences", influences_for_programs(a)}, worst_for_programs(report)},
+                    programs}},
+      .spreadsheets = {instants},
+      .made = report.made};
 }
 
 }  // namespace fantail::campaign

@@ -79,10 +79,9 @@ page::Chart histogram(const Column& column) {
           .y_range = page::Range{0.0, 1.1 * std::ranges::max(counts)}};
 }
 
-std::string tornado_svg(const Report& report, double width) {
+std::string tornado_svg(const Report& report, std::size_t figure, double width) {
   constexpr double row = 20.0;
   constexpr double top = 6.0;
-  const std::size_t figure = report.analysis.question.measured_by();
   std::vector<std::pair<std::string, Estimate>> bars;
   double reach = 0.0;
   double left = 60.0;
@@ -120,18 +119,17 @@ std::string tornado_svg(const Report& report, double width) {
   return plot.end();
 }
 
-page::Chart scatter(const Report& report, const std::string& quantity) {
+page::Chart scatter(const Report& report, std::size_t figure, const std::string& quantity) {
   const Analysis& a = report.analysis;
   const auto place =
       static_cast<std::size_t>(std::ranges::find(report.flown.quantities, quantity) - report.flown.quantities.begin());
-  const std::size_t figure = a.question.measured_by();
   page::Series met{.name = a.question.words(), .role = Role::measured, .mark = Mark::points};
   page::Series not_met{.name = "other runs", .role = Role::limit, .mark = Mark::points};
   const std::size_t step = 1 + report.flown.runs.size() / most_points;
   for (std::size_t i = 0; i < report.flown.runs.size(); ++i) {
     const FlownRun& run = report.flown.runs[i];
     const bool is_met = a.question.is_met_by(run);
-    if (run.figures[figure] && (i % step == 0 || std::ranges::find(a.worst, i) != a.worst.end())) {
+    if (run.figures[figure] && (i % step == 0 || std::ranges::find(a.worst, i, &RankedRun::index) != a.worst.end())) {
       page::Series& series = is_met ? met : not_met;
       series.x.push_back(run.numbers[place]);
       series.y.push_back(*run.figures[figure]);

@@ -54,9 +54,9 @@ Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& q
                 const result::Made& made, const fs::path& folder, const std::function<void()>& look) {
   Report report;
   report.analysis = analyse(flown, campaign, question, required);
-  for (const std::size_t index : report.analysis.worst) {
+  for (const RankedRun& worst : report.analysis.worst) {
     look();
-    report.run_folders.push_back(write_run(campaign, flown.runs[index], folder));
+    report.run_folders.push_back(write_run(campaign, flown.runs[worst.index], folder));
   }
   report.roll_band = roll_band_of(campaign, flown, look);
   report.campaign = campaign;

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <sstream>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include "campaign/criteria.hpp"
 #include "flight/table.hpp"
 #include "fly/fly_scenario.hpp"
 #include "report/results.hpp"
@@ -25,6 +27,7 @@ namespace {
 void take_figures(FlownRun& flown, const JudgedFlight& judged) {
   const report::Figures& figures = judged.figures;
   flown.outcome = report::name(judged.verdict.outcome);
+  flown.failed_by = failed_criteria(judged);
   flown.figures = {text::in_degrees(figures.largest_hold_error_rad),
                    figures.saturated_fraction,
                    text::in_degrees(figures.authority_margin_rad),
@@ -33,12 +36,14 @@ void take_figures(FlownRun& flown, const JudgedFlight& judged) {
                    figures.max_speed_m_s,
                    figures.apogee_m,
                    text::in_degrees(figures.rest_error_rad),
+                   figures.ended_before_apogee_s,
                    judged.flight.extremes.top_mach,
                    judged.flight.extremes.static_margin_calibres,
                    text::in_degrees(judged.flight.extremes.angle_of_attack_rad)};
   for (std::size_t i = 0; i < flown.figures.size(); ++i) {
     if (flown.figures[i] && !std::isfinite(*flown.figures[i])) {
       flown.outcome = "not_finite";
+      flown.failed_by = {flown.outcome};
       flown.note += fmt::format("{}{} is not a number", flown.note.empty() ? "" : "; ", figure_columns[i]);
       flown.figures[i].reset();
     }
@@ -75,6 +80,19 @@ bool is_outcome(std::string_view word) {
   return word == "refused" || word == "not_finite" ||
          std::ranges::any_of(report::outcomes,
                              [word](report::Outcome outcome) { return report::name(outcome) == word; });
+}
+
+/// Words with spaces between them.
+std::vector<std::string> criteria_in(const flight::Table& table, std::size_t row, std::size_t column) {
+  std::vector<std::string> all;
+  std::istringstream words{std::string{table.cell(row, column)}};
+  for (std::string word; words >> word;) {
+    if (find_criterion(word) == nullptr) {
+      refuse(table, row, "failed_by = " + flight::in_quotes(word) + " is not a criterion");
+    }
+    all.push_back(word);
+  }
+  return all;
 }
 
 }  // namespace
@@ -124,6 +142,7 @@ FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_
     scenario = files.read();
   } catch (const text::Error& error) {
     flown.outcome = "refused";
+    flown.failed_by = {flown.outcome};
     flown.note = error.what();
     return flown;
   }
@@ -153,7 +172,7 @@ std::string header_row(const std::vector<Spread>& spreads) {
   for (const std::string_view column : figure_columns) {
     text += fmt::format(",{}", column);
   }
-  return text + ",note,row_check\n";
+  return text + ",failed_by,note,row_check\n";
 }
 
 std::string csv_row(const FlownRun& run) {
@@ -165,7 +184,7 @@ std::string csv_row(const FlownRun& run) {
   for (const auto& figure : run.figures) {
     text += figure ? fmt::format(",{}", *figure) : ",";
   }
-  text += ',' + text::csv_cell(run.note);
+  text += fmt::format(",{},{}", fmt::join(run.failed_by, " "), text::csv_cell(run.note));
   return text + ',' + check_of(text) + '\n';
 }
 
@@ -200,7 +219,8 @@ std::vector<FlownRun> read_rows(const std::string& rows, const std::vector<Sprea
       const std::size_t column = again + 2 + i;
       run.figures[i] = table.cell(row, column).empty() ? std::nullopt : std::optional{number(table, row, column)};
     }
-    run.note = table.cell(row, again + 2 + run.figures.size());
+    run.failed_by = criteria_in(table, row, again + 2 + run.figures.size());
+    run.note = table.cell(row, again + 3 + run.figures.size());
     all.push_back(std::move(run));
   }
   return all;

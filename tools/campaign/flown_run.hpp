@@ -35,10 +35,18 @@ void write_flight(const sim::Scenario& scenario, std::vector<std::string> change
                   const std::filesystem::path& folder);
 
 /// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
-inline constexpr std::array<std::string_view, 11> figure_columns{
-    "largest_hold_error_deg", "saturated_share", "authority_margin_deg", "control_time_s", "control_start_height_m",
-    "top_speed_m_s",          "apogee_m",        "rest_error_deg",       "top_mach",       "static_margin_calibres",
-    "angle_of_attack_deg"};
+inline constexpr std::array<std::string_view, 12> figure_columns{"largest_hold_error_deg",
+                                                                 "saturated_share",
+                                                                 "authority_margin_deg",
+                                                                 "control_time_s",
+                                                                 "control_start_height_m",
+                                                                 "top_speed_m_s",
+                                                                 "apogee_m",
+                                                                 "rest_error_deg",
+                                                                 "uncontrolled_time_before_apogee_s",
+                                                                 "top_mach",
+                                                                 "static_margin_calibres",
+                                                                 "angle_of_attack_deg"};
 /// The place of the first of the last three, which are flight::Extremes.
 inline constexpr std::size_t top_mach_column = figure_columns.size() - 3;
 
@@ -52,7 +60,8 @@ struct FlownRun {
   /// when a figure is no number.
   std::string outcome{};
   std::array<std::optional<double>, figure_columns.size()> figures{};
-  std::string note{};  ///< of a run without a flight's outcome: why
+  std::vector<std::string> failed_by{};  ///< the criteria that it does not meet (campaign/criteria.hpp)
+  std::string note{};                    ///< of a run without a flight's outcome: why
 
   friend bool operator==(const FlownRun&, const FlownRun&) = default;
 };

@@ -5,7 +5,6 @@
 #include <array>
 #include <cctype>
 #include <optional>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -68,13 +67,8 @@ bool Question::is_met_by(const FlownRun& run) const {
   return run.figures[figure] && *run.figures[figure] <= bound;
 }
 
-bool Question::is_worse(const FlownRun& one, const FlownRun& other) const {
-  const auto place = [this](const FlownRun& run) {
-    const std::optional<double>& value = run.figures[measured_by()];
-    const double sign = relation == Relation::at_least ? 1.0 : -1.0;
-    return std::tuple{is_met_by(run), value.has_value(), sign * value.value_or(0.0), run.run};
-  };
-  return place(one) < place(other);
+bool Question::is_failed_by(const FlownRun& run) const {
+  return (relation == Relation::is && outcome != report::name(Outcome::held)) == is_met_by(run);
 }
 
 std::string Question::text() const {

@@ -21,10 +21,9 @@ struct Question {
   double bound = 0.0;            ///< in its unit, likewise
 
   [[nodiscard]] bool is_met_by(const FlownRun& run) const;
-  /// The figure that tells how well a run did: of an outcome, the hold error.
-  [[nodiscard]] std::size_t measured_by() const { return relation == Relation::is ? 0 : figure; }
-  /// Which of two runs is worse: one that does not meet it, then one without the figure, then the figure.
-  [[nodiscard]] bool is_worse(const FlownRun& one, const FlownRun& other) const;
+  /// Does this run count against the launch? It does not meet the question, or has an outcome that is not "held" and is
+  /// asked for.
+  [[nodiscard]] bool is_failed_by(const FlownRun& run) const;
 
   [[nodiscard]] std::string text() const;   ///< as parse_question() takes it
   [[nodiscard]] std::string words() const;  ///< "Outcome held", "Apogee at least 900 m"

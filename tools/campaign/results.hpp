@@ -47,15 +47,27 @@ struct Report {
 [[nodiscard]] std::size_t runs_outside_the_model(const Report& report);
 /// What was found, in one sentence or two: the share and the interval, or that it is not decided.
 [[nodiscard]] std::string headline(const Report& report);
+/// Which criteria the runs that count against the question do not meet, how many by which: a sentence with a space
+/// before it; empty: none fails, or the question is about a figure.
+[[nodiscard]] std::string reasons(const Analysis& analysis);
 /// What was left out or went wrong, a sentence each.
 [[nodiscard]] std::vector<std::string> remarks(const Report& report);
 
-/// What the figure of the question depends on, with pictures; or why that is unknown.
+/// What the figures that decide depend on, with pictures; or why that is unknown.
 [[nodiscard]] std::vector<result::Block> influences(const Report& report);
-/// Of every figure, its slope by each quantity.
-[[nodiscard]] result::Table slopes_of_each_figure(const Analysis& analysis);
+/// Of every figure that influences() does not show, its slope by each quantity.
+[[nodiscard]] result::Table slopes_of_other_figures(const Analysis& analysis);
 [[nodiscard]] json::Value influences_for_programs(const Analysis& analysis);
 
+/// How many runs have each outcome, and how many fail each criterion.
+[[nodiscard]] std::vector<result::Block> outcomes(const Report& report);
+/// The worst runs, with their flight reports.
+[[nodiscard]] std::vector<result::Block> worst(const Report& report);
+[[nodiscard]] result::Table worst_for_programs(const Report& report);
+[[nodiscard]] std::vector<result::Listed> listed_of_runs();
+
+/// The unit is that of the row, and the decimals with it.
+[[nodiscard]] std::string five_digits(double value);
 /// "less than 0.1": a share of which some or not all is left looks like it.
 [[nodiscard]] std::string percent(double of_100);
 
@@ -68,11 +80,10 @@ struct Report {
 [[nodiscard]] page::Chart convergence_chart(const Report& report);
 /// How many of the runs are in each of equally wide bins, of a column whose values are not all the same.
 [[nodiscard]] page::Chart histogram(const Column& column);
-/// A bar for each quantity: by how much the figure of the question moves with it, largest first, with the 95 %
-/// interval.
-[[nodiscard]] std::string tornado_svg(const Report& report, double width);
-/// The figure of the question over one of the quantities: runs that meet it, runs that do not.
-[[nodiscard]] page::Chart scatter(const Report& report, const std::string& quantity);
+/// A bar for each quantity: by how much one of figure_columns moves with it, largest first, with the 95 % interval.
+[[nodiscard]] std::string tornado_svg(const Report& report, std::size_t figure, double width);
+/// One of figure_columns over one of the quantities: runs that meet the question, runs that do not.
+[[nodiscard]] page::Chart scatter(const Report& report, std::size_t figure, const std::string& quantity);
 
 /// All of it, for every output.
 [[nodiscard]] result::Document answer(const Report& report);

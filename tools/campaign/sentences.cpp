@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/core.h>
 
@@ -97,10 +98,19 @@ result::Answer answer_of(const Report& report) {
 std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
   return outside_the_model(report) + judged(report) +
-         fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.", a.question.words(),
+         fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.{}", a.question.words(),
                      a.share.count, runs(a.share.of), percent(100.0 * a.share.value),
-                     end_percent(a.share.low, std::floor, a.required),
-                     end_percent(a.share.high, std::ceil, a.required));
+                     end_percent(a.share.low, std::floor, a.required), end_percent(a.share.high, std::ceil, a.required),
+                     reasons(a));
+}
+
+std::string reasons(const Analysis& analysis) {
+  constexpr std::size_t most = 3;
+  std::string all;
+  for (const Failure& failure : std::span{analysis.failures}.first(std::min(most, analysis.failures.size()))) {
+    all += fmt::format("{}{} in {}", all.empty() ? "" : "; ", failure.criterion->words, runs(failure.runs));
+  }
+  return all.empty() ? "" : fmt::format(" Why runs fail: {}.", all);
 }
 
 std::vector<std::string> remarks(const Report& report) {

@@ -169,7 +169,10 @@ std::vector<result::Section> sections(const Result& result) {
   for (const std::string_view device : device_names()) {
     list.push_back({std::string{device}, matrix(result, device), files});
   }
-  list.push_back({"How it is judged", {result::Sentences{.all = how()}}, files});
+  list.push_back({.heading = "How it is judged",
+                  .blocks = {result::Sentences{.all = how()}},
+                  .readers = files,
+                  .folded = "The rules for every flight"});
   list.push_back({"Safe outcomes, stated beforehand", {stated(result)}, files});
   list.push_back({"Repeat", {command_of(result.campaign)}});
   list.push_back(

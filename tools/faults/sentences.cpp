@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -42,6 +44,61 @@ std::string worst_of(const Result& result, Colour colour) {
              : fmt::format(", at worst {} ({})", worst->cell.name(), worst->figure.substr(0, worst->figure.find(';')));
 }
 
+/// What the flights of a fault in all its phases came to.
+struct FaultsCounted {
+  std::vector<std::string> not_safe{};  ///< in some phase
+  std::size_t safe = 0;                 ///< in every flight
+  std::size_t not_judged = 0;           ///< in some phase, and safe in the others
+};
+
+FaultsCounted counted(const Result& result) {
+  FaultsCounted all;
+  for (auto cell = result.cells.begin(); cell != result.cells.end();) {
+    const FaultRow* const fault = cell->cell.row;
+    const auto end = std::find_if(cell, result.cells.end(), [&](const auto& other) { return other.cell.row != fault; });
+    const auto has = [&](Colour colour) { return std::ranges::count(cell, end, colour, &CellResult::colour) > 0; };
+    if (has(Colour::red) || has(Colour::known_limit)) {
+      all.not_safe.push_back(fmt::format("{} {}", fault->device, fault->fault));
+    } else if (has(Colour::not_judged)) {
+      ++all.not_judged;
+    } else if (has(Colour::green) || has(Colour::limit_without_need)) {
+      ++all.safe;
+    }
+    cell = end;
+  }
+  return all;
+}
+
+/// "3 of 20 faults are not safe in some phase: servo hardover, ...; 17 are safe in every flight."
+std::string faults_sentence(const Result& result) {
+  constexpr std::size_t most_names = 4;
+  const FaultsCounted of = counted(result);
+  const std::size_t bad = of.not_safe.size();
+  const std::size_t flown = bad + of.safe + of.not_judged;
+  if (flown == 0) {
+    return "No fault was flown";
+  }
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most_names, bad); ++i) {
+    names += (i == 0 ? "" : ", ") + of.not_safe[i];
+  }
+  if (bad > most_names) {
+    names += fmt::format(" and {} more", bad - most_names);
+  }
+  const auto faults = [](std::size_t count) { return fmt::format("{} fault{}", count, count == 1 ? "" : "s"); };
+  if (bad == 0 && of.not_judged == 0) {
+    return flown == 1 ? "The fault is safe in every flight"
+                      : fmt::format("All {} are safe in every flight", faults(flown));
+  }
+  const std::string the_safe =
+      of.safe == 0 ? "" : fmt::format("{}{} safe in every flight", of.safe, of.safe == 1 ? " is" : " are");
+  if (bad == 0) {
+    return fmt::format("None of {} is unsafe{}{}", faults(flown), the_safe.empty() ? "" : "; ", the_safe);
+  }
+  return fmt::format("{} of {} {} not safe in some phase: {}{}{}", bad, faults(flown), bad == 1 ? "is" : "are", names,
+                     the_safe.empty() ? "" : "; ", the_safe);
+}
+
 }  // namespace
 
 std::size_t count(const Result& result, Colour colour) {
@@ -78,7 +135,7 @@ std::string headline(const Result& result) {
   const auto line = [](std::string_view what, std::size_t number, const std::string& more = {}) {
     return number == 0 ? std::string{} : fmt::format(" {}: {}{}.", what, text::counted(number, "cell"), more);
   };
-  return fmt::format("{}{} in {}.{}{}{}{}{}{}", flight::outside_model(result.beyond_model),
+  return fmt::format("{}{}. {} in {}.{}{}{}{}{}{}", flight::outside_model(result.beyond_model), faults_sentence(result),
                      text::counted(result.flights, "flight"), text::counted(flown, "cell"),
                      red == 0 ? " No cell is RED." : "", line("RED", red, worst_of(result, Colour::red)),
                      line("Not safe because of a known limit", limits, worst_of(result, Colour::known_limit)),

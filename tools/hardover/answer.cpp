@@ -35,6 +35,13 @@ constexpr auto effect_fields = result::fields<E>({
      "horizontal distance of its apogee from the healthy rocket's, in any direction", Worse::larger},
     {"apogee_east", "apogee to the east", m, 1, &E::apogee_east_m, "over ground, from the foot of the guide"},
     {"apogee_north", "apogee to the north", m, 1, &E::apogee_north_m, "over ground, from the foot of the guide"},
+    {"landing_moved", "landing shift", m, 0, &E::landing_away_m,
+     "horizontal distance of its landing point under the parachute from the healthy rocket's; null: not known",
+     Worse::larger},
+    {"landing_east", "landing to the east", m, 0, &E::landing_east_m,
+     "under the parachute, from the foot of the guide; null: not known"},
+    {"landing_north", "landing to the north", m, 0, &E::landing_north_m,
+     "under the parachute, from the foot of the guide; null: not known"},
     {"apogee", "apogee", m, 0, &E::apogee_m, "greatest height above the site", Worse::smaller},
     {"rolled", "roll change", deg, 0, &E::rolled_rad,
      "largest difference between its roll angle and the healthy rocket's", Worse::larger},
@@ -75,10 +82,11 @@ std::string what_fails(const Study& study) {
 /// The worst of all canards and instants.
 std::string headline(const Study& study, const Effect& worst) {
   return fmt::format(
-      "{}One canard {} deflects the flight path by up to {} deg and moves the apogee by up to {} m. It changes the "
-      "roll angle by up to {} deg; the canards push sideways with up to {} N.",
-      flight::outside_model(study.beyond_model), what_fails(study), fixed(degrees(worst.turned_rad), 1),
-      fixed(worst.away_m, 0), fixed(degrees(worst.rolled_rad), 0), fixed(worst.side_force_n, 1));
+      "{}One canard {} moves the apogee by up to {} m{}. It turns the path by up to {} deg and the roll by up to "
+      "{} deg; the canards push sideways with up to {} N.",
+      flight::outside_model(study.beyond_model), what_fails(study), fixed(worst.away_m, 0),
+      worst.landing_away_m ? fmt::format(" and the landing point by up to {} m", fixed(*worst.landing_away_m, 0)) : "",
+      fixed(degrees(worst.turned_rad), 1), fixed(degrees(worst.rolled_rad), 0), fixed(worst.side_force_n, 1));
 }
 
 result::Figures at_worst(const Study& study, const Effect& worst) {
@@ -87,6 +95,9 @@ result::Figures at_worst(const Study& study, const Effect& worst) {
   figures["apogee"].label = "lowest apogee";
   figures["apogee"].key = "lowest_apogee";
   figures["apogee_moved"].remark = "horizontal";
+  if (worst.landing_away_m) {
+    figures["landing_moved"].remark = "under the parachute";
+  }
   figures["roll_rate"].remark = fmt::format("healthy rocket: {}", fixed(degrees(study.sound_roll_rate_rad_s), 0));
   figures["side_force"].remark = "of the canards";
   if (study.options.coupler_m) {
@@ -97,14 +108,35 @@ result::Figures at_worst(const Study& study, const Effect& worst) {
 
 /// What the rows are not.
 std::string_view no_clearance() {
-  return "Distances are measured from the healthy rocket's apogee and not from the launch guide. The launch guide and "
-         "the wind are those of the scenario; others can give larger distances. These rows alone do not clear a range: "
-         "they contain no point of impact and no flight without a parachute.";
+  return "The shifts are distances from the healthy rocket and not from the launch guide. The guide, the wind and the "
+         "parachute are those of the scenario; others can give larger distances. These rows alone do not "
+         "clear a range.";
+}
+
+/// How far the simulation tells where it lands.
+std::string descent(const Study& study) {
+  if (!study.has_parachute) {
+    return "Landing points are not known: the vehicle has no parachute (section [recovery]). A fall without one, at "
+           "large angles of attack, is outside the model.";
+  }
+  const auto unknown = std::ranges::count_if(study.effects, [](const Effect& of) { return !of.landing_east_m; });
+  std::string all =
+      "Each flight is simulated to the ground under the parachute of the vehicle's section [recovery]. "
+      "Until it is open, the fall can be outside the model.";
+  if (unknown > 0) {
+    all += fmt::format(
+        " {} of {} flights have no landing point: the parachute did not open, or they were in the air {} s after "
+        "apogee.",
+        unknown, study.effects.size(), fixed(longest_fall_s, 0));
+  }
+  return all;
 }
 
 std::vector<std::string> definitions(const Effect& worst) {
   std::vector<std::string> all = result::meanings(worst, effect_fields);
-  all.insert(all.begin(), "Healthy rocket: the same flight without the failure. The two are compared until apogee.");
+  all.insert(all.begin(),
+             "Healthy rocket: the same flight without the failure. The two are compared until apogee, "
+             "and by where they land.");
   return all;
 }
 
@@ -157,8 +189,7 @@ std::vector<std::string> remarks(const Study& study, const Effect& worst) {
                   "control, the rocket rolls freely.",
                   fixed(slowest_m_s, 0), up_to(worst.angle_of_attack_rad), up_to(study.sound_angle_of_attack_rad),
                   fixed(degrees(study.sound_roll_rate_rad_s), 0)),
-      "Under a parachute it drifts as far as the healthy rocket, from a different apogee. Structural failure is not "
-      "modelled."};
+      "Structural failure is not modelled."};
   if (study.options.coupler_m) {
     list.push_back(*study.options.coupler_m > study.position_m
                        ? "Bending moment: side force of the canards times its distance to the station. The inertia of "
@@ -219,6 +250,11 @@ result::Document answer(const Study& study) {
   for (const std::string_view y : {"side_force", "way_turned", "apogee_moved", "apogee", "angle_of_attack", "rolled"}) {
     plots.emplace_back(result::plot(flights, y, {.x = "from", .curves = "stop"}));
   }
+  std::vector<result::Block> maps{
+      result::Picture{apogee_map(study), "Apogee of each flight over ground, seen from above."}};
+  if (auto landing = landing_map(study)) {
+    maps.emplace_back(result::Picture{*std::move(landing), "Landing point of each flight, seen from above."});
+  }
   using enum result::Readers;
   return {.kind = "study: failure of one canard",
           .title = study.scenario,
@@ -228,9 +264,8 @@ result::Document answer(const Study& study) {
                       .sentence = headline(study, worst),
                       .not_in_it = {std::string{no_clearance()}}},
           .facts = facts(study),
-          .sections = {{"Where the apogee lies",
-                        {result::Picture{apogee_map(study), "Apogee of each flight over ground, seen from above."}},
-                        files},
+          .sections = {{"Apogee and landing", maps, files},
+                       {"Descent", {descent(study)}},
                        {"Worst value of each figure", {at_worst(study, worst)}},
                        {"Definitions", {result::Sentences{.all = definitions(worst)}}, files},
                        {"Effect over the time of failure", plots, files},

@@ -5,7 +5,25 @@
 
 namespace fantail::hardover {
 
-page::Chart apogee_map(const Study& study) {
+namespace {
+
+struct OverGround {
+  std::optional<double> east_m;
+  std::optional<double> north_m;
+};
+
+OverGround apogee_of(const Effect& effect) { return {effect.apogee_east_m, effect.apogee_north_m}; }
+OverGround landing_of(const Effect& effect) { return {effect.landing_east_m, effect.landing_north_m}; }
+
+void add(page::Series& series, const OverGround& at) {
+  if (at.east_m && at.north_m) {
+    series.x.push_back(*at.east_m);
+    series.y.push_back(*at.north_m);
+  }
+}
+
+page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)(const Effect&),
+                   const OverGround& of_healthy) {
   const auto points = [](const char* name, page::Role role) {
     return page::Series{.name = name, .role = role, .mark = page::Mark::points};
   };
@@ -15,14 +33,10 @@ page::Chart apogee_map(const Study& study) {
   page::Series healthy = points("healthy rocket", page::Role::second_model);
   page::Series guide = points("launch guide", page::Role::reference);
   for (const Effect& effect : study.effects) {
-    page::Series& series = effect.stop_rad < 0.0 ? negative : positive;
-    series.x.push_back(effect.apogee_east_m);
-    series.y.push_back(effect.apogee_north_m);
+    add(effect.stop_rad < 0.0 ? negative : positive, place_of(effect));
   }
-  healthy.x = {study.sound_apogee_east_m};
-  healthy.y = {study.sound_apogee_north_m};
-  guide.x = {0.0};
-  guide.y = {0.0};
+  add(healthy, of_healthy);
+  add(guide, {0.0, 0.0});
   // As far either way: a metre to the east is as long as one to the north.
   std::optional<page::Range> east;
   std::optional<page::Range> north;
@@ -37,7 +51,7 @@ page::Chart apogee_map(const Study& study) {
   };
   std::vector<page::Series> series{positive, negative, healthy, guide};
   std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
-  return {.label = "Where the apogee lies over ground, seen from above",
+  return {.label = label,
           .x_label = "to the east / m",
           .y_label = "to the north / m",
           .width = map_width,
@@ -45,6 +59,21 @@ page::Chart apogee_map(const Study& study) {
           .series = std::move(series),
           .x_range = around(*east),
           .y_range = around(*north)};
+}
+
+}  // namespace
+
+page::Chart apogee_map(const Study& study) {
+  return map_of(study, "Where the apogee lies over ground, seen from above", apogee_of,
+                {study.sound_apogee_east_m, study.sound_apogee_north_m});
+}
+
+std::optional<page::Chart> landing_map(const Study& study) {
+  if (std::ranges::none_of(study.effects, [](const Effect& effect) { return effect.landing_east_m.has_value(); })) {
+    return {};
+  }
+  return map_of(study, "Where the rocket lands, seen from above", landing_of,
+                {study.sound_landing_east_m, study.sound_landing_north_m});
 }
 
 }  // namespace fantail::hardover

@@ -34,16 +34,37 @@ struct Flown {
   double apogee_s = 0.0;
   double apogee_m = 0.0;
   sim::Vector3 apogee_at_m;
+  std::optional<sim::Vector3> landing_at_m{};
 };
 
+bool has_parachute(const sim::Vehicle& vehicle) { return vehicle.recovery && vehicle.recovery->drag_area_m2 > 0.0; }
+
+/// From the pad, under a parachute to the ground. The fall without one is at angles of attack at which nothing is known
+/// of the air loads. The vectors end as much after apogee as the scenario flies on.
 Flown flown(const sim::Scenario& scenario) {
-  sim::World world{scenario};
+  sim::Scenario to_ground = scenario;
+  if (has_parachute(scenario.vehicle)) {
+    to_ground.time_after_end_s = std::max(longest_fall_s, scenario.time_after_end_s);
+  }
+  sim::World world{to_ground};
   Flown out;
+  std::optional<core::Microseconds> kept_until;
   const auto ignition = sim::nearest_tick(scenario.pad_time_s);
   const auto after_ignition_s = [&](auto time) { return sim::in_seconds(time - ignition); };
-  while (!world.over()) {
-    (void)world.tick();
-    if (world.now() >= ignition) {
+  bool is_finished = false;
+  while (!world.over() && !out.landing_at_m) {
+    // In the fall the avionics only hold trim, so that its ticks change nothing and take most of the time.
+    if (!kept_until || !is_finished || world.now() < *kept_until) {
+      is_finished = world.tick().phase == core::Phase::finished;
+    }
+    const sim::World::Events& events = world.events();
+    if (!kept_until && events.burnout && events.apogee) {
+      kept_until = std::max(*events.burnout, *events.apogee) + sim::nearest_tick(scenario.time_after_end_s);
+    }
+    if (events.parachute && world.is_on_ground()) {
+      out.landing_at_m = world.path().value().position_m;
+    }
+    if (world.now() >= ignition && (!kept_until || world.now() < *kept_until)) {
       const sim::Path path = world.path().value();
       const sim::Truth truth = world.truth();
       const sim::Vector3 across = world.canards_across_rad();
@@ -101,6 +122,14 @@ Effect effect_of(const Flown& failed, const Flown& sound, Effect effect, const S
   effect.apogee_east_m = -failed.apogee_at_m.y;
   effect.apogee_north_m = failed.apogee_at_m.x;
   effect.away_m = std::hypot(failed.apogee_at_m.x - sound.apogee_at_m.x, failed.apogee_at_m.y - sound.apogee_at_m.y);
+  if (failed.landing_at_m) {
+    effect.landing_east_m = -failed.landing_at_m->y;
+    effect.landing_north_m = failed.landing_at_m->x;
+    if (sound.landing_at_m) {
+      effect.landing_away_m =
+          std::hypot(failed.landing_at_m->x - sound.landing_at_m->x, failed.landing_at_m->y - sound.landing_at_m->y);
+    }
+  }
   if (study.options.coupler_m) {
     effect.moment_n_m = effect.side_force_n * std::max(0.0, *study.options.coupler_m - study.position_m);
   }
@@ -180,10 +209,17 @@ Study fly(sim::Scenario scenario, const Options& options,
       .sound_apogee_m = sound.apogee_m,
       .sound_apogee_east_m = -sound.apogee_at_m.y,
       .sound_apogee_north_m = sound.apogee_at_m.x,
+      .sound_landing_east_m = {},
+      .sound_landing_north_m = {},
+      .has_parachute = hardover::has_parachute(scenario.vehicle),
       .sound_angle_of_attack_rad = {},
       .sound_roll_rate_rad_s = 0.0,
       .beyond_model = flight::how_far_beyond(fly::fly_without_rows(scenario, [](const auto&, const auto&) {}).extremes),
       .options = options};
+  if (sound.landing_at_m) {
+    study.sound_landing_east_m = -sound.landing_at_m->y;
+    study.sound_landing_north_m = sound.landing_at_m->x;
+  }
   for (std::size_t i = static_cast<std::size_t>(std::lround(1e3 * sound.clear_s)); i < sound.air_speed_m_s.size();
        ++i) {
     if (static_cast<double>(i) < 1e3 * sound.apogee_s) {

@@ -55,15 +55,22 @@ struct Effect {
   std::optional<double> moment_n_m{};  ///< at the coupler
   double apogee_east_m = 0.0;          ///< over ground, from the foot of the guide, as the next
   double apogee_north_m = 0.0;
+  std::optional<double> landing_east_m{};  ///< likewise; empty: not known, as without a parachute
+  std::optional<double> landing_north_m{};
+  std::optional<double> landing_away_m{};  ///< horizontal distance from where the healthy rocket lands
 };
 inline void fields(runs::RowText& text, Effect& effect) {
   text(effect.canard, effect.stop_rad, effect.from_s, effect.side_force_n, effect.pressure_pa,
        effect.angle_of_attack_rad, effect.roll_rate_rad_s, effect.rolled_rad, effect.turned_rad, effect.apogee_m,
-       effect.away_m, effect.moment_n_m, effect.apogee_east_m, effect.apogee_north_m);
+       effect.away_m, effect.moment_n_m, effect.apogee_east_m, effect.apogee_north_m, effect.landing_east_m,
+       effect.landing_north_m, effect.landing_away_m);
 }
 
 /// Slower, an angle in the flow says little.
 inline constexpr double slowest_m_s = 20.0;
+
+/// Flown after apogee, unless it lands before.
+inline constexpr double longest_fall_s = 600.0;
 
 struct Study {
   std::string scenario;
@@ -80,6 +87,9 @@ struct Study {
   double sound_apogee_m;
   double sound_apogee_east_m;  ///< over ground, from the foot of the guide, as the next
   double sound_apogee_north_m;
+  std::optional<double> sound_landing_east_m;  ///< likewise
+  std::optional<double> sound_landing_north_m;
+  bool has_parachute;                               ///< else nothing is known of the landing
   std::optional<double> sound_angle_of_attack_rad;  ///< likewise
   double sound_roll_rate_rad_s;                     ///< largest, either way, from the end of the guide to apogee
   std::string beyond_model;  ///< how far the healthy rocket is beyond the roll model (flight/model_end.hpp); empty: not
@@ -104,6 +114,8 @@ struct Study {
 
 /// Where the apogees of all flights lie over ground.
 [[nodiscard]] page::Chart apogee_map(const Study& study);
+/// Where those land that do; empty: none.
+[[nodiscard]] std::optional<page::Chart> landing_map(const Study& study);
 inline constexpr double map_width = 560.0;
 /// Answers nothing with yes or no: it measures.
 [[nodiscard]] result::Document answer(const Study& study);

@@ -64,6 +64,8 @@
     if (lines.length === 0) return;
     const overflow = curves.getAttribute("overflow");
     const hasDotsOnly = lines.every((line) => line.kind === "dots");
+    // Dots with the same scale both ways: a map, which must keep it.
+    const isMap = hasDotsOnly && Math.abs((all.x[1] - all.x[0]) / width * height / (all.y[1] - all.y[0]) - 1) < 0.1;
     let shown = {...all};
 
     // From what is shown to its place, and between a place, its value and where it was first drawn.
@@ -150,8 +152,18 @@
       layer.replaceChildren();
     }
 
-    // A drag along a line is about its x; one across, or among dots, is about both.
-    const isBox = (a, b) => Math.abs(a.y - b.y) > (hasDotsOnly ? 8 : 30);
+    // A drag along a line is about its x; one across, or among dots, is about both, and a map keeps its shape.
+    const isBox = (a, b) => isMap || Math.abs(a.y - b.y) > (hasDotsOnly ? 8 : 30);
+    function boxOf(a, b) {
+      if (!isBox(a, b)) return {x: [Math.min(a.x, b.x), Math.max(a.x, b.x)], y: [top, bottom]};
+      if (!isMap) return {x: [Math.min(a.x, b.x), Math.max(a.x, b.x)], y: [Math.min(a.y, b.y), Math.max(a.y, b.y)]};
+      const part = Math.min(1, Math.max(Math.abs(a.x - b.x) / width, Math.abs(a.y - b.y) / height));
+      const within = (middle, from, size) => {
+        const begin = Math.min(Math.max(middle - 0.5 * part * size, from), from + (1 - part) * size);
+        return [begin, begin + part * size];
+      };
+      return {x: within(0.5 * (a.x + b.x), left, width), y: within(0.5 * (a.y + b.y), top, height)};
+    }
     let from = null;
     back.addEventListener("pointerdown", (event) => {
       if (event.pointerType === "mouse") from = at(event);
@@ -160,17 +172,17 @@
       const p = at(event);
       showCursor(p);
       if (from) {
-        make("rect", {class: "drag", x: Math.min(from.x, p.x), width: Math.abs(p.x - from.x),
-          y: isBox(from, p) ? Math.min(from.y, p.y) : top, height: isBox(from, p) ? Math.abs(p.y - from.y) : height}, layer);
+        const box = boxOf(from, p);
+        make("rect", {class: "drag", x: box.x[0], width: box.x[1] - box.x[0], y: box.y[0], height: box.y[1] - box.y[0]}, layer);
       }
     });
     addEventListener("pointerup", (event) => {
       if (!from) return;
       const [a, b] = [from, at(event)];
       from = null;
-      if (Math.abs(a.x - b.x) < 8) return;
-      const sorted = (p, q) => p < q ? [p, q] : [q, p];
-      show(sorted(valueX(a.x), valueX(b.x)), isBox(a, b) ? sorted(valueY(a.y), valueY(b.y)) : shown.y);
+      if (Math.abs(a.x - b.x) < 8 && !(isMap && Math.abs(a.y - b.y) >= 8)) return;
+      const box = boxOf(a, b);
+      show(box.x.map(valueX), isBox(a, b) ? [valueY(box.y[1]), valueY(box.y[0])] : shown.y);
     });
     back.addEventListener("pointerleave", () => from || layer.replaceChildren());
     back.addEventListener("dblclick", () => show(all.x, all.y));
