@@ -2,12 +2,14 @@
 #include "campaign/criteria.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "campaign/results.hpp"
+#include "input/scratch_file.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::campaign {
@@ -138,6 +140,54 @@ TEST(Criteria, OfARunWithoutTheFigureItIsWorseThanWithIt) {
             std::ranges::min(flown.runs, {}, [](const FlownRun& run) { return *run.figures[rest_column]; })
                 .figures[rest_column])
       << "low is bad where high is asked";
+}
+
+/// Of 100 flights of the second launch in six degrees of freedom. The roll rests u_d / kp beside its command, which is
+/// 9.8 deg with the offset of the file, and 20 are allowed.
+Report flown_with(const std::string& spreads) {
+  const input::ScratchFile file{
+      "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[verdict]\nrest_limit_deg = 20\n"
+      "[disturbance]\ntimes_s = [0]\nangles_deg = [-4.9]\n[flight]\nmotion = \"six_dof\"\n[wind]\nspeed_m_s = 1\n" +
+          spreads,
+      "criteria.toml"};
+  const Campaign campaign{.scenario = file.path().string(), .runs = 100};
+  const std::filesystem::path folder = file.path().string() + ".runs";
+  std::filesystem::remove_all(folder);
+  Report report = report_on(fly_campaign(campaign, folder, "test", 2, [](std::uint64_t) {}));
+  std::filesystem::remove_all(folder);
+  return report;
+}
+
+// The wind turns the rocket over until the plan's tilt limit ends control, and the air meets it at large angles. The
+// law's hold error depends on the servo.
+TEST(Criteria, InFlightsThatOnlyTheWindFailsTheWindIsNamedFirst) {
+  const Report report = flown_with(
+      "[[spread]]\nfield = \"servo.lag_s\"\neffect = \"factor\"\nlaw = \"uniform\"\nlow = 0.8\nhigh = 1.3\n"
+      "[[spread]]\nfield = \"wind.speed_m_s\"\nlaw = \"uniform\"\nlow = 0\nhigh = 9\n");
+  const Analysis& a = report.analysis;
+  ASSERT_GE(a.failures.size(), 2U);
+  EXPECT_EQ(a.failures[0].criterion->name, "angle_of_attack");
+  EXPECT_EQ(a.failures[1].criterion->name, "tilt");
+  for (const std::size_t figure : a.decided_by) {
+    EXPECT_EQ(steepest_first(a.influences, figure).front().name, "wind.speed_m_s") << figure_columns[figure];
+  }
+  EXPECT_NE(steepest_first(a.influences, hold_column).front().name, "wind.speed_m_s") << "what was always shown";
+  for (const RankedRun& worst : a.worst) {
+    EXPECT_GT(report.flown.runs[worst.index].numbers[1], 5.0) << "a strong wind";
+  }
+}
+
+// More than 10 deg of offset rest more than 20 deg beside the command.
+TEST(Criteria, InFlightsThatOnlyTheFinOffsetFailsTheOffsetIsNamedFirst) {
+  const Report report = flown_with(
+      "[[spread]]\nfield = \"servo.lag_s\"\neffect = \"factor\"\nlaw = \"uniform\"\nlow = 0.8\nhigh = 1.3\n"
+      "[[spread]]\nfield = \"disturbance.angles_deg\"\neffect = \"offset\"\nlaw = \"uniform\"\nlow = -6\nhigh = 0\n");
+  const Analysis& a = report.analysis;
+  ASSERT_FALSE(a.failures.empty());
+  EXPECT_EQ(a.failures[0].criterion->name, "rest_error");
+  EXPECT_EQ(a.decided_by.front(), rest_column);
+  EXPECT_EQ(a.influences.front().name, "disturbance.angles_deg_offset");
+  EXPECT_LT(report.flown.runs[a.worst.front().index].numbers[1], -5.0);
 }
 
 }  // namespace

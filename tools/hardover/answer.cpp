@@ -109,8 +109,8 @@ result::Figures at_worst(const Study& study, const Effect& worst) {
 /// What the rows are not.
 std::string_view no_clearance() {
   return "The shifts are distances from the healthy rocket and not from the launch guide. The guide, the wind and the "
-         "parachute are those of the scenario; others can give larger distances. These rows alone do not "
-         "clear a range.";
+         "parachute are those of the scenario; others can give larger distances. These rows do not "
+         "clear a range: they contain no fall without a parachute.";
 }
 
 /// How far the simulation tells where it lands.

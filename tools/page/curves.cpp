@@ -139,10 +139,10 @@ void draw_line(SvgPlot& plot, LabelPlacer& places, const Series& series, std::st
 }
 
 // Dots that would hide each other wholly are drawn once; dots outside the axes would stand in the texts.
-void draw_dots(SvgPlot& plot, LabelPlacer& places, const Series& series) {
+std::vector<Pixel> dots_to_draw(const SvgPlot& plot, const Series& series, double per_unit) {
   const Box frame = plot.frame();
   std::set<std::pair<long, long>> drawn;
-  std::string path;
+  std::vector<Pixel> kept;
   for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) {
       continue;
@@ -150,13 +150,27 @@ void draw_dots(SvgPlot& plot, LabelPlacer& places, const Series& series) {
     const Pixel p{plot.x(series.x[i]), plot.y(series.y[i])};
     const bool seen =
         p.x >= frame.left - 0.1 && p.x <= frame.right + 0.1 && p.y >= frame.top - 0.1 && p.y <= frame.bottom + 0.1;
-    if (seen && drawn.emplace(std::lround(2.0 * p.x), std::lround(2.0 * p.y)).second) {
-      path += fmt::format("M{:.1f} {:.1f}h0", p.x, p.y);
-      places.avoid(p);
+    if (seen && drawn.emplace(std::lround(per_unit * p.x), std::lround(per_unit * p.y)).second) {
+      kept.push_back(p);
     }
   }
+  return kept;
+}
+
+void draw_dots(SvgPlot& plot, LabelPlacer& places, const Series& series) {
+  constexpr std::size_t most = 30'000;  // more only make the page large: they cover each other in part
+  double per_unit = 2.0;
+  std::vector<Pixel> dots = dots_to_draw(plot, series, per_unit);
+  while (dots.size() > most) {
+    dots = dots_to_draw(plot, series, per_unit *= 0.5);
+  }
+  std::string path;
+  for (const Pixel& p : dots) {
+    path += fmt::format("M{:.1f} {:.1f}h0", p.x, p.y);
+    places.avoid(p);
+  }
   if (!path.empty()) {
-    plot.add("<path class=\"dots{} {}\" data-name=\"{}\" d=\"{}\"/>", drawn.size() > 120 ? " many" : "",
+    plot.add("<path class=\"dots{} {}\" data-name=\"{}\" d=\"{}\"/>", dots.size() > 120 ? " many" : "",
              class_of(series.role), escape_html(series.name), path);
   }
 }
