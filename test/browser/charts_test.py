@@ -38,7 +38,7 @@ class Charts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
-        for words in (["campaign", "tasha3_launch2", "--runs", "20"], ["campaign", "hardover", "tasha3_launch2", "--step", "5"]):
+        for words in (["campaign", "tasha3_launch2", "--runs", "20"], ["campaign", "hardover", "tasha3_launch2", "--step", "5", "--set", "recovery.drag_area_m2=1"]):
             subprocess.run([FANTAIL, *words, "--out", cls.folder / words[1]], check=True, stdout=subprocess.DEVNULL)
         cls.page = cls.enterClassContext(browser.Browser(1280, 900))
 

@@ -107,12 +107,12 @@ TEST(FaultHeadline, OfAKnownLimitTheBarIsAmberAndTheWorstCellIsNamed) {
   Result result;
   result.cells = {concluded(cell_of("servo/hardover/controlling"), {red(645.0)}, {&limit}),
                   concluded(cell_of("servo/garbage/controlling"), {red(714.0)}, {&limit})};
-  EXPECT_EQ(figures(headline(result)), (std::vector<std::string>{"0", "2", "2", "714"})) << headline(result);
+  EXPECT_EQ(figures(headline(result)), (std::vector<std::string>{"2", "2", "0", "2", "2", "714"})) << headline(result);
   EXPECT_NE(headline(result).find("servo/garbage/controlling"), std::string::npos) << headline(result);
   EXPECT_EQ(answer_of(result), result::Answer::undecided);
   EXPECT_EQ(result::html(answer(result)).find("No red cell"), std::string::npos);
   result.cells.push_back(concluded(cell_of("servo/dead/controlling"), {red(100.0)}, {}));
-  EXPECT_EQ(figures(headline(result)), (std::vector<std::string>{"0", "3", "1", "100", "2", "714"}));
+  EXPECT_EQ(figures(headline(result)), (std::vector<std::string>{"3", "3", "0", "3", "1", "100", "2", "714"}));
   EXPECT_NE(headline(result).find("servo/dead/controlling"), std::string::npos) << headline(result);
   EXPECT_EQ(answer_of(result), result::Answer::no);
   result.cells = {concluded(cell_of("servo/dead/controlling"), {faults::Run{.outcome = Outcome::holds}}, {})};

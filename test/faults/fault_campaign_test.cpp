@@ -185,6 +185,37 @@ TEST(FaultMap, HasARowForEachFaultAndACellInTheColourOfWhatItCameTo) {
   EXPECT_TRUE(map_svg(Result{}, 880.0).empty());
 }
 
+/// Of one phase of the first faults of the table, with these colours.
+Result with_colours(const std::vector<Colour>& colours) {
+  Result result;
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    CellResult cell{.cell = {&fault_table()[i], Phase::armed}, .colour = colours[i], .flights = 3};
+    if (colours[i] != Colour::not_applicable) {
+      cell.worst = Run{.outcome = Outcome::not_armed, .apart_deg = static_cast<double>(i)};
+    }
+    result.cells.push_back(cell);
+    result.flights += cell.flights;
+  }
+  return result;
+}
+
+TEST(FaultHeadline, SaysHowManyFaultsAreNotSafeAndNamesTheWorstFirst) {
+  using enum Colour;
+  const auto name = [](std::size_t i) { return fmt::format("{} {}", fault_table()[i].device, fault_table()[i].fault); };
+  EXPECT_TRUE(
+      headline(with_colours({known_limit, green, red, not_applicable, green, limit_without_need}))
+          .starts_with(fmt::format("2 of 5 faults are not safe in some phase: {}, {}; 3 are safe in every flight. ",
+                                   name(2), name(0))));
+  EXPECT_TRUE(headline(with_colours(std::vector<Colour>(7, red)))
+                  .starts_with(fmt::format("7 of 7 faults are not safe in some phase: {}, {}, {}, {} and 3 more. ",
+                                           name(0), name(1), name(2), name(3))));
+  EXPECT_TRUE(headline(with_colours({green})).starts_with("The fault is safe in every flight. 3 flights in 1 cell. "));
+  EXPECT_TRUE(headline(with_colours({green, green})).starts_with("All 2 faults are safe in every flight. "));
+  EXPECT_TRUE(headline(with_colours({not_judged})).starts_with("No flight broke the rules for every flight. "));
+  EXPECT_TRUE(
+      headline(with_colours({not_judged, green})).starts_with("No fault is unsafe; 1 is safe in every flight. "));
+}
+
 TEST(FaultWorst, AreTheWorstCellsOfFiveFaultsRedOnesFirst) {
   Result result;
   result.cells = {of("imu/dead/pad", Colour::green, 500.0, Outcome::not_armed),

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "campaign/setup.hpp"
 #include "faults/results.hpp"
@@ -46,9 +46,9 @@ std::string worst_of(const Result& result, Colour colour) {
 
 /// What the flights of a fault in all its phases came to.
 struct FaultsCounted {
-  std::vector<std::string> not_safe{};  ///< in some phase
-  std::size_t safe = 0;                 ///< in every flight
-  std::size_t not_judged = 0;           ///< in some phase, and safe in the others
+  std::size_t not_safe = 0;    ///< in some phase
+  std::size_t safe = 0;        ///< in every flight
+  std::size_t not_judged = 0;  ///< in some phase, and safe in the others
 };
 
 FaultsCounted counted(const Result& result) {
@@ -58,7 +58,7 @@ FaultsCounted counted(const Result& result) {
     const auto end = std::find_if(cell, result.cells.end(), [&](const auto& other) { return other.cell.row != fault; });
     const auto has = [&](Colour colour) { return std::ranges::count(cell, end, colour, &CellResult::colour) > 0; };
     if (has(Colour::red) || has(Colour::known_limit)) {
-      all.not_safe.push_back(fmt::format("{} {}", fault->device, fault->fault));
+      ++all.not_safe;
     } else if (has(Colour::not_judged)) {
       ++all.not_judged;
     } else if (has(Colour::green) || has(Colour::limit_without_need)) {
@@ -73,18 +73,19 @@ FaultsCounted counted(const Result& result) {
 std::string faults_sentence(const Result& result) {
   constexpr std::size_t most_names = 4;
   const FaultsCounted of = counted(result);
-  const std::size_t bad = of.not_safe.size();
+  const std::size_t bad = of.not_safe;
   const std::size_t flown = bad + of.safe + of.not_judged;
   if (flown == 0) {
     return "No fault was flown";
   }
-  std::string names;
-  for (std::size_t i = 0; i < std::min(most_names, bad); ++i) {
-    names += (i == 0 ? "" : ", ") + of.not_safe[i];
+  std::vector<std::string> names;  // the worst first
+  for (const std::size_t i : worst_cells(result)) {
+    const CellResult& cell = result.cells[i];
+    if ((cell.colour == Colour::red || cell.colour == Colour::known_limit) && names.size() < most_names) {
+      names.push_back(fmt::format("{} {}", cell.cell.row->device, cell.cell.row->fault));
+    }
   }
-  if (bad > most_names) {
-    names += fmt::format(" and {} more", bad - most_names);
-  }
+  const std::string more = bad > names.size() ? fmt::format(" and {} more", bad - names.size()) : "";
   const auto faults = [](std::size_t count) { return fmt::format("{} fault{}", count, count == 1 ? "" : "s"); };
   if (bad == 0 && of.not_judged == 0) {
     return flown == 1 ? "The fault is safe in every flight"
@@ -93,10 +94,10 @@ std::string faults_sentence(const Result& result) {
   const std::string the_safe =
       of.safe == 0 ? "" : fmt::format("{}{} safe in every flight", of.safe, of.safe == 1 ? " is" : " are");
   if (bad == 0) {
-    return fmt::format("None of {} is unsafe{}{}", faults(flown), the_safe.empty() ? "" : "; ", the_safe);
+    return the_safe.empty() ? "No flight broke the rules for every flight" : "No fault is unsafe; " + the_safe;
   }
-  return fmt::format("{} of {} {} not safe in some phase: {}{}{}", bad, faults(flown), bad == 1 ? "is" : "are", names,
-                     the_safe.empty() ? "" : "; ", the_safe);
+  return fmt::format("{} of {} {} not safe in some phase: {}{}{}{}", bad, faults(flown), bad == 1 ? "is" : "are",
+                     fmt::join(names, ", "), more, the_safe.empty() ? "" : "; ", the_safe);
 }
 
 }  // namespace

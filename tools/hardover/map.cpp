@@ -7,6 +7,8 @@ namespace fantail::hardover {
 
 namespace {
 
+constexpr double lone_map_width = 560.0;
+
 struct OverGround {
   std::optional<double> east_m;
   std::optional<double> north_m;
@@ -37,6 +39,7 @@ page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)
   }
   add(healthy, of_healthy);
   add(guide, {0.0, 0.0});
+  const double width = study.has_parachute ? page::half_page : lone_map_width;  // two stand beside each other
   // As far either way: a metre to the east is as long as one to the north.
   std::optional<page::Range> east;
   std::optional<page::Range> north;
@@ -54,8 +57,8 @@ page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)
   return {.label = label,
           .x_label = "to the east / m",
           .y_label = "to the north / m",
-          .width = map_width,
-          .height = map_width,
+          .width = width,
+          .height = width,
           .series = std::move(series),
           .x_range = around(*east),
           .y_range = around(*north)};

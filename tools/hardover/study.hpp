@@ -116,7 +116,6 @@ struct Study {
 [[nodiscard]] page::Chart apogee_map(const Study& study);
 /// Where those land that do; empty: none.
 [[nodiscard]] std::optional<page::Chart> landing_map(const Study& study);
-inline constexpr double map_width = 560.0;
 /// Answers nothing with yes or no: it measures.
 [[nodiscard]] result::Document answer(const Study& study);
 /// Every figure in its JSON, for the manual.

@@ -64,8 +64,8 @@
     if (lines.length === 0) return;
     const overflow = curves.getAttribute("overflow");
     const hasDotsOnly = lines.every((line) => line.kind === "dots");
-    // Dots with the same scale both ways: a map, which must keep it.
-    const isMap = hasDotsOnly && Math.abs((all.x[1] - all.x[0]) / width * height / (all.y[1] - all.y[0]) - 1) < 0.1;
+    // Dots with about the same scale both ways: a map, which must keep it.
+    const isMap = hasDotsOnly && Math.abs((all.x[1] - all.x[0]) / width * height / (all.y[1] - all.y[0]) - 1) < 0.25;
     let shown = {...all};
 
     // From what is shown to its place, and between a place, its value and where it was first drawn.
