@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Usage: bench_sheets FOLDER | --live
 // What `fantail bench limits` makes, without a bus: the sheets of a healthy rocket and of one with a reversed canard in
-// FOLDER, or the page of that second rocket while its canards move, four times as fast.
+// FOLDER with the odd pages, or the page of that second rocket while its canards move, four times as fast.
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -11,6 +11,7 @@
 
 #include "bench/sheet.hpp"
 #include "bench/synthetic.hpp"
+#include "browser/odd_pages.hpp"
 #include "fantail/bench_page.hpp"
 #include "page/page.hpp"
 #include "text/output_folder.hpp"
@@ -36,6 +37,7 @@ void write_sheets(const char* folder, const bench::Exercise& exercise) {
   const std::array<text::NamedFile, 2> files{
       {{"healthy.html", sheet({})}, {"reversed.html", sheet(reversed_rocket())}}};
   text::OutputFolder{folder}.write(files);
+  text::OutputFolder{folder}.write(test::odd_pages());
 }
 
 void show_live(const bench::Exercise& exercise) {

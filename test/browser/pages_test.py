@@ -134,7 +134,7 @@ class Pages(unittest.TestCase):
 
         subprocess.run([BENCH_SHEETS, str(MADE / "bench")], check=True)
         threading.Thread(target=make_all, daemon=True).start()
-        for name in ("healthy", "reversed"):
+        for name in ("healthy", "reversed", "odd_names", "no_data"):
             self.look_at("bench_" + name, MADE / "bench" / f"{name}.html")
         for name, _, file in PAGES:
             if name in wanted:

@@ -185,5 +185,22 @@ TEST(ChartLabels, AFileOfItsOwnBringsItsStyle) {
   EXPECT_NE(text.find("prefers-color-scheme"), std::string::npos);
 }
 
+// 120 letters of an em each are twice as wide as the chart.
+TEST(ChartLabels, ALongNameOfTheXAxisIsShortenedInAnyScript) {
+  for (const char* const letter : {"W", "\u30ed", "\U0001F680"}) {
+    std::string name;
+    for (int i = 0; i < 120; ++i) {
+      name += letter;
+    }
+    const SvgReader read{svg({.x_label = name, .width = half_page, .series = {named("a")}})};
+    const std::vector<std::string> texts = read.texts();
+    const auto shown = std::ranges::find_if(texts, [&](const auto& text) { return text.starts_with(letter); });
+    ASSERT_NE(shown, texts.end()) << letter;
+    EXPECT_TRUE(shown->ends_with("\u2026")) << *shown;
+    const auto letters = static_cast<double>((shown->size() - 3) / std::string_view{letter}.size());
+    EXPECT_LT(12.0 * letters, half_page) << *shown;
+  }
+}
+
 }  // namespace
 }  // namespace fantail::page

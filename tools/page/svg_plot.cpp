@@ -16,7 +16,12 @@ double letter_width(char c) {
     return 4.5;
   }
   if (wide.find(c) != std::string_view::npos) {
-    return 11.7;
+    return 12.0;
+  }
+  // The first byte of a letter of more than two: kana, Han and Hangul are square, and emoji wider still.
+  const auto first = static_cast<unsigned char>(c);
+  if (first >= 0xe3) {
+    return first >= 0xf0 ? 17.0 : 12.5;
   }
   return c >= 'A' && c <= 'Z' ? 8.8 : 7.6;
 }
@@ -100,7 +105,8 @@ void SvgPlot::x_axis(const std::vector<Tick>& ticks, std::string_view label) {
   }
   if (!label.empty()) {
     add("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
-        0.5 * (frame_.left + frame_.right), frame_.bottom + tick_row + label_row, printed(label));
+        0.5 * (frame_.left + frame_.right), frame_.bottom + tick_row + label_row,
+        printed(shortened(label, frame_.width())));
   }
 }
 
