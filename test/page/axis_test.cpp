@@ -82,6 +82,28 @@ TEST(Axis, AnyRangeCanBeDrawn) {
   EXPECT_DOUBLE_EQ(drawable({5, 5}).high, 5.5);
 }
 
+TEST(Axis, ALogarithmicScaleGivesEqualRatiosEqualLengths) {
+  const Range range{0.1, 100.0};
+  for (const auto& [value, part] : {std::pair{0.1, 0.0}, {1.0, 1.0 / 3.0}, {10.0, 2.0 / 3.0}, {100.0, 1.0}}) {
+    EXPECT_NEAR(part_of(value, range, Scale::logarithmic), part, 1e-12) << value;
+  }
+  EXPECT_NEAR(part_of(2.0, {1.0, 5.0}, Scale::linear), 0.25, 1e-12);
+  for (const double none : {0.0, -1.0}) {
+    EXPECT_LT(part_of(none, range, Scale::logarithmic), -10.0);
+    EXPECT_TRUE(std::isfinite(part_of(none, range, Scale::logarithmic)));
+  }
+}
+
+TEST(Axis, ALogarithmicRangeIsAboveZeroWhateverCameIn) {
+  for (const Range range : {Range{0.0, 10.0}, Range{-5.0, 10.0}, Range{-3.0, -2.0}, Range{0.0, 0.0}, Range{2.0, 8.0}}) {
+    const Range fit = drawable(range, Scale::logarithmic);
+    EXPECT_GT(fit.low, 0.0) << range.low << ' ' << range.high;
+    EXPECT_GT(fit.high, fit.low);
+  }
+  EXPECT_EQ(drawable(Range{2.0, 8.0}, Scale::logarithmic).low, 2.0);
+  EXPECT_EQ(drawable(Range{0.0, 10.0}, Scale::logarithmic).high, 10.0);
+}
+
 TEST(Axis, ARangeGrowsByNumbersOnly) {
   std::optional<Range> range;
   include(range, std::numeric_limits<double>::quiet_NaN());

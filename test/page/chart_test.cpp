@@ -30,6 +30,28 @@ TEST(Chart, APointInTheMiddleOfTheRangesLandsInTheMiddleOfTheFrame) {
   }
 }
 
+// Three decades: one of them is a third of the frame.
+TEST(Chart, OnALogarithmicAxisADecadeIsALength) {
+  Chart chart{.series = {line({0.1, 1.0, 10.0, 100.0}, {-1.0, 0.0, 1.0, 0.5})},
+              .y_range = Range{-1.0, 1.0},
+              .x_scale = Scale::logarithmic};
+  const SvgReader read{svg(chart)};
+  const auto strokes = SvgReader::strokes(read.tags("path", "line measured").at(0));
+  ASSERT_EQ(strokes.at(0).size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(strokes[0][i].x, read.at(static_cast<double>(i) / 3.0, 0.0).x, pixel) << i;
+  }
+  for (const char* tick : {"0.1", "0.2", "0.5", "1", "10", "100"}) {
+    EXPECT_TRUE(read.has_text(tick)) << tick;
+  }
+  EXPECT_FALSE(read.has_text("40")) << "as on an even one";
+  EXPECT_TRUE(read.holds(" data-x=\"0.1 100\"") && read.holds(" data-x-scale=\"logarithmic\""));
+  chart.series[0].x.front() = 0.0;  // which has no logarithm
+  EXPECT_TRUE(SvgReader{svg(chart)}.finite());
+  chart.series.clear();
+  EXPECT_TRUE(SvgReader{svg(chart)}.has_text("no data"));
+}
+
 TEST(Chart, AGapBreaksTheLine) {
   const SvgReader read{svg(with_ranges(line({0, 1, 2, 3, 4, 5, 6}, {0, 1, not_drawn, 1, 0, not_drawn, 0.5})))};
   const auto strokes = SvgReader::strokes(read.tags("path", "line measured").at(0));

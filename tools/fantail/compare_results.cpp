@@ -108,8 +108,7 @@ Picture over_time(const R& r, std::string_view what, std::string_view unit, doub
            .height = height,
            .series = std::move(series),
            .x_range = page::Range{r.comparison.time_s.front(), r.comparison.time_s.back()},
-           .sampled = true,
-           .least_left = 48.0}};
+           .sampled = true}};
 }
 
 constexpr double tall = 280.0, flat = 190.0;

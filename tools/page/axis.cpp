@@ -76,6 +76,24 @@ Range drawable(Range range) {
   return {low, high};
 }
 
+Range drawable(Range range, Scale scale) {
+  constexpr double decades_below_high = 1e-3;
+  const Range fit = drawable(range);
+  if (scale == Scale::linear || fit.low > 0.0) {
+    return fit;
+  }
+  const double high = fit.high > 0.0 ? fit.high : 1.0;
+  return {decades_below_high * high, high};
+}
+
+double part_of(double value, Range range, Scale scale) {
+  if (scale == Scale::linear) {
+    return (value - range.low) / (range.high - range.low);
+  }
+  constexpr double next_to_nothing = 1e-300;
+  return std::log(std::max(value, next_to_nothing) / range.low) / std::log(range.high / range.low);
+}
+
 std::vector<Tick> even_ticks(Range range, double wanted) {
   const double step = tick_step(range, wanted);
   const double largest = std::max(std::abs(range.low), std::abs(range.high));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "page/page.hpp"
 #include "page/parts.hpp"
@@ -36,8 +37,9 @@ Range x_range(const Chart& chart) {
       include(range, level.value);
     }
   }
-  const Range all = drawable(range.value_or(Range{0.0, 1.0}));
-  return dots ? with_margin(all, 0.03) : all;  // half a dot would stand outside
+  const Range all = drawable(range.value_or(Range{0.0, 1.0}), chart.x_scale);
+  // Half a dot would stand outside.
+  return dots && chart.x_scale == Scale::linear ? with_margin(all, 0.03) : all;
 }
 
 Range y_range(const Chart& chart, Range x_visible) {
@@ -128,35 +130,51 @@ void draw_curves(SvgPlot& plot, LabelPlacer& places, const Chart& chart, const s
 /// What stands in front of "/": "time after lift-off / s".
 std::string_view name_of(std::string_view label) { return label.substr(0, label.find(" / ")); }
 
+struct Axes {
+  Range x;
+  Range y;
+  double below;  ///< of the frame
+  std::vector<Tick> y_ticks;
+  double left;  ///< of the frame
+};
+
+Axes axes_of(const Chart& chart) {
+  const Range x = chart.x_range ? drawable(*chart.x_range, chart.x_scale) : x_range(chart);
+  const Range y = chart.y_range ? drawable(*chart.y_range) : y_range(chart, x);
+  const double below = tick_row + (chart.x_label.empty() ? 0.0 : label_row) + 7.0;
+  std::vector<Tick> y_ticks = even_ticks(y, std::max((chart.height - below - 30.0) / 36.0, 3.0));
+  const double left = std::max(tick_column(y_ticks), chart.least_left);
+  return {.x = x, .y = y, .below = below, .y_ticks = std::move(y_ticks), .left = left};
+}
+
 }  // namespace
+
+double left_of_frame(const Chart& chart) { return axes_of(chart).left; }
 
 std::string svg(const Chart& chart) {
   const std::vector<std::string> style = styles(chart);
   const Legend legend{chart, style};
-  const Range x = chart.x_range ? drawable(*chart.x_range) : x_range(chart);
-  const Range y = chart.y_range ? drawable(*chart.y_range) : y_range(chart, x);
-  const double below = tick_row + (chart.x_label.empty() ? 0.0 : label_row) + 7.0;
-
-  const std::vector<Tick> y_ticks = even_ticks(y, std::max((chart.height - below - 30.0) / 36.0, 3.0));
-  const double left = std::max(tick_column(y_ticks), chart.least_left);
+  const auto [x, y, below, y_ticks, left] = axes_of(chart);
   const std::vector<Tick> x_ticks =
       chart.equal_x_ticks_at_points && !chart.series.empty() && !chart.series.front().x.empty()
           ? ticks_at(chart.series.front().x, x)
-          : even_ticks(x, (chart.width - left) / 75.0);
+      : chart.x_scale == Scale::logarithmic ? decade_ticks(x, (chart.width - left) / 75.0)
+                                            : even_ticks(x, (chart.width - left) / 75.0);
   const double right = std::max(chart.width - end_margin(x_ticks), left + 40.0);
 
   SvgPlot plot;
-  plot.place({left, 0.0, right, 1.0}, x, y);
+  plot.place({left, 0.0, right, 1.0}, x, y, chart.x_scale);
   const TopLabels top_labels{chart, plot};
   const double top =
       6.0 + legend_row * static_cast<double>(legend.rows()) + top_label_row * static_cast<double>(top_labels.rows());
   const double height = std::max(chart.height, top + least_frame_height + below);
   const Box frame{left, top, right, height - below};
-  plot.place(frame, x, y);
+  plot.place(frame, x, y, chart.x_scale);
 
   plot.begin("chart", chart.label, chart.width, height,
-             fmt::format(" data-x=\"{:.9g} {:.9g}\" data-y=\"{:.9g} {:.9g}\" data-x-name=\"{}\"", x.low, x.high, y.low,
-                         y.high, escape_html(chart.x_label.empty() ? "x" : name_of(chart.x_label))));
+             fmt::format(" data-x=\"{:.9g} {:.9g}\" data-y=\"{:.9g} {:.9g}\" data-x-name=\"{}\"{}", x.low, x.high,
+                         y.low, y.high, escape_html(chart.x_label.empty() ? "x" : name_of(chart.x_label)),
+                         chart.x_scale == Scale::logarithmic ? " data-x-scale=\"logarithmic\"" : ""));
   const bool anything = std::ranges::any_of(chart.series, [](const Series& one) { return anything_in(one); }) ||
                         std::ranges::any_of(chart.areas, [](const Area& one) { return anything_in(one); });
   plot.outline(anything ? "frame" : "frame empty");

@@ -66,12 +66,16 @@ struct Chart {
   std::vector<Level> levels{};
   std::optional<Range> x_range{};  ///< else all that is drawn
   std::optional<Range> y_range{};
+  Scale x_scale = Scale::linear;         ///< logarithmic: of values above zero
   bool equal_x_ticks_at_points = false;  ///< ticks at the x of the first series: counts, set points
   bool sampled = false;     ///< evenly over x: where a sample comes five times later than is usual, lines have a gap
   double least_left = 0.0;  ///< room beside the y axis at least: charts below each other line up
 };
 
 [[nodiscard]] std::string svg(const Chart& chart);
+
+/// The room beside its y axis: what the least_left of charts below it must be for their frames to line up.
+[[nodiscard]] double left_of_frame(const Chart& chart);
 
 /// The same plot, or a heat map's, as a file of its own: with its style inside.
 [[nodiscard]] std::string standalone(std::string svg);

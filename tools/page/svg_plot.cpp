@@ -97,6 +97,9 @@ void SvgPlot::x_axis(const std::vector<Tick>& ticks, std::string_view label) {
   for (const Tick& tick : ticks) {
     const double at = x(tick.value);
     add("<path class=\"tick\" d=\"M{:.1f} {:.1f}v4\"/>", at, frame_.bottom);
+    if (x_scale_ == Scale::logarithmic) {
+      add("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", at, frame_.top, frame_.bottom);
+    }
     const double half = 0.5 * text_width(tick.text);
     if (at - half >= taken) {
       add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at, frame_.bottom + tick_row, tick.text);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,15 @@ void include(std::optional<Range>& range, double value);
 
 /// Fit to be drawn: low below high by more than rounding can hide, whatever came in.
 [[nodiscard]] Range drawable(Range range);
+
+enum class Scale : std::uint8_t { linear, logarithmic };
+
+/// Fit for this scale: a logarithmic one keeps three decades below its high end where the low end is not above zero.
+[[nodiscard]] Range drawable(Range range, Scale scale);
+
+/// Where a value lies in a range: 0 at its low end, 1 at its high end. On a logarithmic scale both ends are above zero,
+/// and what is not lies far below the range.
+[[nodiscard]] double part_of(double value, Range range, Scale scale);
 
 struct Tick {
   double value;
@@ -88,15 +98,20 @@ class LabelPlacer {
 /// The text of one SVG with a plot in it: where its frame lies and how values become places.
 class SvgPlot {
  public:
-  void place(Box frame, Range x, Range y) {
+  void place(Box frame, Range x, Range y, Scale x_scale = Scale::linear) {
     frame_ = frame;
     x_ = x;
     y_ = y;
+    x_scale_ = x_scale;
   }
 
   [[nodiscard]] const Box& frame() const { return frame_; }
-  [[nodiscard]] double x(double value) const { return clamped(frame_.left + frame_.width() * part(value, x_)); }
-  [[nodiscard]] double y(double value) const { return clamped(frame_.bottom - frame_.height() * part(value, y_)); }
+  [[nodiscard]] double x(double value) const {
+    return clamped(frame_.left + frame_.width() * part_of(value, x_, x_scale_));
+  }
+  [[nodiscard]] double y(double value) const {
+    return clamped(frame_.bottom - frame_.height() * part_of(value, y_, Scale::linear));
+  }
   [[nodiscard]] Range x_range() const { return x_; }
   [[nodiscard]] Range y_range() const { return y_; }
 
@@ -108,7 +123,7 @@ class SvgPlot {
   /// `more`: further attributes, with a space before each.
   void begin(std::string_view kind, std::string_view label, double width, double height, std::string_view more = {});
   void outline(std::string_view kind);
-  /// Texts below the frame; one without room is left out.
+  /// Texts below the frame; one without room is left out. A logarithmic scale has a line across the frame for each.
   void x_axis(const std::vector<Tick>& ticks, std::string_view label);
   void y_axis(const std::vector<Tick>& ticks, bool grid);
   /// In the middle of the frame, instead of what is missing.
@@ -116,13 +131,13 @@ class SvgPlot {
   [[nodiscard]] std::string end() { return std::exchange(text_, {}) + "</svg>"; }
 
  private:
-  static double part(double value, Range range) { return (value - range.low) / (range.high - range.low); }
   // Browsers lose count at coordinates of a million.
   static double clamped(double place) { return std::clamp(place, -2e5, 2e5); }
 
   Box frame_{};
   Range x_{0.0, 1.0};
   Range y_{0.0, 1.0};
+  Scale x_scale_ = Scale::linear;
   std::string text_{};
 };
 

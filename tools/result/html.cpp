@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <map>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -18,6 +20,28 @@ namespace {
 std::string html(const std::string& paragraph) { return page::paragraph(paragraph); }
 std::string html(const Sentences& sentences) { return sentences.all.empty() ? "" : page::list(sentences.all); }
 std::string html(const Picture& picture) { return page::figure(picture.chart, picture.caption); }
+
+/// Charts over one x that stand below each other: their frames line up.
+using SharedX = std::map<std::pair<std::string, double>, double>;
+std::pair<std::string, double> shared_x(const page::Chart& chart) { return {chart.x_label, chart.width}; }
+
+SharedX room_beside_frames(const std::vector<Section>& sections) {
+  SharedX room;
+  for (const Section& section : sections) {
+    for (const Block& block : section.blocks) {
+      if (const auto* picture = std::get_if<Picture>(&block)) {
+        double& widest = room[shared_x(picture->chart)];
+        widest = std::max(widest, page::left_of_frame(picture->chart));
+      }
+    }
+  }
+  return room;
+}
+
+Picture lined_up(Picture picture, const SharedX& room) {
+  picture.chart.least_left = room.at(shared_x(picture.chart));
+  return picture;
+}
 std::string html(const Live& live) { return page::live_figure(live.charts, live.caption); }
 std::string html(const Drawing& drawing) { return page::figure(drawing.wide, drawing.narrow, drawing.caption); }
 std::string html(const Links& links) { return links.all.empty() ? "" : page::list(links.all); }
@@ -84,9 +108,13 @@ bool is_half_page(const Block& block) {
   return picture != nullptr && picture->chart.width <= page::half_page;
 }
 
-std::string body(const std::vector<Block>& blocks) {
+std::string body(const std::vector<Block>& blocks, const SharedX& room) {
   std::string all;
-  const auto one = [](const Block& block) { return std::visit([](const auto& it) { return html(it); }, block); };
+  const auto one = [&room](const Block& block) {
+    const auto* picture = std::get_if<Picture>(&block);
+    return picture != nullptr ? html(lined_up(*picture, room))
+                              : std::visit([](const auto& it) { return html(it); }, block);
+  };
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (is_half_page(blocks[i])) {
       std::vector<std::string> pair{one(blocks[i])};
@@ -155,8 +183,9 @@ std::string html(const Document& document) {
   for (const std::string& sentence : document.verdict.not_in_it) {
     page.findings.push_back({.what = verdict.not_in_it_heading, .about = sentence});
   }
+  const SharedX room = room_beside_frames(document.sections);
   for (const Section* section : picture_first(document.sections)) {
-    const std::string inside = body(section->blocks);
+    const std::string inside = body(section->blocks, room);
     for (const Block& block : section->blocks) {
       if (const auto* live = std::get_if<Live>(&block)) {
         page.live = live->charts;

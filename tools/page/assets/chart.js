@@ -54,8 +54,22 @@
   }
   const written = (text) => text.replace(/^-(?=[0.]*$)/, "").replace(/^-/, "\u2212");
 
+  // The same for a logarithmic axis, of exponents of ten: at 1, 2 and 5 times the powers, or even ones where that is too few.
+  function decadeSteps(low, high, wanted) {
+    const ticks = [];
+    for (let exponent = Math.floor(low); exponent <= high; ++exponent) {
+      for (const factor of [1, 2, 5]) {
+        const at = exponent + Math.log10(factor);
+        if (at >= low && at <= high) ticks.push([at, String(Number((10 ** at).toPrecision(1)))]);
+      }
+    }
+    return ticks.length >= 3 ? ticks : steps(10 ** low, 10 ** high, wanted).map(([value, text]) => [Math.log10(value), text]);
+  }
+
   function enliven(svg) {
+    const isLogarithmic = svg.dataset.xScale === "logarithmic";  // then all x are exponents of ten
     const all = {x: svg.dataset.x.split(" ").map(Number), y: svg.dataset.y.split(" ").map(Number)};
+    if (isLogarithmic) all.x = all.x.map(Math.log10);
     const curves = svg.querySelector("svg.curves");
     const [left, top, width, height] = ["x", "y", "width", "height"].map((name) => Number(curves.getAttribute(name)));
     const [right, bottom] = [left + width, top + height];
@@ -76,6 +90,8 @@
     const drawnY = (value) => bottom - (bottom - top) * (value - all.y[0]) / (all.y[1] - all.y[0]);
     const digits = (axis) => Math.max(0, 3 - Math.ceil(Math.log10(shown[axis][1] - shown[axis][0])));
 
+    const writtenX = (x) => isLogarithmic ? String(Number((10 ** x).toPrecision(3))) : written(x.toFixed(digits("x")));
+
     const layer = make("g", {class: "cursor", "aria-hidden": "true"}, svg);
     const back = make("rect", {x: left, y: top, width: right - left, height: bottom - top, class: "catch"}, svg);
     const at = (event) => {
@@ -92,7 +108,7 @@
         let value = null;
         if (kind === "dots") {
           const dot = nearest(points, px, py, 14 * (shown.x[1] - shown.x[0]) / (all.x[1] - all.x[0]));
-          if (dot) value = `${written((all.x[0] + (all.x[1] - all.x[0]) * (dot.x - left) / width).toFixed(digits("x")))} \u2192 ${read(dot.y)}`;
+          if (dot) value = `${writtenX(all.x[0] + (all.x[1] - all.x[0]) * (dot.x - left) / width)} \u2192 ${read(dot.y)}`;
         } else {
           const heights = heightsAt(points, px);
           if (kind === "area" && name && heights.length > 1) value = `${read(Math.max(...heights))} to ${read(Math.min(...heights))}`;
@@ -106,7 +122,7 @@
     function showCursor(p) {
       layer.replaceChildren();
       make("path", {class: "ruler", d: `M${p.x} ${top}V${bottom}`}, layer);
-      const rows = [{role: "", text: `${svg.dataset.xName}: ${written(valueX(p.x).toFixed(digits("x")))}`}, ...readings(p)];
+      const rows = [{role: "", text: `${svg.dataset.xName}: ${writtenX(valueX(p.x))}`}, ...readings(p)];
       const box = make("rect", {class: "tag", rx: 4}, layer);
       const texts = rows.map(({role, text}, i) => {
         const element = make("text", {y: top + 16 + 15 * i, class: role.replace(/line|dots|area|many|beneath|dash\d/g, "")}, layer);
@@ -127,7 +143,7 @@
       if (!zoomed) return;
       const again = make("g", {class: "again"}, svg);
       svg.insertBefore(again, curves);
-      for (const [value, text] of steps(...shown.x, (right - left) / 90)) {
+      for (const [value, text] of (isLogarithmic ? decadeSteps : steps)(...shown.x, (right - left) / 90)) {
         const x = scale("x", left, right, value);
         make("path", {class: "tick", d: `M${x} ${bottom}v4`}, again);
         make("text", {x, y: bottom + 17, "text-anchor": "middle"}, again).textContent = written(text);
