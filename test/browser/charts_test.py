@@ -6,6 +6,7 @@ and paper has no folds. Exit code 77: there is no Chromium (package chromium-dri
 """
 
 import csv
+import math
 import pathlib
 import re
 import subprocess
@@ -40,6 +41,8 @@ class Charts(unittest.TestCase):
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         for words in (["campaign", "tasha3_launch2", "--runs", "20"], ["campaign", "hardover", "tasha3_launch2", "--step", "5", "--set", "recovery.drag_area_m2=1"]):
             subprocess.run([FANTAIL, *words, "--out", cls.folder / words[1]], check=True, stdout=subprocess.DEVNULL)
+        words = ["tune", "tasha3_launch2", "--flights", "1", "--plan", cls.folder / "tuned.toml", "--out", cls.folder / "tune"]
+        subprocess.run([FANTAIL, *words], check=True, stdout=subprocess.DEVNULL)
         cls.page = cls.enterClassContext(browser.Browser(1280, 900))
 
     def at(self, label, kind, right, down=0.5):
@@ -105,6 +108,30 @@ class Charts(unittest.TestCase):
                 self.assertLess(max(part) - min(part), 0.25 * (max(all_of_it) - min(all_of_it)), axis)
                 middle = 0.5 * (max(all_of_it) + min(all_of_it))
                 self.assertLess(abs(0.5 * (max(part) + min(part)) - middle), 0.15 * (max(all_of_it) - min(all_of_it)), axis)
+
+    def test_a_logarithmic_axis_is_read_and_zoomed_in_ratios(self):
+        self.page.open((self.folder / "tune/tune.html").as_uri())
+        gain = "Gain of the open roll loop over frequency"
+        svg = f"const svg = [...document.querySelectorAll('svg.chart')].find((one) => one.ariaLabel === '{gain}');"
+        low, high = self.page.run(svg + "return svg.dataset.x.split(' ').map(Number)")
+        between = lambda share: low * (high / low) ** share
+        reads = lambda share: number(re.fullmatch(r"frequency: (.*)", self.at(gain, "pointermove", share)["cursor"][0])[1])
+        for share in (0.2, 0.5, 0.9):
+            self.assertAlmostEqual(reads(share) / between(share), 1, delta=0.02)
+        # Where the phase chart says that the gain of a speed is one, its curve stands at 0 dB.
+        names = self.page.run("return [...document.querySelectorAll('svg.chart path[data-name]')].map((one) => one.dataset.name)")
+        speed, crossover_hz = next(re.fullmatch(r"(.*): phase margin .* at (.*) Hz", name).groups() for name in names if "phase margin" in name)
+        share = math.log(float(crossover_hz) / low) / math.log(high / low)
+        line = next(line for line in self.at(gain, "pointermove", share)["cursor"] if line.startswith(speed))
+        self.assertAlmostEqual(number(line.split(": ")[-1]), 0, delta=0.3)
+        before = self.at(gain, "pointermove", 0.5)["across"]
+        zoomed = [number(text) for text in self.zoom(gain, (0.3, 0.5), (0.6, 0.52))["across"]]
+        self.assertGreater(len(zoomed), 2)
+        self.assertGreaterEqual(zoomed[0], 0.98 * between(0.3))
+        self.assertLessEqual(zoomed[-1], 1.02 * between(0.6))
+        self.assertAlmostEqual(reads(0.5) / between(0.45), 1, delta=0.03)
+        self.assertEqual(self.at(gain, "dblclick", 0.5)["across"], before)
+        self.page.picture(PICTURES / "tune_bode.png")
 
     def test_paper_has_no_folds(self):
         self.page.open((self.folder / "tasha3_launch2/campaign.html").as_uri())

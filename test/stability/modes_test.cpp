@@ -95,6 +95,26 @@ TEST(Modes, PhaseMarginIsThatOfTheBlockDiagram) {
   }
 }
 
+TEST(Modes, TheResponseIsThatOfTheBlockDiagram) {
+  for (const RollLoop& loop : {integrating(), observing()}) {
+    for (double w = 0.05; w < 60.0; w *= 1.3) {
+      const Response found = response(loop, w);
+      const Complex expected = open_loop(loop, w);
+      EXPECT_NEAR(found.gain / std::abs(expected), 1.0, 1e-9) << w;
+      EXPECT_NEAR(std::remainder(found.phase_rad - std::arg(expected), 2.0 * std::numbers::pi), 0.0, 1e-9) << w;
+    }
+  }
+}
+
+TEST(Modes, AtTheFrequencyOfTheGainMarginThePhaseIsHalfATurn) {
+  for (const RollLoop& loop : {integrating(), observing()}) {
+    const Margins found = margins(loop).value();
+    const Complex there = open_loop(loop, found.half_turn_rad_s.value());
+    EXPECT_NEAR(there.real() * *found.gain_margin, -1.0, 1e-9);
+    EXPECT_NEAR(there.imag(), 0.0, 1e-9);
+  }
+}
+
 TEST(Modes, TheLinearLoopBeginsToSwingAtTheGainMargin) {
   for (const RollLoop& loop : {integrating(), observing()}) {
     const double factor = margins(loop)->gain_margin.value();

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tune/tuning.hpp"
 
+#include <algorithm>
+#include <complex>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
+#include <variant>
 
 #include "core/flight_plan_fields.hpp"
 #include "figures.hpp"
@@ -83,6 +87,56 @@ TEST(Tuning, SaysOfWhichFlightsTheNewPlanHasFewer) {
   EXPECT_EQ(last_three(flights_sentence(t)), (Numbers{"6", "0", "1"})) << "held ones: " << flights_sentence(t);
 }
 
+/// The loop of a plan without schedule, observer and faults, straight from its block diagram.
+std::complex<double> open_loop(const core::FlightPlan& plan, const sim::Vehicle& vehicle, double speed_m_s, double w) {
+  const std::complex<double> s{0.0, w};
+  const sim::RollPlant& plant = vehicle.roll_plant;
+  const double per_speed = 1.225 * speed_m_s * plant.reference_area_m2 / (2.0 * plant.inertia_kg_m2);
+  const std::complex<double> gains = static_cast<double>(plan.controller.proportional_gain) +
+                                     static_cast<double>(plan.controller.derivative_gain_s) * s +
+                                     static_cast<double>(plan.offset.integral_gain_per_s) / s;
+  return gains * per_speed * speed_m_s * plant.torque_m / (s * (s + per_speed * plant.damping_m2)) /
+         (1.0 + vehicle.servo.lag_s * s) * std::exp(-stability::loop_delay_s(vehicle) * s);
+}
+
+TEST(Tuning, ItsBodeDiagramIsThatOfTheBlockDiagramAndMarksTheMarginsOnTheCurves) {
+  const Tuning& t = second_launch();
+  const sim::Vehicle vehicle = input::load_scenario("tasha3_launch2", {}).vehicle;
+  const std::vector<result::Block> blocks = bode_diagram(t);
+  const page::Chart& gain = std::get<result::Picture>(blocks.at(0)).chart;
+  const page::Chart& phase = std::get<result::Picture>(blocks.at(1)).chart;
+  ASSERT_EQ(gain.series.size(), 6U) << "a curve and a mark for each of three speeds";
+  ASSERT_EQ(phase.series.size(), 6U);
+  double slower_m_s = 0.0;
+  for (std::size_t i = 0; i < 6; i += 2) {
+    const auto said_of_gain = figures(gain.series[i].name);
+    const auto said_of_phase = figures(phase.series[i].name);
+    const double rounded_m_s = std::stod(said_of_gain.at(0));
+    EXPECT_GT(rounded_m_s, slower_m_s);
+    slower_m_s = rounded_m_s;
+    const double db = 20.0 / std::log(10.0);
+    for (std::size_t k = 0; k < gain.series[i].x.size(); k += 40) {
+      const double w = 2.0 * std::numbers::pi * gain.series[i].x[k];
+      const std::complex<double> expected = open_loop(t.after->plan, vehicle, rounded_m_s, w);
+      EXPECT_NEAR(gain.series[i].y[k], db * std::log(std::abs(expected)), 0.5) << "the speed is rounded";
+      const double away_deg = phase.series[i].y[k] - text::degrees(std::arg(expected));
+      EXPECT_NEAR(std::remainder(away_deg, 360.0), 0.0, 1.5);
+    }
+    // The marks: upright, from 0 dB and from half a turn, as long as the name says.
+    const page::Series& gain_mark = gain.series[i + 1];
+    const page::Series& phase_mark = phase.series[i + 1];
+    EXPECT_EQ(gain_mark.x.at(0), gain_mark.x.at(1));
+    EXPECT_NEAR(gain_mark.y.at(0) - gain_mark.y.at(1), std::stod(said_of_gain.at(1)), 0.051);
+    EXPECT_NEAR(phase_mark.y.at(1) - phase_mark.y.at(0), std::stod(said_of_phase.at(1)), 0.051);
+    const std::complex<double> at_mark =
+        open_loop(t.after->plan, vehicle, rounded_m_s, 2.0 * std::numbers::pi * phase_mark.x.at(0));
+    EXPECT_NEAR(db * std::log(std::abs(at_mark)), 0.0, 0.5);
+    const std::complex<double> at_half_turn =
+        open_loop(t.after->plan, vehicle, rounded_m_s, 2.0 * std::numbers::pi * gain_mark.x.at(0));
+    EXPECT_NEAR(std::abs(text::degrees(std::arg(at_half_turn))), 180.0, 1.5);
+  }
+}
+
 // 7.3 degrees of offset, and a limit of 6.
 TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
   const Tuning t = tune(input::load_scenario("tasha3_launch1", {}), {.flights = 2}, unwatched);
@@ -90,6 +144,7 @@ TEST(Tuning, OfTheFirstLaunchSaysThatNoGainsCanDoIt) {
   EXPECT_NE(t.why_none.find("offset"), std::string::npos) << t.why_none;
   EXPECT_EQ(figures(t.why_none).at(0), "-7.3");
   EXPECT_EQ(figures(t.why_none).at(1), "6");
+  EXPECT_TRUE(says(std::get<result::Picture>(bode_diagram(t).at(0)).caption, "old plan"));
   EXPECT_EQ(json::parse(result::json(answer(t, "", {})))["plan"].is_null(), true);
 }
 

@@ -104,28 +104,36 @@ bool falls(const RollLoop& loop) {
   return loop.proportional_gain * loop.proportional_gain >= 2.0 * loop.derivative_gain_s * loop.integral_gain_per_s;
 }
 
+struct HalfTurn {
+  double rad_s;
+  double gain_margin;
+};
+
 /// Where the phase passes half a turn more than once, the pass at the gain nearest to one is where a change of gain
 /// first makes it swing.
-std::optional<double> gain_margin(const RollLoop& loop) {
+std::optional<HalfTurn> half_turn(const RollLoop& loop) {
   // The answer of the fins makes waves, and an integral beside little proportional gain turns the phase at once.
   const double step = loop.wash == 0.0 && falls(loop) ? 1.1 : 1.02;
   const auto above_half_turn = [&loop](double w) { return phase_rad(loop, w) + half_turn_rad; };
-  std::optional<double> nearest;
+  std::optional<HalfTurn> nearest;
+  double nearest_logarithm = 0.0;
   double w = lowest_rad_s;
   bool is_below = above_half_turn(w) < 0.0;
   while (w < highest_rad_s) {
     const double next = step * w;
     const bool next_is_below = above_half_turn(next) < 0.0;
     if (next_is_below != is_below) {
-      const double logarithm = -0.5 * std::log(gain_squared(loop, root(above_half_turn, w, next)));
-      if (!nearest || std::abs(logarithm) < std::abs(*nearest)) {
-        nearest = logarithm;
+      const double pass = root(above_half_turn, w, next);
+      const double logarithm = -0.5 * std::log(gain_squared(loop, pass));
+      if (!nearest || std::abs(logarithm) < std::abs(nearest_logarithm)) {
+        nearest = {.rad_s = pass, .gain_margin = std::exp(logarithm)};
+        nearest_logarithm = logarithm;
       }
     }
     w = next;
     is_below = next_is_below;
   }
-  return nearest ? std::optional{std::exp(*nearest)} : std::nullopt;
+  return nearest;
 }
 
 constexpr double tick_s = 1e-3;
@@ -217,9 +225,16 @@ std::optional<Margins> margins(const RollLoop& any_loop) {
   if (!crossover) {
     return std::nullopt;
   }
+  const auto found = half_turn(loop);
   return Margins{.phase_margin_rad = half_turn_rad + phase_rad(loop, *crossover),
                  .crossover_rad_s = *crossover,
-                 .gain_margin = gain_margin(loop)};
+                 .gain_margin = found ? std::optional{found->gain_margin} : std::nullopt,
+                 .half_turn_rad_s = found ? std::optional{found->rad_s} : std::nullopt};
+}
+
+Response response(const RollLoop& any_loop, double w_rad_s) {
+  const RollLoop loop = with_gains_alone(any_loop);
+  return {.gain = std::sqrt(gain_squared(loop, w_rad_s)), .phase_rad = phase_rad(loop, w_rad_s)};
 }
 
 std::optional<double> phase_margin_rad(const RollLoop& loop) {

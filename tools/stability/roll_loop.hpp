@@ -43,7 +43,17 @@ struct Margins {
   /// The factor on the gain of the whole loop, which is one on the canards' torque, at which it begins to swing or ends
   /// to; empty: no factor does. Below one where a loop that holds swings with less.
   std::optional<double> gain_margin;
+  std::optional<double> half_turn_rad_s;  ///< where the phase is minus half a turn with that gain; empty with it
 };
+
+/// What the opened loop makes of a swing.
+struct Response {
+  double gain;
+  double phase_rad;  ///< followed from frequency zero on, not wrapped
+};
+
+/// L(i w) of the loop that margins() looks at, at w above zero.
+[[nodiscard]] Response response(const RollLoop& loop, double w_rad_s);
 
 /// Empty when the gain never reaches one, as with gains of zero: nothing can swing then. Empty too where the fins take
 /// back all of the torque or more: such a loop holds nothing, whatever its gains. Where the fins' answer or an

@@ -209,6 +209,9 @@ result::Document answer(const T& t, const std::string& plan_file, const result::
                             .made = made};
   if (t.after) {
     document.sections.push_back({"Margin and bandwidth", loop_pictures(t), files});
+  }
+  document.sections.push_back({"Bode diagram", bode_diagram(t), files});
+  if (t.after) {
     document.sections.push_back({"Steps as flown", step_pictures(t), files});
     document.sections.push_back(
         {"Flights over the spread", {result::numbered(result::table({}, t.pairs, pair_fields), "rocket")}, files});

@@ -36,6 +36,10 @@ namespace fantail::tune {
 /// A plan file: every field, and where it came from. Only of a plan that is proposed.
 [[nodiscard]] std::string plan_text(const Tuning& tuning);
 
+/// Gain and phase of the open loop over frequency, with its margins: of the new plan, or of the old one where no law
+/// was found.
+[[nodiscard]] std::vector<result::Block> bode_diagram(const Tuning& tuning);
+
 // Pictures of tune.html, each of both plans; of a tuning that has found a law.
 
 /// Least phase margin and crossover over air speed.

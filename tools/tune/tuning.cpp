@@ -35,12 +35,14 @@ std::vector<LoopAtSpeed> loop_over_speed(const sim::Scenario& scenario, const Sp
   const std::vector<sim::Scenario> airframes = corners_and_middles(scenario, spread);
   std::vector<LoopAtSpeed> all;
   for (const double speed_m_s : stability::speeds_between(scenario.plan, speeds.range, steps)) {
-    LoopAtSpeed at{.speed_m_s = speed_m_s, .least_phase_margin_rad = std::numbers::pi};
+    LoopAtSpeed at{.speed_m_s = speed_m_s,
+                   .least_phase_margin_rad = std::numbers::pi,
+                   .open = stability::loop_at_speed(scenario, speed_m_s)};
     for (const sim::Scenario& airframe : airframes) {
       const auto margin_rad = stability::phase_margin_rad(stability::loop_at_speed(airframe, speed_m_s));
       at.least_phase_margin_rad = std::min(at.least_phase_margin_rad, margin_rad.value_or(std::numbers::pi));
     }
-    if (const auto found = stability::margins(stability::loop_at_speed(scenario, speed_m_s))) {
+    if (const auto found = stability::margins(at.open)) {
       at.crossover_rad_s = found->crossover_rad_s;
     }
     all.push_back(at);

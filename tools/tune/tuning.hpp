@@ -10,6 +10,7 @@
 
 #include "flight/flight.hpp"
 #include "sim/scenario.hpp"
+#include "stability/roll_loop.hpp"
 #include "stability/speed_range.hpp"
 #include "tune/flights.hpp"
 #include "tune/request.hpp"
@@ -23,6 +24,7 @@ struct LoopAtSpeed {
   double speed_m_s = 0.0;
   double least_phase_margin_rad = 0.0;
   std::optional<double> crossover_rad_s{};  ///< of the vehicle as it is; empty: its gain never reaches one
+  stability::RollLoop open{};               ///< likewise
 };
 
 /// One plan: its loop, and the vehicle as it is flown by it without excitation.
