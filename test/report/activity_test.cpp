@@ -209,6 +209,31 @@ TEST(FailedAscentText, IsTheVerdictWhateverTheRoll) {
   EXPECT_NE(result::html(answer(flight, figures(flight), v)).find("Ascent failed"), std::string::npos);
 }
 
+/// A roll that is held throughout, of a rocket that the air meets broadside and then from behind.
+flight::Flight tail_first(double static_margin_calibres, double apogee_s) {
+  flight::Flight flight = SyntheticFlight{}.flight;
+  flight.events.apogee_s = apogee_s;
+  flight.extremes.static_margin_calibres = static_margin_calibres;
+  for (const auto& [time_s, angle_deg] : {std::pair{1.0, 4.0}, {4.0, 60.0}, {4.5, 91.0}, {5.0, 170.0}}) {
+    flight.path.push_back({.time_s = time_s, .angle_of_attack_rad = text::radians(angle_deg)});
+  }
+  return flight;
+}
+
+TEST(FailedAscentText, SaysFromWhenOnAnUnstableRocketFliesTailFirst) {
+  const Verdict v = verdict_of(tail_first(-0.5, 7.25));
+  EXPECT_EQ(v.outcome, Outcome::ascent_failed);
+  EXPECT_EQ(fantail::figures(v.text).at(0), "4.50") << v.text;
+  EXPECT_EQ(fantail::figures(v.text).at(1), "2.75") << v.text;
+  EXPECT_TRUE(says(v, "tail first") && says(v, "not stable")) << v.text;
+  for (const flight::Flight& other : {tail_first(0.5, 7.25), tail_first(-0.5, 4.25), tail_first(-0.5, 4.99)}) {
+    EXPECT_NE(verdict_of(other).outcome, Outcome::ascent_failed) << "stable, or after its highest point, or near it";
+  }
+  flight::Flight both = tail_first(-0.5, 7.25);
+  both.before_burnout = turned_over().before_burnout;
+  EXPECT_FALSE(says(verdict_of(both), "tail first")) << "it had turned over before";
+}
+
 TEST(FailedAscentText, AHopOnThePadIsToldAndDecidesNothing) {
   flight::Flight flight = SyntheticFlight{}.flight;
   flight.before_burnout = {.ground_s = 0.05, .left_again_s = 0.15};

@@ -7,6 +7,7 @@
 #include "input/scenario_file.hpp"
 #include "report/results.hpp"
 #include "report/verdict.hpp"
+#include "sim/rigid_flight.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -60,6 +61,50 @@ TEST(FailedAscent, ARocketThatTurnsOverWhileItsMotorBurnsIsNotAtApogee) {
   ASSERT_NE(over, judged.flight.path.end());
   EXPECT_NEAR(judged.before().turned_over_s.value(), over->time_s, 0.011);
   EXPECT_TRUE(judged.verdict.ended_early) << judged.verdict.text;
+}
+
+/// Whether the same rocket flies tail first while it still climbs by more than gravity takes in half a second, by the
+/// equations of motion alone: without roll, avionics and report. Still air; it leaves its guide with a pitch rate.
+bool flies_tail_first(const sim::Scenario& scenario) {
+  const sim::Vehicle& vehicle = scenario.vehicle;
+  sim::RigidFlight rocket{{.mass_kg = vehicle.mass_kg,
+                           .drag_area_m2 = vehicle.drag_area_m2,
+                           .roll_inertia_kg_m2 = vehicle.roll_plant.inertia_kg_m2,
+                           .airframe = vehicle.airframe.value(),
+                           .guide = scenario.guide,
+                           .guide_length_m = static_cast<double>(scenario.plan.guide.length_m),
+                           .atmosphere = scenario.atmosphere,
+                           .motor = vehicle.motor}};
+  for (int tick = 1; rocket.state().velocity_m_s.z >= 0.0; ++tick) {
+    rocket.advance_to(1e-3 * tick, 0.0, {});
+    if (rocket.is_clear_of_guide() && rocket.air_speed_m_s().x < 0.0) {
+      return rocket.state().velocity_m_s.z > 4.9;
+    }
+  }
+  return false;
+}
+
+// A rocket with its centre of pressure in front tumbles in the coast where it did not do so under thrust. A margin of
+// little below zero only bends its path.
+TEST(FailedAscent, AnUnstableRocketThatFliesTailFirstBeforeApogeeHasNoAscent) {
+  std::size_t tumbled = 0;
+  std::size_t went_well = 0;
+  for (const double pressure_m : {0.80, 0.84, 0.86, 0.87, 0.885, 0.895, 0.95, 1.02}) {
+    sim::Scenario scenario =
+        second_launch({"flight.motion=six_dof", "airframe.centre_of_pressure_m=" + std::to_string(pressure_m)});
+    scenario.guide.tip_off_rad_s = text::radians(2.0);
+    const bool is_tail_first = flies_tail_first(scenario);
+    const JudgedAscent judged{scenario};
+    EXPECT_EQ(judged.verdict.outcome == Outcome::ascent_failed, is_tail_first)
+        << pressure_m << " m: " << judged.verdict.text;
+    EXPECT_EQ(judged.says("tail first"), is_tail_first && !judged.flight.before_burnout) << judged.verdict.text;
+    tumbled += is_tail_first && !judged.flight.before_burnout ? 1 : 0;
+    went_well += is_tail_first ? 0 : 1;
+    const campaign::JudgedFlight on_the_way = campaign::fly_and_judge(scenario);
+    EXPECT_EQ(on_the_way.verdict.text, judged.verdict.text);
+  }
+  EXPECT_GE(tumbled, 2U);
+  EXPECT_GE(went_well, 2U);
 }
 
 TEST(FailedAscent, AParachuteThatOpensUnderThrustIsNamed) {

@@ -107,7 +107,7 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
     return false;
   }
   // The highest point of a rocket whose ascent failed is none at which the air hardly flows.
-  const bool has_failed = flight.before_burnout && flight.before_burnout->ascent_failed();
+  const bool has_failed = ascent_failed(flight);
   const bool is_early = f.ended_before_apogee_s.value_or(0.0) > near_apogee_s;  // whatever ended it
   if (is_early || (f.ended_before_apogee_s && !has_failed)) {
     return is_early;

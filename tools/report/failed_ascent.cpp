@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -84,6 +85,34 @@ std::string before_burnout(const flight::Flight& flight) {
     text += fmt::format(" Burn-out was at {}.", seconds(*burnout_s));
   }
   return text;
+}
+
+// Near its highest point any rocket may meet the air from behind, and nobody minds.
+std::optional<double> tumbled_s(const flight::Flight& flight) {
+  constexpr double broadside_rad = 0.5 * std::numbers::pi;
+  if (!flight::is_beyond(flight::ModelEnd::stability, flight.extremes) || !flight.events.apogee_s) {
+    return std::nullopt;
+  }
+  const auto found = std::ranges::find_if(flight.path, [&](const flight::PathPoint& point) {
+    return point.time_s > flight.events.liftoff_s.value_or(0.0) && point.angle_of_attack_rad > broadside_rad;
+  });
+  return found != flight.path.end() && found->time_s < *flight.events.apogee_s - near_apogee_s
+             ? std::optional{found->time_s}
+             : std::nullopt;
+}
+
+bool ascent_failed(const flight::Flight& flight) {
+  return (flight.before_burnout && flight.before_burnout->ascent_failed()) || tumbled_s(flight);
+}
+
+std::string failed_ascent(const flight::Flight& flight) {
+  const std::string before = before_burnout(flight);
+  const auto from_s = tumbled_s(flight);
+  if (!from_s || (flight.before_burnout && flight.before_burnout->ascent_failed())) {
+    return before;
+  }
+  return fmt::format("{}{}The rocket is not stable and tumbled: from {} on it flew tail first, {} before apogee.",
+                     before, before.empty() ? "" : " ", seconds(*from_s), seconds(*flight.events.apogee_s - *from_s));
 }
 
 json::Value before_burnout_json(const flight::Flight& flight) {

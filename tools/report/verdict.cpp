@@ -277,9 +277,9 @@ Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
 
 Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   Verdict v = on_roll(flight, figures);
-  if (const std::string before = before_burnout(flight); !before.empty()) {
-    v.outcome = flight.before_burnout->ascent_failed() ? Outcome::ascent_failed : v.outcome;
-    v.text = before + " " + v.text;
+  if (const std::string failed = failed_ascent(flight); !failed.empty()) {
+    v.outcome = ascent_failed(flight) ? Outcome::ascent_failed : v.outcome;
+    v.text = failed + " " + v.text;
   }
   return v;
 }

@@ -30,7 +30,7 @@ enum class Outcome : std::uint8_t {
   cut_short,   ///< control ended before apogee, or was not lost before the trajectory it was flown on ended
   not_judged,  ///< under control, but settled for less than a second, or without a known disturbance
   no_control,  ///< Controlling was never reached
-  ascent_failed,  ///< whatever the roll: flight::BeforeBurnout::ascent_failed()
+  ascent_failed,  ///< whatever the roll: flight::BeforeBurnout::ascent_failed(), or unstable and tail first
 };
 
 /// All of them, for files and tables.

@@ -48,6 +48,15 @@ inline constexpr double near_apogee_s = 0.5;
 /// else in the order of time. Empty: nothing did.
 [[nodiscard]] std::string before_burnout(const flight::Flight& flight);
 
+/// From when on a rocket that is not stable flew tail first in its climb; empty: it did not.
+[[nodiscard]] std::optional<double> tumbled_s(const flight::Flight& flight);
+
+/// No ascent of a rocket: by flight::BeforeBurnout, or because it tumbled.
+[[nodiscard]] bool ascent_failed(const flight::Flight& flight);
+
+/// before_burnout(), and that it tumbled where that does not say so. Empty: neither.
+[[nodiscard]] std::string failed_ascent(const flight::Flight& flight);
+
 /// As summary.json has it; null where nothing happened.
 [[nodiscard]] json::Value before_burnout_json(const flight::Flight& flight);
 
