@@ -32,7 +32,7 @@ set(FANTAIL_LAYERS
   "tools/report|text json page result flight|fmt/"
   "tools/flight_log|core protocol hal avionics text input flight|fmt/"
   "tools/logs|sim text files input flight report flight_log|fmt/"
-  "tools/listen|core text json page result input files flight logs|fmt/"
+  "tools/listen|core text json page result input files flight report logs|fmt/"
   "tools/identify/model|sim text|Eigen/ fmt/"
   "tools/identify/closed_loop|core text identify/model|Eigen/ fmt/"
   "tools/identify/result|text distributions json linear page result identify/model identify/closed_loop|Eigen/ fmt/"

@@ -50,6 +50,36 @@ TEST(Charts, ShowSomeTimeOfTheShortestTableAndOfEventsFarFromItsRows) {
   EXPECT_GE(least_view_s(table), 0.01) << "events in no order";
 }
 
+// Launched from 0.2 s, controlling from 0.6 s to 3 s; the path is known from 0.1 s to 4 s.
+TEST(Charts, HaveTheSameColorForAPhaseBehindEveryCurveOverTime) {
+  SyntheticFlight synthetic;
+  synthetic.end_control(3.0, core::PhaseReason::apogee);
+  flight::Flight& flight = synthetic.flight;
+  for (double time_s = 0.1; time_s < 4.005; time_s += 0.01) {
+    flight.path.push_back({.time_s = time_s, .tilt_rad = 0.1 * time_s});
+    flight.turning.push_back({.time_s = time_s, .true_roll_rate_rad_s = time_s});
+  }
+  const std::vector<page::ShadedRange> live = charts(flight).charts.at(0).shaded_ranges;
+  ASSERT_EQ(live.size(), 4U);
+  EXPECT_NE(live[1].role, live[2].role);
+  const auto chart_of = [](const result::Section& section, std::size_t block) {
+    return std::get<result::Picture>(section.blocks.at(block)).chart;
+  };
+  for (const page::Chart& chart : {chart_of(path_section(flight), 2), chart_of(turning_section(flight), 0)}) {
+    ASSERT_EQ(chart.shaded_ranges.size(), live.size()) << chart.label;
+    EXPECT_NEAR(chart.x_range.value().low, 0.1, 1e-9);
+    EXPECT_NEAR(chart.x_range.value().high, 4.0, 1e-6) << "no wider than its curves";
+    for (std::size_t i = 0; i < live.size(); ++i) {
+      EXPECT_EQ(chart.shaded_ranges[i].label, live[i].label);
+      EXPECT_EQ(chart.shaded_ranges[i].role, live[i].role) << live[i].label;
+      EXPECT_NEAR(chart.shaded_ranges[i].begin, std::max(live[i].begin, 0.1), 1e-9);
+      EXPECT_NEAR(chart.shaded_ranges[i].end, std::min(live[i].end, 4.0), 1e-6);
+    }
+  }
+  flight.known.phase = false;
+  EXPECT_TRUE(chart_of(path_section(flight), 2).shaded_ranges.empty());
+}
+
 /// Coning of 5 deg at 2 Hz since the pad: the camera turns by 2.74 deg/s, which no integral of a roll rate has.
 constexpr double cone_deg = 5.0;
 const double apart_deg_s = 720.0 * (1.0 - std::cos(cone_deg * std::numbers::pi / 180.0));

@@ -7,6 +7,7 @@
 #include "flight/phase_names.hpp"
 #include "listen/answer.hpp"
 #include "page/chart.hpp"
+#include "report/phase_colors.hpp"
 #include "text/degrees.hpp"
 
 namespace fantail::listen {
@@ -47,8 +48,7 @@ page::Series from_law(const Heard& heard, const std::vector<double>& values, con
       .name = name, .role = Role::model, .x = shifted(heard.trace.time_s, zero_s(heard)), .y = scaled(values, factor)};
 }
 
-// Of neighbours that are shaded alike nobody sees where one ends: what comes before a launch is not shaded, and control
-// has a colour.
+// What comes before a launch is not shaded.
 std::vector<page::ShadedRange> phases(const Heard& heard) {
   std::vector<page::ShadedRange> ranges;
   const double end_s = heard.trace.time_s.back();
@@ -57,8 +57,8 @@ std::vector<page::ShadedRange> phases(const Heard& heard) {
     const double to_s = std::min(i + 1 < heard.events.size() ? heard.events[i + 1].time_s : end_s, end_s);
     const core::Phase phase = heard.events[i].to;
     if (from_s < to_s && phase != core::Phase::armed) {
-      ranges.push_back({from_s - zero_s(heard), to_s - zero_s(heard), flight::display_name(phase),
-                        phase == core::Phase::controlling ? Role::second_model : Role::neutral});
+      ranges.push_back(
+          {from_s - zero_s(heard), to_s - zero_s(heard), flight::display_name(phase), report::color_of(phase)});
     }
   }
   return ranges;
@@ -93,8 +93,7 @@ result::Section chart(const Heard& heard, const std::string& heading, std::strin
                           .series = std::move(series),
                           .shaded_ranges = phases(heard),
                           .levels = std::move(levels),
-                          .sampled = true,
-                          .least_left = 48.0};
+                          .sampled = true};
   return {.heading = heading, .blocks = {result::Picture{chart}}, .readers = result::Readers::files};
 }
 
@@ -108,8 +107,7 @@ result::Picture close_up(const Heard& heard, std::vector<page::Level> levels) {
                       .series = {from_log(heard, heard.log.axial, "log", 1.0 / one_g_m_s2)},
                       .shaded_ranges = phases(heard),
                       .levels = std::move(levels),
-                      .x_range = around_lift_off,
-                      .least_left = 48.0},
+                      .x_range = around_lift_off},
           "Axial specific force around lift-off."};
 }
 

@@ -10,9 +10,9 @@
 
 #include <fmt/core.h>
 
-#include "flight/phase_names.hpp"
 #include "report/chart_drawer.hpp"
 #include "report/hold.hpp"
+#include "report/phase_colors.hpp"
 #include "report/sections.hpp"
 #include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
@@ -24,31 +24,6 @@ namespace {
 using page::Chart;
 using page::Mark;
 using page::Role;
-
-Role role_of(core::Phase phase) {
-  switch (phase) {
-    case core::Phase::launched: return Role::target;
-    case core::Phase::controlling: return Role::measured;
-    default: return Role::neutral;
-  }
-}
-
-std::vector<page::ShadedRange> phase_ranges(const flight::Flight& flight) {
-  std::vector<page::ShadedRange> stripes;
-  const flight::Row* before = nullptr;
-  for (const flight::Row& row : flight.rows) {
-    const bool is_after_outage =
-        std::ranges::any_of(flight.outages, [&](const auto& outage) { return outage.to_s == row.time_s; });
-    if (!stripes.empty() && (before->phase == row.phase || !is_after_outage)) {
-      stripes.back().end = row.time_s;
-    }
-    if (before == nullptr || before->phase != row.phase) {
-      stripes.push_back({row.time_s, row.time_s, flight::display_name(row.phase), role_of(row.phase)});
-    }
-    before = &row;
-  }
-  return stripes;
-}
 
 // More labelled steps than this would hide each other.
 constexpr std::size_t most_step_labels = 3;
@@ -131,9 +106,7 @@ Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
                                 drawer.in_control(settle), Mark::step),
                     drawer.line("true", Role::target, column("true_roll_angle_deg")),
                     drawer.line("estimate", Role::measured, column("roll_angle_deg"))});
-  if (flight.known.phase) {
-    chart.shaded_ranges = phase_ranges(flight);
-  }
+  chart.shaded_ranges = phase_ranges(flight);
   chart.levels = event_marks(flight);
   return chart;
 }

@@ -12,6 +12,7 @@
 
 #include "flight/path.hpp"
 #include "page/page.hpp"
+#include "report/phase_colors.hpp"
 #include "report/sections.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -122,15 +123,15 @@ result::Section path_section(const flight::Flight& flight) {
                     .series = {series(path, "path", Role::measured, &PathPoint::east_m, &PathPoint::north_m)},
                     .x_range = around(path, &PathPoint::east_m, span_m),
                     .y_range = around(path, &PathPoint::north_m, span_m)};
-  const Chart angles{
-      .label = "Tilt and angle of attack",
-      .x_label = "time / s",
-      .y_label = "deg",
-      .width = page::full_page,
-      .height = flat,
-      .series = {tilt(path), series(path, "angle of attack", Role::model, &PathPoint::time_s,
-                                    [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
-      .sampled = true};
+  Chart angles{.label = "Tilt and angle of attack",
+               .x_label = "time / s",
+               .y_label = "deg",
+               .width = page::full_page,
+               .height = flat,
+               .series = {tilt(path), series(path, "angle of attack", Role::model, &PathPoint::time_s,
+                                             [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
+               .sampled = true};
+  shade_phases(angles, flight);
   return {
       "The path",
       {Picture{side, "From the side. The two axes have different scales."},

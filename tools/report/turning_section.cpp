@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "page/page.hpp"
+#include "report/phase_colors.hpp"
 #include "report/sections.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -39,6 +40,7 @@ result::Picture figure(const flight::Flight& flight, std::string label, std::str
                     .series = {series(flight, "true", Role::target, truth),
                                series(flight, measured.first, Role::measured, measured.second)},
                     .sampled = true};
+  shade_phases(chart, flight);
   const std::string caption = chart.label + ".";
   return {std::move(chart), caption};
 }
