@@ -105,6 +105,7 @@ result::Document answer(const sim::Vehicle& vehicle, const Summary& summary, con
                         {result::Drawing{side_view(shape, summary, page::full_page),
                                          side_view(shape, summary, page::half_page),
                                          "To scale. The bar at the centre of pressure is its range."}}},
+                       {"Static margin", margin_over_time(vehicle, summary), files},
                        {"Numbers", {result::table({}, summary.lines, read_fields), method}},
                        {"For programs", {result::table("numbers", summary.lines, line_fields)}, programs},
                        {"Normal force",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -104,7 +105,15 @@ std::string list(const std::vector<std::string>& all) {
   return shown < all.size() ? out + fmt::format("; and {} more", all.size() - shown) : out;
 }
 
+/// Two reasons stand behind one word.
 void doubt(Summary& summary, const std::string& why) {
+  const std::size_t behind_word = summary.sentence.find(": ") + 2;
+  if (summary.sentence.substr(0, behind_word).find("oubtful: ") != std::string::npos) {
+    char& next = summary.sentence[behind_word];
+    next = static_cast<char>(std::toupper(static_cast<unsigned char>(next)));
+    summary.sentence.insert(behind_word, why + " ");
+    return;
+  }
   const bool is_unstable = summary.stability == Stability::unstable;
   summary.sentence = fmt::format("{}: {} Weigh and balance the rocket, or correct the file. As it stands: {}",
                                  is_unstable ? "Unstable, and doubtful" : "Doubtful", why, summary.sentence);
@@ -123,6 +132,25 @@ void say_not_compared(Summary& summary, const Design& design, const std::string&
 }
 
 }  // namespace
+
+std::string parts_off_mass(const model::BuildUp& computed, const sim::Vehicle& vehicle) {
+  const double empty_kg = vehicle.mass_kg - vehicle.motor.propellant_kg();
+  if (!computed.after_burnout || std::abs(computed.after_burnout->mass_kg - empty_kg) <= mass_tolerance * empty_kg) {
+    return {};
+  }
+  const double parts_kg = computed.after_burnout->mass_kg;
+  return fmt::format(
+      "the parts in [masses] weigh {} kg, but body.mass_kg less the motor's propellant is {} kg, {} % {}",
+      fixed(parts_kg, 3), fixed(empty_kg, 3), fixed(100.0 * std::abs(empty_kg - parts_kg) / parts_kg, 0),
+      empty_kg > parts_kg ? "more" : "less");
+}
+
+void compare_with_parts(Summary& summary, const sim::Vehicle& vehicle) {
+  if (const std::string off = parts_off_mass(summary.build_up, vehicle); !off.empty()) {
+    summary.doubts.push_back(off);
+    doubt(summary, off + ".");
+  }
+}
 
 void compare_with_design(Summary& summary, const sim::Vehicle& vehicle) {
   const auto& found = vehicle.geometry->design;

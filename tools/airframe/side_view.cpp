@@ -73,7 +73,7 @@ std::string fins(const sim::Geometry& shape, const sim::Geometry::FinSet& set, c
                            scale.axis_y, scale.x(set.position_m + set.root_chord_m));
 }
 
-/// A mark on the axis with a line down to its label.
+/// A mark on the axis with a line up or down to its label.
 std::string mark(const char* role, double position_m, double foot_y, const std::string& label, const Scale& scale) {
   const double x = scale.x(position_m);
   const bool at_end = x + 5.0 + page::text_width(label) > scale.width;
@@ -89,8 +89,8 @@ std::string mark(const char* role, double position_m, double foot_y, const std::
 std::string side_view(const sim::Geometry& shape, const Summary& summary, double width) {
   const double per_m = (width - 2.0 * edge) / longest_m(shape);
   const double half = widest_m(shape) * per_m;
-  const Scale scale{.width = width, .per_m = per_m, .axis_y = edge + half};
-  const double height = edge + 2.0 * half + 2.0 * label_row + edge;
+  const Scale scale{.width = width, .per_m = per_m, .axis_y = edge + label_row + half};
+  const double height = 2.0 * (edge + half + label_row);
   std::string svg = fmt::format(
       R"(<svg class="chart" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" style="--w:{0:.0f}" role="img" aria-label="The rocket from the side">)"
       R"(<rect class="paper" width="{0:.0f}" height="{1:.0f}"/>)",
@@ -103,15 +103,14 @@ std::string side_view(const sim::Geometry& shape, const Summary& summary, double
     svg += fins(shape, *shape.canards, "model", scale);
   }
   const model::Estimate& pressure = summary.build_up.centre_of_pressure_m;
-  const double foot_y = edge + 2.0 * half + label_row;
   svg += fmt::format(R"(<path class="limit line" d="M{:.1f},{:.1f}H{:.1f}"/>)", scale.x(pressure.low), scale.axis_y,
                      scale.x(pressure.high));
+  // One above and one below: neither line goes through the label of the other.
   if (summary.centre_of_gravity_m) {
-    svg += mark("reference", *summary.centre_of_gravity_m, foot_y + label_row,
+    svg += mark("reference", *summary.centre_of_gravity_m, edge,
                 fmt::format("centre of gravity {} m", ::fantail::text::fixed(*summary.centre_of_gravity_m, 3)), scale);
   }
-  // Last: where there is little room, the other line goes through its label.
-  svg += mark("limit", pressure.value, foot_y,
+  svg += mark("limit", pressure.value, height - edge,
               fmt::format("centre of pressure {} m", ::fantail::text::fixed(pressure.value, 3)), scale);
   return svg + "</svg>";
 }

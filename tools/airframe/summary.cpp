@@ -15,9 +15,6 @@ namespace {
 using model::Estimate;
 using text::fixed;
 
-/// Less than this is called marginal, in calibres: the usual rule of thumb.
-constexpr double least_margin_calibres = 1.0;
-
 Estimate exactly(double value) { return {.value = value, .low = value, .high = value}; }
 
 Estimate scaled(const Estimate& e, double factor) {
@@ -74,12 +71,6 @@ void add_masses(Summary& summary, const sim::Vehicle& vehicle) {
                    file([](const sim::Airframe& a) { return a.after_burnout.transverse_inertia_kg_m2; }), 3});
   lines.push_back({"roll inertia at lift-off", "kg m2", of_mass(b.at_liftoff, &Sum::roll_inertia_kg_m2),
                    vehicle.roll_plant.inertia_kg_m2, 5});
-  if (b.after_burnout && std::abs(b.after_burnout->mass_kg - empty_kg) > 0.02 * empty_kg) {
-    summary.remarks.push_back(fmt::format(
-        "The parts in [masses] weigh {} kg, but body.mass_kg less the motor's propellant is {} kg: parts are "
-        "missing, or one of the numbers is wrong.",
-        fixed(b.after_burnout->mass_kg, 3), fixed(empty_kg, 3)));
-  }
 }
 
 void add_roll(Summary& summary, const sim::Vehicle& vehicle) {
@@ -252,6 +243,7 @@ Summary summarize(const sim::Vehicle& vehicle) {
   judge(summary, vehicle);
   judge_by_file(summary, vehicle);
   compare_with_design(summary, vehicle);
+  compare_with_parts(summary, vehicle);
   add_roll(summary, vehicle);
   compare(summary);
   compare_sizes(summary, vehicle);

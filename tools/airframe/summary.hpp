@@ -12,7 +12,11 @@
 
 namespace fantail::airframe {
 
-/// Doubtful: it would be stable or marginal, but by numbers that the design's file contradicts or that lack parts.
+/// Less than this is called marginal: the usual rule of thumb.
+inline constexpr double least_margin_calibres = 1.0;
+
+/// Doubtful: it would be stable or marginal, but by numbers that the design's file contradicts, that contradict each
+/// other or that lack parts.
 enum class Stability : std::uint8_t { stable, marginal, unstable, unknown, doubtful };
 
 /// One number of a vehicle: as computed from its shape and parts, and as its file has it.
@@ -30,7 +34,7 @@ struct Summary {
   std::vector<Line> lines;
   Stability stability = Stability::unknown;
   std::string sentence;               ///< of the static margin, and of the comparison
-  std::vector<std::string> doubts{};  ///< where vehicle and design file differ, or lack of parts, a clause each
+  std::vector<std::string> doubts{};  ///< what makes it doubtful, a clause each
   /// Whether mass and both centres are those that the design's file has stored; empty: not read from a design.
   std::optional<bool> agrees_with_design{};
   std::vector<std::string> remarks;           ///< doubts and contradictions, a sentence each
@@ -47,10 +51,20 @@ struct Summary {
 /// design, or that there was nothing to compare with. Another vehicle's summary stays as it is.
 void compare_with_design(Summary& summary, const sim::Vehicle& vehicle);
 
+/// Holds its mass against the sum of its parts. The sentence of a summary that has been judged then says where they
+/// differ by more than 2 %; one of them is wrong, and with it perhaps the balance.
+void compare_with_parts(Summary& summary, const sim::Vehicle& vehicle);
+
+/// "the parts in [masses] weigh 3.764 kg, but ..."; empty: they weigh what the vehicle does, or are not known.
+[[nodiscard]] std::string parts_off_mass(const model::BuildUp& computed, const sim::Vehicle& vehicle);
+
 /// Is it stable? Undecided where it is marginal, doubtful or not compared with the design that it was read from.
 [[nodiscard]] result::Document answer(const sim::Vehicle& vehicle, const Summary& summary, const result::Made& made);
 /// Every figure in its JSON, for the manual.
 [[nodiscard]] std::vector<result::Listed> listed_fields();
+
+/// The static margin while the motor burns, with the limits of the verdict; or why it is not shown.
+[[nodiscard]] std::vector<result::Block> margin_over_time(const sim::Vehicle& vehicle, const Summary& summary);
 
 /// The rocket from the side, nose to the left, to scale, with its centres of gravity and pressure: an SVG that takes
 /// its colours from the page.
