@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,11 @@ namespace {
 /// far from its reference.
 constexpr double phase_margin_rad = text::radians(30.0);
 constexpr int speeds = 12;
+
+/// The largest that leaves the margin is taken: it ends an offset soonest.
+constexpr std::array observer_bandwidths_rad_s{10.0, 7.0, 5.0, 3.0, 2.0, 1.0, 0.5};
+
+const double rest_limit_rad = sim::Scenario{}.rest_limit_rad;
 
 struct Speeds {
   double lowest_m_s;
@@ -56,8 +63,8 @@ std::optional<Speeds> speeds_under_control(const sim::Vehicle& vehicle, const co
   return found;
 }
 
-/// Of every corner of the ranges. Canards that lose their torque to the fins turn the rocket less and swing less: half
-/// of the computed torque stands for all that is below it.
+/// Of every corner of the ranges. Canards that lose their torque to the fins turn the rocket less and, without an
+/// observer, swing less: half of the computed torque stands for all that is below it.
 stability::LoopsAtSpeeds loops(const sim::Vehicle& vehicle, const model::BuildUp& computed,
                                const core::FlightPlan& plan, const Speeds& range) {
   const model::Estimate& damping = computed.roll_damping_m4;
@@ -90,6 +97,37 @@ stability::LoopsAtSpeeds loops(const sim::Vehicle& vehicle, const model::BuildUp
   return all;
 }
 
+/// What the shape gives, for most of a flight: the motor has burnt out.
+core::RollModelPlan roll_model(const sim::Vehicle& vehicle, const model::BuildUp& computed) {
+  const sim::RollPlant& plant = vehicle.roll_plant;
+  const double inertia_kg_m2 =
+      computed.after_burnout ? computed.after_burnout->roll_inertia_kg_m2 : plant.inertia_kg_m2;
+  return {.roll_inertia_kg_m2 = static_cast<float>(inertia_kg_m2),
+          .reference_area_m2 = static_cast<float>(plant.reference_area_m2),
+          .damping_m2 = static_cast<float>(plant.damping_m2),
+          .torque_m = static_cast<float>(plant.torque_m),
+          .density_kg_m3 = static_cast<float>(sim::Scenario{}.atmosphere.density_kg_m3(0.0))};
+}
+
+/// The fastest observer with which any gains have the margin. Unlike integral action it needs no schedule: its model
+/// says how much stronger the canards are in faster air.
+void add_observer(FirstGains& first, const sim::Vehicle& vehicle, const model::BuildUp& computed, core::FlightPlan plan,
+                  const Speeds& range) {
+  plan.offset.rejection = core::OffsetRejection::observer;
+  plan.roll_model = roll_model(vehicle, computed);
+  for (const double bandwidth_rad_s : observer_bandwidths_rad_s) {
+    plan.offset.observer_bandwidth_rad_s = static_cast<float>(bandwidth_rad_s);
+    const auto found = stability::nearest_gains(loops(vehicle, computed, plan, range), gains_of(plan),
+                                                stability::largest_gains(), {.phase_margin_rad = phase_margin_rad});
+    if (found) {
+      first.gains = *found;
+      first.observer_bandwidth_rad_s = bandwidth_rad_s;
+      first.roll_model = plan.roll_model;
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 stability::Gains gains_of(const core::FlightPlan& plan) {
@@ -98,7 +136,7 @@ stability::Gains gains_of(const core::FlightPlan& plan) {
 }
 
 std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::BuildUp& computed,
-                                      const core::FlightPlan& plan) {
+                                      const core::FlightPlan& plan, double fin_offset_rad) {
   const auto range = speeds_under_control(vehicle, plan);
   if (!range || !computed.roll_torque_m3) {
     return std::nullopt;
@@ -106,11 +144,17 @@ std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::
   const stability::LoopsAtSpeeds all = loops(vehicle, computed, plan, *range);
   const auto found =
       stability::nearest_gains(all, gains_of(plan), stability::largest_gains(), {.phase_margin_rad = phase_margin_rad});
-  return FirstGains{.gains = found.value_or(gains_of(plan)),
-                    .reach_phase_margin = found.has_value(),
-                    .lowest_speed_m_s = range->lowest_m_s,
-                    .highest_speed_m_s = range->highest_m_s,
-                    .servo_lag_s = vehicle.servo.lag_s};
+  FirstGains first{.gains = found.value_or(gains_of(plan)),
+                   .reach_phase_margin = found.has_value(),
+                   .lowest_speed_m_s = range->lowest_m_s,
+                   .highest_speed_m_s = range->highest_m_s,
+                   .servo_lag_s = vehicle.servo.lag_s};
+  first.rest_rad = std::abs(fin_offset_rad) / first.gains.proportional;
+  const auto reach_rad = static_cast<double>(plan.controller.canard_limit.radians());
+  if (found && first.rest_rad > rest_limit_rad && std::abs(fin_offset_rad) < reach_rad) {
+    add_observer(first, vehicle, computed, plan, *range);
+  }
+  return first;
 }
 
 std::string why_none(const core::FlightPlan& plan) {
@@ -127,14 +171,22 @@ std::string why_none(const core::FlightPlan& plan) {
 std::string sentence(const FirstGains& first) {
   using text::brief;
   const std::string gains =
-      fmt::format("{} and {} s", brief(first.gains.proportional, 4), brief(first.gains.derivative_s, 4));
+      fmt::format("{} and {} s{}", brief(first.gains.proportional, 4), brief(first.gains.derivative_s, 4),
+                  first.observer_bandwidth_rad_s
+                      ? fmt::format(", with an observer of {} rad/s", brief(*first.observer_bandwidth_rad_s, 4))
+                      : "");
+  const std::string why_observer =
+      first.observer_bandwidth_rad_s
+          ? fmt::format(" Without the observer the fin offset would keep the roll {} deg from its reference.",
+                        text::fixed(text::degrees(first.rest_rad), 0))
+          : "";
   const std::string where =
       fmt::format("from {} to {} m/s, with damping and torque anywhere within a factor of two and a servo lag of {} ms",
                   text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0),
                   brief(1e3 * first.servo_lag_s, 1));
   return first.reach_phase_margin
-             ? fmt::format("Gains of {}: in the loop model a phase margin of {} degrees or more {}.", gains,
-                           brief(text::degrees(phase_margin_rad), 0), where)
+             ? fmt::format("Gains of {}: in the loop model a phase margin of {} degrees or more {}.{}", gains,
+                           brief(text::degrees(phase_margin_rad), 0), where, why_observer)
              : fmt::format(
                    "Gains of {}, the usual ones: no gains of a plan have a phase margin of {} degrees in the loop "
                    "model {}. Measure damping and torque in a tunnel.",

@@ -24,28 +24,6 @@ using sim::Geometry;
 constexpr double stall_deg = 13.0;
 constexpr std::array nose_names{"cone", "ogive", "ellipsoid", "parabola", "haack"};
 
-constexpr std::string_view plan_text = R"(
-[launch_detection]
-threshold_g = 2.5
-hold_s = 0.1
-low_pass_hz = 8 # this and the next as in the shipped plan tasha3_launch2, which says why
-disagreement_g = 2
-
-[guide] # where control may begin
-length_m = 4
-clearance_m = 2
-minimum_speed_m_s = 17
-
-[controller] # fantail fly says their margins; fantail predict, once there are tunnel results, better ones
-proportional_gain = {proportional_gain}
-derivative_gain_s = {derivative_gain_s}
-canard_limit_deg = 9
-
-[reference]
-kind = "hold"
-initial_deg = 0
-)";
-
 constexpr std::string_view scenario_text = R"(
 vehicle = "vehicle.toml"
 plan = "plan.toml"
@@ -70,9 +48,6 @@ std::string sentences(const char* key, const std::vector<std::string>& all) {
   }
   return out + "]\n";
 }
-
-/// To six digits: no formula here knows more.
-std::string rounded(double value) { return fmt::format("{:.6g}", value); }
 
 /// What was read; sums of lengths and turned units end in digits that nobody wrote.
 std::string exact(double value) { return fmt::format("{:.12g}", value); }
@@ -271,15 +246,11 @@ NewFiles files_of(const NewRocket& rocket) {
   const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
   core::FlightPlan usual = core::default_plan();
   usual.guide.minimum_speed_m_s = 17.0F;  // as in plan_text
-  const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual);
-  const stability::Gains gains = first ? first->gains : gains_of(usual);
   const Offset offset = fin_offset(*rocket.vehicle.geometry, b);
+  const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual, text::radians(offset.angle_deg));
   NewFiles made{
       .files = {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
-                {.name = "plan.toml",
-                 .content = first_line + fmt::format(fmt::runtime(plan_text),
-                                                     fmt::arg("proportional_gain", rounded(gains.proportional)),
-                                                     fmt::arg("derivative_gain_s", rounded(gains.derivative_s)))},
+                {.name = "plan.toml", .content = first_line + plan_file(first, usual)},
                 {.name = "scenario.toml",
                  .content = first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("offset", offset.sentence),
                                                      fmt::arg("offset_deg", rounded(offset.angle_deg)),

@@ -16,6 +16,10 @@ namespace fantail::airframe {
 /// Gains for the first simulated flights of a rocket whose roll model is only computed from its shape.
 struct FirstGains {
   stability::Gains gains;
+  /// Where the roll would rest too far from its reference without: as fast as leaves the phase margin.
+  std::optional<double> observer_bandwidth_rad_s{};
+  core::RollModelPlan roll_model{};  ///< of the observer
+  double rest_rad = 0.0;             ///< how far from its reference the fin offset keeps the roll without it
   /// With them the loop has a phase margin of 30 degrees at every speed of a straight ascent, with damping and torque
   /// anywhere in their ranges. If not, no gains that a plan may have do, and these are those of the plan.
   bool reach_phase_margin = false;
@@ -26,16 +30,23 @@ struct FirstGains {
 
 [[nodiscard]] stability::Gains gains_of(const core::FlightPlan& plan);
 
-/// For `vehicle` with the roll model that its shape gives: the gains nearest to those of `plan`. Empty without canards,
-/// and where control never begins in a straight ascent.
+/// For `vehicle` with the roll model that its shape gives: the gains nearest to those of `plan`. With an observer
+/// where such gains leave the roll farther from its reference than a scenario allows, because of fins that are as
+/// crooked as canards at this angle. Empty without canards, and where control never begins in a straight ascent.
 [[nodiscard]] std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::BuildUp& computed,
-                                                    const core::FlightPlan& plan);
+                                                    const core::FlightPlan& plan, double fin_offset_rad);
 
 /// Why a rocket with canards has none, for a person.
 [[nodiscard]] std::string why_none(const core::FlightPlan& plan);
 
 /// What was asked of them, for a person.
 [[nodiscard]] std::string sentence(const FirstGains& first);
+
+/// The plan of a new rocket with these gains, or without them with those of `usual`.
+[[nodiscard]] std::string plan_file(const std::optional<FirstGains>& first, const core::FlightPlan& usual);
+
+/// To six digits: no formula of a new rocket knows more.
+[[nodiscard]] std::string rounded(double value);
 
 /// A rocket that nobody has flown yet.
 struct NewRocket {

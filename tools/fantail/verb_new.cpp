@@ -11,16 +11,17 @@
 #include "airframe/new_rocket.hpp"
 #include "airframe/openrocket/read.hpp"
 #include "airframe/summary.hpp"
+#include "campaign/flown_run.hpp"
 #include "fantail/new_from_design.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
-#include "fly/fly_scenario.hpp"
 #include "input/document.hpp"
 #include "input/rasp_file.hpp"
 #include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
+#include "report/verdict.hpp"
 #include "text/input_file.hpp"
 #include "text/output_folder.hpp"
 #include "text/quoting.hpp"
@@ -131,38 +132,31 @@ airframe::NewRocket from_design(const NewOptions& options) {
 }
 
 /// A folder that is only there if all of it can be flown. What the vehicle is refused for lies in what it was made
-/// from.
-sim::Vehicle write(const std::filesystem::path& folder, const std::vector<text::NamedFile>& files,
-                   const std::string& source) {
+/// from: parts that do not weigh what the rocket does come first, because the balance follows from them.
+sim::Scenario write(const std::filesystem::path& folder, const std::vector<text::NamedFile>& files,
+                    const airframe::NewRocket& rocket, const std::string& source) {
   text::OutputFolder{folder}.write(files);
-  const std::string vehicle = (folder / "vehicle.toml").string();
   try {
-    return input::read_vehicle(input::Document::load(vehicle));
+    return input::load_scenario((folder / "scenario.toml").string(), {});
   } catch (const text::Error& error) {
     std::filesystem::remove_all(folder);
     std::string complaint = error.what();
-    if (complaint.starts_with(vehicle)) {
+    if (complaint.starts_with((folder / "vehicle.toml").string())) {
       complaint.erase(0, std::min(complaint.find(": "), complaint.size() - 2) + 2);
     }
-    throw text::Error{error.kind(), source + ": cannot be made into a vehicle: " + complaint};
+    const std::string off = airframe::parts_off_mass(airframe::model::build_up(rocket.vehicle), rocket.vehicle);
+    throw text::Error{error.kind(), fmt::format("{}: cannot be made into a vehicle: {}{}{}", source, off,
+                                                off.empty() ? "" : ", and so ", complaint)};
   }
 }
 
-/// How far a first flight of the new rocket is beyond the model; empty: nowhere, or it cannot be flown yet.
-std::string beyond_the_model(const std::filesystem::path& scenario) {
-  try {
-    const flight::Flight flown =
-        fly::fly_without_rows(input::load_scenario(scenario.string(), {}), [](const auto&, const auto&) {});
-    if (const std::string beyond = flight::how_far_beyond(flown.extremes); !beyond.empty()) {
-      return fmt::format("Outside the model: in its first flight {}. No verdict on its roll will be green{}.\n", beyond,
-                         flight::is_beyond(flight::ModelEnd::mach, flown.extremes)
-                             ? "; a weaker motor or more mass keeps it slower"
-                             : "");
-    }
-    return {};
-  } catch (const text::Error&) {
-    return {};  // fly says what is wrong with it
-  }
+/// The verdict on a first flight of the new rocket.
+std::string first_flight(const sim::Scenario& scenario) {
+  const campaign::JudgedFlight flown = campaign::fly_and_judge(scenario);
+  const bool is_too_fast = flight::is_beyond(flight::ModelEnd::mach, flown.flight.extremes);
+  const std::string word = fmt::format("{}: ", report::display_name(flown.verdict.outcome));
+  return fmt::format("First flight: {}{}{}\n", flown.verdict.text.starts_with(word) ? "" : word, flown.verdict.text,
+                     is_too_fast ? " A weaker motor or more mass keeps it slower." : "");
 }
 
 void make(const NewOptions& options) {
@@ -175,7 +169,8 @@ void make(const NewOptions& options) {
   airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options);
   rocket.name = folder.filename().string();
   const airframe::NewFiles files = airframe::files_of(rocket);
-  const sim::Vehicle made = write(folder, files.files, options.from);
+  const sim::Scenario scenario = write(folder, files.files, rocket, options.from);
+  const sim::Vehicle& made = scenario.vehicle;
   const airframe::Summary summary = airframe::summarize(made);
   show("{}\n", summary.sentence);
   for (const std::string& remark : summary.remarks) {
@@ -186,8 +181,8 @@ void make(const NewOptions& options) {
         "It has no canards: nothing controls its roll until the vehicle has a section [canard_fins] and is made "
         "again.\n");
   }
-  show("{}", painted_decision(beyond_the_model(folder / "scenario.toml")));
   show("{}{}", files.gains, files.gains.empty() ? "" : "\n");
+  show("{}", first_flight(scenario));
   for (const std::string& assumed : made.assumed) {
     show("Assumed: {}\n", assumed);
   }
