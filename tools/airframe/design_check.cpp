@@ -145,10 +145,17 @@ std::string parts_off_mass(const model::BuildUp& computed, const sim::Vehicle& v
       empty_kg > parts_kg ? "more" : "less");
 }
 
-void compare_with_parts(Summary& summary, const sim::Vehicle& vehicle) {
+void doubt_balance(Summary& summary, const sim::Vehicle& vehicle) {
+  std::vector<std::string> doubts;
   if (const std::string off = parts_off_mass(summary.build_up, vehicle); !off.empty()) {
-    summary.doubts.push_back(off);
-    doubt(summary, off + ".");
+    doubts.push_back(off);
+  }
+  if (!summary.centre_of_gravity_m && summary.stability != Stability::unknown) {
+    doubts.emplace_back("the centre of gravity at lift-off, where the margin is usually least, is unknown");
+  }
+  for (const std::string& why : doubts) {
+    summary.doubts.push_back(why);
+    doubt(summary, why + ".");
   }
 }
 

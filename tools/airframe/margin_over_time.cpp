@@ -41,9 +41,6 @@ constexpr const char* caption =
 
 std::vector<result::Block> margin_over_time(const sim::Vehicle& vehicle, const Summary& summary) {
   const sim::ThrustCurve& motor = vehicle.motor;
-  if (!(motor.impulse_n_s() > 0.0)) {
-    return {std::string{"Not shown over time: the vehicle has no motor, so its centre of gravity stays."}};
-  }
   const auto balance = balance_of(vehicle, summary.build_up);
   if (!balance) {
     return {

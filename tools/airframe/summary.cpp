@@ -243,7 +243,7 @@ Summary summarize(const sim::Vehicle& vehicle) {
   judge(summary, vehicle);
   judge_by_file(summary, vehicle);
   compare_with_design(summary, vehicle);
-  compare_with_parts(summary, vehicle);
+  doubt_balance(summary, vehicle);
   add_roll(summary, vehicle);
   compare(summary);
   compare_sizes(summary, vehicle);

@@ -51,9 +51,9 @@ struct Summary {
 /// design, or that there was nothing to compare with. Another vehicle's summary stays as it is.
 void compare_with_design(Summary& summary, const sim::Vehicle& vehicle);
 
-/// Holds its mass against the sum of its parts. The sentence of a summary that has been judged then says where they
-/// differ by more than 2 %; one of them is wrong, and with it perhaps the balance.
-void compare_with_parts(Summary& summary, const sim::Vehicle& vehicle);
+/// Holds its mass against the sum of its parts, and looks for its balance at lift-off. The sentence of a summary that
+/// has been judged then says where the masses differ by more than 2 %, and whether that balance is unknown.
+void doubt_balance(Summary& summary, const sim::Vehicle& vehicle);
 
 /// "the parts in [masses] weigh 3.764 kg, but ..."; empty: they weigh what the vehicle does, or are not known.
 [[nodiscard]] std::string parts_off_mass(const model::BuildUp& computed, const sim::Vehicle& vehicle);
