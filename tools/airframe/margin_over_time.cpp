@@ -33,7 +33,8 @@ std::optional<Balance> balance_of(const sim::Vehicle& vehicle, const model::Buil
 }
 
 constexpr const char* caption =
-    "The centre of gravity moves with the propellant, which burns in proportion to the impulse. The centre of pressure "
+    "From ignition to burn-out. The centre of gravity moves with the propellant, which burns in proportion to the "
+    "impulse. The centre of pressure "
     "is that of small angles; in this model it does not move with the Mach number. The verdict asks for one calibre, "
     "and for zero at the low end of the shape's range.";
 
@@ -52,9 +53,8 @@ std::vector<result::Block> margin_over_time(const sim::Vehicle& vehicle, const S
   page::Area range{.name = "with the range of the shape", .role = Role::model};
   page::Series by_file{.name = "with the file's, as in flights", .role = Role::measured};
   constexpr int points = 200;
-  const double shown_s = 1.2 * motor.burnout_s();
   for (int i = 0; i <= points; ++i) {
-    const double time_s = shown_s * i / points;
+    const double time_s = motor.burnout_s() * i / points;
     const double gravity_m =
         sim::burning_rocket(balance->airframe, {.mass_kg = balance->mass_kg, .propellant_kg = motor.propellant_kg()},
                             motor.impulse_until(time_s) / motor.impulse_n_s())
@@ -77,8 +77,7 @@ std::vector<result::Block> margin_over_time(const sim::Vehicle& vehicle, const S
       .series = {std::move(by_shape)},
       .areas = {std::move(range)},
       .levels = {{.value = least_margin_calibres, .label = "1 calibre, the limit of the verdict", .role = Role::limit},
-                 {.value = 0.0, .label = "unstable below zero", .role = Role::limit},
-                 {.value = motor.burnout_s(), .label = "burn-out", .upright = true}}};
+                 {.value = 0.0, .label = "unstable below zero", .role = Role::limit}}};
   if (vehicle.airframe) {
     chart.series.push_back(std::move(by_file));
   }
