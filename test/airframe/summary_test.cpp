@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -205,64 +204,6 @@ TEST(Remarks, GiveTheCanardsOfAFinCantNoUpperEndWhereTheirTorqueMayBeZero) {
     EXPECT_NE(result::json(found).find("\"high\": null"), std::string::npos);
   }
   EXPECT_EQ(range_text({.value = 2.0, .low = 1.0, .high = 4.0}, 1), "1.0 to 4.0");
-}
-
-page::Chart margin_chart(const sim::Vehicle& rocket) {
-  return std::get<result::Picture>(margin_over_time(rocket, summarize(rocket)).at(0)).chart;
-}
-
-// 120 N for a second and 40 N for another: after the first three quarters of the propellant are gone. The first moment
-// of what is left then follows by hand.
-TEST(MarginOverTime, IsThatOfTheMassThatIsLeft) {
-  sim::Vehicle rocket = vehicle("tasha3_launch2");
-  rocket.motor =
-      sim::ThrustCurve{{{0.0, 120.0}, {1.0, 120.0}, {1.0 + 1e-9, 40.0}, {2.0, 40.0}, {2.0 + 1e-9, 0.0}}, 0.4};
-  rocket.mass_kg = 4.0;
-  rocket.airframe->at_liftoff.centre_of_gravity_m = 0.9;
-  rocket.airframe->after_burnout.centre_of_gravity_m = 0.85;
-  const page::Chart chart = margin_chart(rocket);
-  const auto at = [](const page::Series& series, double time_s) {
-    const auto found = std::ranges::lower_bound(series.x, time_s - 1e-9);
-    return series.y.at(static_cast<std::size_t>(found - series.x.begin()));
-  };
-  const page::Series& by_shape = chart.series.at(0);
-  const page::Series& by_file = chart.series.at(1);
-  const double shape_m = summarize(rocket).build_up.centre_of_pressure_m.value;
-  const double after_a_second_m = (4.0 * 0.9 - 0.75 * (4.0 * 0.9 - 3.6 * 0.85)) / (4.0 - 0.3);
-  for (const auto& [time_s, gravity_m] : {std::pair{0.0, 0.9}, {1.0, after_a_second_m}, {2.0, 0.85}}) {
-    EXPECT_NEAR(at(by_file, time_s), (1.02 - gravity_m) / 0.08, 0.01) << time_s;
-    EXPECT_NEAR(at(by_shape, time_s), (shape_m - gravity_m) / 0.08, 0.01) << time_s;
-  }
-  EXPECT_EQ(chart.levels.at(0).value, 1.0);
-  EXPECT_EQ(chart.levels.at(1).value, 0.0);
-}
-
-TEST(MarginOverTime, BeginsAndEndsWithTheMarginsOfTheTable) {
-  for (const bool has_airframe : {true, false}) {
-    sim::Vehicle rocket = vehicle("smokey");
-    if (!has_airframe) {
-      rocket.airframe.reset();
-    }
-    const Summary summary = summarize(rocket);
-    const page::Chart chart = margin_chart(rocket);
-    EXPECT_EQ(chart.series.size(), has_airframe ? 2U : 1U);
-    const std::string whose = has_airframe ? ", file's centre of gravity" : "";
-    const model::Estimate first = *line(summary, "static margin at lift-off" + whose).computed;
-    const model::Estimate last = *line(summary, "static margin after burn-out" + whose).computed;
-    EXPECT_NEAR(chart.series[0].y.front(), first.value, 1e-9);
-    EXPECT_NEAR(chart.series[0].y.back(), last.value, 1e-9);
-    EXPECT_NEAR(chart.areas[0].low.front(), first.low, 1e-9);
-    EXPECT_NEAR(chart.areas[0].high.back(), last.high, 1e-9);
-  }
-}
-
-TEST(MarginOverTime, SaysWhyItIsNotShown) {
-  sim::Vehicle rocket = vehicle("smokey");
-  rocket.airframe.reset();
-  rocket.geometry->propellant.reset();
-  const auto said = [&] { return std::get<std::string>(margin_over_time(rocket, summarize(rocket)).at(0)); };
-  EXPECT_NE(said().find("[masses]"), std::string::npos);
-  EXPECT_NE(result::html(answer(rocket, summarize(rocket), {})).find("Not shown over time"), std::string::npos);
 }
 
 /// Where in a drawing: from its tag on.
