@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -204,45 +203,6 @@ TEST(Remarks, GiveTheCanardsOfAFinCantNoUpperEndWhereTheirTorqueMayBeZero) {
     EXPECT_NE(result::json(found).find("\"high\": null"), std::string::npos);
   }
   EXPECT_EQ(range_text({.value = 2.0, .low = 1.0, .high = 4.0}, 1), "1.0 to 4.0");
-}
-
-/// Where in a drawing: from its tag on.
-double number(const std::string& svg, std::size_t from, const std::string& behind) {
-  return std::stod(svg.substr(svg.find(behind, from) + behind.size(), 12));
-}
-
-// For any places of the two centres: a label lies wholly above or below the foot of the other's line.
-TEST(SideView, NoLineGoesThroughALabel) {
-  sim::Vehicle rocket = vehicle("tasha3_launch2");
-  for (double gravity_m = 0.2; gravity_m < 1.5; gravity_m += 0.05) {
-    rocket.airframe->at_liftoff.centre_of_gravity_m = gravity_m;
-    const std::string svg = side_view(*rocket.geometry, summarize(rocket), page::half_page);
-    struct Mark {
-      double from_y, foot_y, label_y;
-    };
-    std::vector<Mark> marks;
-    for (std::size_t at = svg.find(" level\" d="); at != std::string::npos; at = svg.find(" level\" d=", at + 1)) {
-      const std::size_t text = svg.find("<text", at);
-      marks.push_back({number(svg, at, ","), number(svg, at, "V"), number(svg, text, " y=\"")});
-    }
-    ASSERT_EQ(marks.size(), 2U);
-    for (const auto& [line, label] : {std::pair{marks[0], marks[1]}, {marks[1], marks[0]}}) {
-      const double top = std::min(line.from_y, line.foot_y);
-      const double bottom = std::max(line.from_y, line.foot_y);
-      EXPECT_TRUE(label.label_y < top || label.label_y - 12.0 > bottom) << gravity_m;
-    }
-  }
-}
-
-TEST(SideView, ShowsEveryFinCanardAndCentre) {
-  const sim::Vehicle rocket = vehicle("tasha3_launch2");
-  for (const double width : {880.0, 428.0}) {
-    const std::string svg = side_view(*rocket.geometry, summarize(rocket), width);
-    for (const char* part : {"centre of pressure", "centre of gravity 0.900 m", "measured area", "model area"}) {
-      EXPECT_NE(svg.find(part), std::string::npos) << part;
-    }
-    EXPECT_EQ(svg.find("nan"), std::string::npos);
-  }
 }
 
 }  // namespace

@@ -28,8 +28,9 @@ TEST(Page, ChartsOverOneXBelowEachOtherHaveTheirFramesLinedUp) {
   const auto over = [](const char* x_label, double largest) {
     return Picture{.chart = {.x_label = x_label, .series = {{.x = {0.0, 10.0}, .y = {0.0, largest}}}}};
   };
-  Document document{.sections = {{"Found", {over("time / s", 4.0), over("time / s", 123456.0)}}}};
-  document.sections.push_back({"More", {over("time / s", 9.0), over("speed / (m/s)", 4.0)}});
+  Document document;
+  document.sections = {{"Found", {over("time / s", 4.0), over("time / s", 123456.0)}},
+                       {"More", {over("time / s", 9.0), over("speed / (m/s)", 4.0)}}};
   const auto found = frames(html(document));
   ASSERT_EQ(found.size(), 4U);
   EXPECT_EQ(found[0], found[1]);
