@@ -50,20 +50,19 @@ std::string rounded(double value) { return fmt::format("{:.6g}", value); }
 
 std::string plan_file(const std::optional<FirstGains>& first, const core::FlightPlan& usual) {
   const stability::Gains gains = first ? first->gains : gains_of(usual);
-  const std::string plan =
-      fmt::format(fmt::runtime(plan_text), fmt::arg("proportional_gain", rounded(gains.proportional)),
-                  fmt::arg("derivative_gain_s", rounded(gains.derivative_s)));
+  std::string plan = fmt::format(fmt::runtime(plan_text), fmt::arg("proportional_gain", rounded(gains.proportional)),
+                                 fmt::arg("derivative_gain_s", rounded(gains.derivative_s)));
   if (!first || !first->observer_bandwidth_rad_s) {
     return plan;
   }
   using Model = core::RollModelPlan;
   const auto of_model = [&](float Model::* member) { return rounded(static_cast<double>(first->roll_model.*member)); };
-  return plan +
-         fmt::format(fmt::runtime(observer_text), fmt::arg("bandwidth", rounded(*first->observer_bandwidth_rad_s)),
-                     fmt::arg("inertia", of_model(&Model::roll_inertia_kg_m2)),
-                     fmt::arg("area", of_model(&Model::reference_area_m2)),
-                     fmt::arg("damping", of_model(&Model::damping_m2)), fmt::arg("torque", of_model(&Model::torque_m)),
-                     fmt::arg("density", of_model(&Model::density_kg_m3)));
+  plan += fmt::format(fmt::runtime(observer_text), fmt::arg("bandwidth", rounded(*first->observer_bandwidth_rad_s)),
+                      fmt::arg("inertia", of_model(&Model::roll_inertia_kg_m2)),
+                      fmt::arg("area", of_model(&Model::reference_area_m2)),
+                      fmt::arg("damping", of_model(&Model::damping_m2)), fmt::arg("torque", of_model(&Model::torque_m)),
+                      fmt::arg("density", of_model(&Model::density_kg_m3)));
+  return plan;
 }
 
 }  // namespace fantail::airframe
