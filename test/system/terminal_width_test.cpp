@@ -93,13 +93,13 @@ TEST(Terminal, NoPictureOfWatchIsWiderThanIt) {
 
 TEST(Terminal, ThatDoesNotKnowItsWidthHasThatOfTheSurroundings) {
   const Folder folder;
-  const auto narrowest = [&](const char* columns) {
+  const auto width_with = [&](const char* columns) {
     const std::string help = on_terminal({"fly", "--help"}, folder, 0, {{"TERM", "xterm"}, {"COLUMNS", columns}}).out;
     return too_wide(help, 40).empty() ? 40 : too_wide(help, 80).empty() ? 80 : 0;
   };
-  EXPECT_EQ(narrowest("40"), 40);
-  EXPECT_EQ(narrowest(nullptr), 80);
-  EXPECT_EQ(narrowest("wide"), 80);
+  EXPECT_EQ(width_with("40"), 40);
+  EXPECT_EQ(width_with(nullptr), 80);
+  EXPECT_EQ(width_with("wide"), 80);
 }
 
 TEST(Terminal, NoHelpIsWiderThanIt) {
