@@ -14,7 +14,7 @@ from . import _arguments, _changes, _core, _verbs
 from ._log import Path
 from ._scenario import Name
 
-_TYPES = {"run": np.uint64, "seed": np.uint64, "outcome": str, "note": str}
+_TYPES = {"run": np.uint64, "seed": np.uint64, "outcome": str, "failed_by": str, "note": str}
 
 
 class Campaign:

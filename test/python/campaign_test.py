@@ -28,7 +28,7 @@ def test_a_campaign_is_the_programs(program, tmp_path):
     for name in flown.columns:
         ours = flown[name]
         for value, row in zip(ours, rows):
-            if name in ("outcome", "note"):
+            if name in ("outcome", "failed_by", "note"):
                 assert value == row[name]
             elif row[name] == "":
                 assert math.isnan(value)
