@@ -181,5 +181,10 @@ TEST(CampaignReport, CountsRunsWithoutAFlightAsNotMetAndNamesThem) {
   }
 }
 
+TEST(CampaignReport, OfOneRunSaysRun) {
+  const Report report = report_of(made(1));
+  EXPECT_EQ(result::text(answer(report)).find("1 runs"), std::string::npos) << result::text(answer(report));
+}
+
 }  // namespace
 }  // namespace fantail::campaign

@@ -58,7 +58,7 @@ page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)
           .x_label = "to the east / m",
           .y_label = "to the north / m",
           .width = width,
-          .height = width,
+          .height = width + 45.0,  // for the legend and the ticks: the frame is about square
           .series = std::move(series),
           .x_range = around(*east),
           .y_range = around(*north)};
