@@ -38,12 +38,13 @@ std::string key_of(const Column& column) {
                      names_unit ? "" : fmt::format(" ({})", column.unit.symbol));
 }
 
-/// The label goes before the meaning if it has a word that neither key nor meaning has.
+/// The label goes before the meaning if it has a word, longer than "that", which neither key nor meaning has.
 std::string meaning_of(const Column& column) {
   std::istringstream words{std::string{column.label}};
   bool says_more = false;
   for (std::string word; words >> word;) {
-    says_more = says_more || (column.key.find(word) == std::string_view::npos &&
+    std::erase_if(word, [](char c) { return c == ',' || c == ':'; });
+    says_more = says_more || (word.size() > 4 && column.key.find(word) == std::string_view::npos &&
                               column.meaning.find(word) == std::string_view::npos);
   }
   return fmt::format("{}{}{}", says_more ? column.label : "", says_more ? ": " : "", column.meaning);
