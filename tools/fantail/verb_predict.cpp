@@ -68,10 +68,11 @@ std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOp
   if (scenario.tunnel_result) {
     return *scenario.tunnel_result;
   }
-  throw text::Error{text::ErrorKind::bad_configuration,
-                    scenario.name +
-                        ": names no tunnel_result; give the steps.csv that fantail tunnel steps writes with --tunnel FILE, "
-                        "or name it in the scenario: tunnel_result = \"steps.csv\""};
+  throw text::Error{
+      text::ErrorKind::bad_configuration,
+      scenario.name +
+          ": names no tunnel_result; give the steps.csv that fantail tunnel steps writes with --tunnel FILE, "
+          "or name it in the scenario: tunnel_result = \"steps.csv\""};
 }
 
 std::vector<std::filesystem::path> inputs_of(const sim::Scenario& scenario, const PredictOptions& options) {
