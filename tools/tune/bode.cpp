@@ -106,6 +106,9 @@ std::string phase_name(const Line& line) {
 
 std::vector<result::Block> bode_diagram(const Tuning& t) {
   const Judged& judged = t.after ? *t.after : t.before;
+  if (judged.loop.empty()) {
+    return {};
+  }
   const std::vector<Line> lines = lines_of(judged, t.speeds.median_m_s);
   const std::vector<double> w_rad_s = frequencies_rad_s(lines);
   page::Chart gain{.label = "Gain of the open roll loop over frequency",

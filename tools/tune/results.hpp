@@ -38,7 +38,7 @@ namespace fantail::tune {
 
 /// Gain and phase of the open loop over frequency, with its margins: of the new plan, or of the old one where no law
 /// was found.
-[[nodiscard]] std::vector<result::Block> bode_diagram(const Tuning& tuning);
+[[nodiscard]] std::vector<result::Block> bode_diagram(const Tuning& tuning);  // none without a loop
 
 // Pictures of tune.html, each of both plans; of a tuning that has found a law.
 
