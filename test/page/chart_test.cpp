@@ -164,6 +164,16 @@ TEST(Chart, AStripeIsCutToTheAxis) {
   EXPECT_FALSE(read.has_text("later"));
 }
 
+// A path seen from above that goes west and comes back, all at one height of the picture.
+TEST(Chart, ALevelLineThatTurnsBackIsDrawnBothWays) {
+  const SvgReader read{svg(with_ranges(line({5, 3, 3, 1, 2, 9}, {0.5, 0.5, 0.5, 0.5, 0.5, 0.5})))};
+  const auto strokes = SvgReader::strokes(read.tags("path", "line measured").at(0));
+  ASSERT_EQ(strokes.at(0).size(), 3U);
+  EXPECT_NEAR(strokes[0][0].x, read.at(0.5, 0).x, pixel);
+  EXPECT_NEAR(strokes[0][1].x, read.at(0.1, 0).x, pixel);
+  EXPECT_NEAR(strokes[0][2].x, read.at(0.9, 0).x, pixel);
+}
+
 TEST(Chart, LevelsStandAtTheirValue) {
   Chart chart = with_ranges(line({0, 1}, {0, 0}));
   chart.levels = {{.value = 0.5, .label = "limit", .role = Role::limit},

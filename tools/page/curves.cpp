@@ -94,22 +94,32 @@ void avoid_line(LabelPlacer& places, Pixel from, Pixel to) {
   }
 }
 
-// A point between two others at the same height is left out: most of a command is such points.
+// A point between two others at the same height is left out: most of a command is such points. Not where a way turns
+// back on itself.
 std::string path_of(const std::vector<Pixel>& line, bool step) {
   std::string path;
   std::string waiting;
   std::string height;
+  double last_x = 0.0;
+  double way = 0.0;  // of the level stretch so far
   for (const Pixel p : line) {
     std::string here = fmt::format("{:.1f}", p.y);
     if (path.empty()) {
       path = fmt::format("M{:.1f} {}", p.x, here);
     } else if (here == height) {
+      const double step_x = p.x - last_x;
+      if (way * step_x < 0.0) {
+        path += waiting;
+      }
+      way = step_x == 0.0 ? way : step_x;
       waiting = fmt::format("H{:.1f}", p.x);
     } else {
       path += waiting + (step ? fmt::format("H{:.1f}V{}", p.x, here) : fmt::format("L{:.1f} {}", p.x, here));
       waiting.clear();
+      way = 0.0;
     }
     height = std::move(here);
+    last_x = p.x;
   }
   return path + waiting;
 }

@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,7 @@
 
 #include "flight/path.hpp"
 #include "page/page.hpp"
+#include "report/chart_drawer.hpp"
 #include "report/phase_colors.hpp"
 #include "report/sections.hpp"
 #include "text/degrees.hpp"
@@ -54,15 +57,36 @@ page::Range around(const std::vector<PathPoint>& path, double PathPoint::* membe
   return {middle_m - 0.5 * span_m, middle_m + 0.5 * span_m};
 }
 
-/// The rocket does not move before lift-off.
+/// From lift-off, where the rocket begins to move, to the landing; a fall without a parachute, outside the model, is
+/// left out behind the apogee.
 std::vector<PathPoint> shown(const flight::Flight& flight) {
+  const std::optional<Landing> landing = landing_of(flight);
+  const double end_s = !landing                   ? std::numeric_limits<double>::infinity()
+                       : landing->under_parachute ? landing->at.time_s
+                                                  : *flight.events.apogee_s;
   std::vector<PathPoint> path;
   for (const PathPoint& point : flight.path) {
-    if (point.time_s >= 0.0) {
+    if (point.time_s >= 0.0 && point.time_s <= end_s) {
       path.push_back(point);
     }
   }
   return path;
+}
+
+/// The guide, the apogee and the landing, as far as the path goes.
+void add_places(Chart& chart, const flight::Flight& flight, const Value& x, const Value& y) {
+  const auto add = [&](std::string name, Role role, const PathPoint& point) {
+    page::Series place = series({point}, std::move(name), role, x, y);
+    place.mark = page::Mark::points;
+    chart.series.push_back(std::move(place));
+  };
+  add("launch guide", Role::reference, PathPoint{});
+  if (const auto top = apogee_of(flight)) {
+    add("apogee", Role::model, *top);
+  }
+  if (const auto landing = landing_of(flight); landing && landing->under_parachute) {
+    add("landing", Role::limit, landing->at);
+  }
 }
 
 Chart from_the_side(const std::vector<PathPoint>& path, std::string distance, const Value& along) {
@@ -111,26 +135,34 @@ result::Section path_section(const flight::Flight& flight) {
     return cosine * p.north_m + sine * p.east_m;
   };
   const std::string direction = fmt::format("{:.0f}\u00b0", std::fmod(text::degrees(heading) + 360.0, 360.0));
-  const Chart side = from_the_side(path, fmt::format("distance towards {} / m", direction), along);
+  Chart side = from_the_side(path, fmt::format("distance towards {} / m", direction), along);
   const double span_m =
       1.1 * std::max({extent(path, &PathPoint::east_m).high - extent(path, &PathPoint::east_m).low,
                       extent(path, &PathPoint::north_m).high - extent(path, &PathPoint::north_m).low, 1.0});
-  const Chart above{.label = "Path from above",
-                    .x_label = "east / m",
-                    .y_label = "north / m",
-                    .width = page::half_page,
-                    .height = square,
-                    .series = {series(path, "path", Role::measured, &PathPoint::east_m, &PathPoint::north_m)},
-                    .x_range = around(path, &PathPoint::east_m, span_m),
-                    .y_range = around(path, &PathPoint::north_m, span_m)};
-  Chart angles{.label = "Tilt and angle of attack",
-               .x_label = "time / s",
-               .y_label = "deg",
-               .width = page::full_page,
-               .height = flat,
-               .series = {tilt(path), series(path, "angle of attack", Role::model, &PathPoint::time_s,
-                                             [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
-               .sampled = true};
+  Chart above{.label = "Path from above",
+              .x_label = "east / m",
+              .y_label = "north / m",
+              .width = page::half_page,
+              .height = square,
+              .series = {series(path, "path", Role::measured, &PathPoint::east_m, &PathPoint::north_m)},
+              .x_range = around(path, &PathPoint::east_m, span_m),
+              .y_range = around(path, &PathPoint::north_m, span_m)};
+  add_places(side, flight, along, &PathPoint::height_m);
+  add_places(above, flight, &PathPoint::east_m, &PathPoint::north_m);
+  // As the charts over time above: a descent of minutes would squeeze the ascent.
+  const auto [begin_s, end_s] = plot_window(flight);
+  std::vector<PathPoint> ascent = path;
+  std::erase_if(ascent, [end_s](const PathPoint& point) { return point.time_s > end_s; });
+  Chart angles{
+      .label = "Tilt and angle of attack",
+      .x_label = "time / s",
+      .y_label = "deg",
+      .width = page::full_page,
+      .height = flat,
+      .series = {tilt(ascent), series(ascent, "angle of attack", Role::model, &PathPoint::time_s,
+                                      [](const PathPoint& p) { return text::degrees(p.angle_of_attack_rad); })},
+      .x_range = page::Range{begin_s, end_s},
+      .sampled = true};
   shade_phases(angles, flight);
   return {
       "The path",

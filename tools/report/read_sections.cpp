@@ -73,6 +73,12 @@ result::Figures shown_figures(const flight::Flight& flight, const Figures& f, bo
                    is_plane ? "over ground" : "over ground, towards " + compass(*top)});
     all.push_back(result::figures("", *top, fields::apogee)["tilt"]);
   }
+  if (const auto landing = landing_of(flight); landing && landing->under_parachute) {
+    all.push_back(
+        {{.label = "landing, from the guide", .unit = result::units::m, .decimals = 0},
+         flight::distance_m(landing->at),
+         fmt::format("towards {}, at {} s, under the parachute", compass(landing->at), fixed(landing->at.time_s, 1))});
+  }
   if (flight.gyro_bias_rad_s) {
     all.push_back({{.label = "gyro zero", .unit = result::units::deg_s, .decimals = 2},
                    static_cast<double>(flight.gyro_bias_rad_s->x),
@@ -184,6 +190,9 @@ std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const 
   if (f.roll_turns && f.roll_turns_without_control) {
     all.push_back(fmt::format("Under control it made {} turns; with its canards at trim it would have made {}.",
                               fixed(*f.roll_turns, 2), fixed(*f.roll_turns_without_control, 2)));
+  }
+  if (const auto landing = landing_of(flight); landing && !landing->under_parachute) {
+    all.emplace_back("It falls without a parachute, which is outside the model: no landing point is given.");
   }
   if (f.camera_roll && std::abs(f.camera_roll->largest_rad) >= text::radians(1.0)) {
     all.push_back(

@@ -40,4 +40,12 @@ namespace fantail::report {
 /// The point of the path at apogee.
 [[nodiscard]] std::optional<flight::PathPoint> apogee_of(const flight::Flight& flight);
 
+/// Where a rocket first was on the ground again.
+struct Landing {
+  flight::PathPoint at;
+  bool under_parachute = false;  ///< else it fell, which no model here covers
+};
+/// Empty for a flight that ends in the air or whose path has no direction.
+[[nodiscard]] std::optional<Landing> landing_of(const flight::Flight& flight);
+
 }  // namespace fantail::report
