@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "identify/identification.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -99,12 +101,35 @@ TEST(Identification, AHundredthOfADegreeIsNotWorthANode) {
   EXPECT_EQ(found.model.node_time_s.size(), 2U);
 }
 
+// The published grid need not reach a rocket of another size.
+TEST(Identification, ThePictureOfTheErrorShowsTheContinuousAnswer) {
+  Record record = planted_record({});
+  add_noise(record, {.angle_deg = 0.1}, 4);
+  for (const auto& [alpha_m2, beta_m] :
+       {std::pair{Axis{30.0, 40.0, 1.0}, Axis{20.0, 30.0, 1.0}}, std::pair{Axis{1.0, 2.0, 0.1}, Axis{0.1, 1.0, 0.1}},
+        std::pair{Axis{1.0, 60.0, 1.0}, Axis{9.0, 20.0, 1.0}}}) {
+    const Identification found = identify(record, tasha, {.grid = {.alpha_m2 = alpha_m2, .beta_m = beta_m}});
+    ASSERT_TRUE(found.error_map);
+    const auto shows = [](const std::vector<double>& values, const Interval& known) {
+      return values.front() <= *known.low && values.back() >= *known.high && *known.low < *known.high;
+    };
+    EXPECT_TRUE(shows(found.error_map->alpha_m2, found.uncertainty->alpha_profile_m2)) << alpha_m2.first;
+    EXPECT_TRUE(shows(found.error_map->beta_m, found.uncertainty->interval[1])) << beta_m.first;
+    // The darkest cell is next to the answer.
+    const auto& errors = found.error_map->mean_abs_angle_error_rad;
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin());
+    const std::vector<double>& betas = found.error_map->beta_m;
+    EXPECT_NEAR(betas[best / found.error_map->alpha_m2.size()], found.model.beta_m, 1.5 * (betas[1] - betas[0]));
+  }
+}
+
 TEST(Identification, AWinnerOnTheEdgeOfTheGridIsSaidToBeOne) {
   Options options = quick;
   options.method = Method::grid;
   options.grid.alpha_m2 = {30.0, 40.0, 1.0};
   const Identification found = identify(planted_record({}), tasha, options);
   EXPECT_EQ(found.model.alpha_m2, 30.0);
+  EXPECT_TRUE(found.on_grid_edge);
   ASSERT_EQ(found.remarks.size(), 1U);
   EXPECT_NE(found.remarks[0].find("edge"), std::string::npos);
 }

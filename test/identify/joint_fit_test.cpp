@@ -10,6 +10,7 @@
 
 #include "identify/identification.hpp"
 #include "identify/model/planted.hpp"
+#include "identify/result/answer.hpp"
 #include "logs/refused.hpp"
 #include "text/error.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 
 using namespace model;
 using namespace result;
+namespace output = fantail::result;
 
 /// One log of one rocket: its own fin offset, speeds and noise.
 struct Flown {
@@ -104,6 +106,19 @@ TEST(JointFit, OfTheSameLogTwiceFindsWhatOneSaysWithHalfTheVariance) {
   EXPECT_NEAR(found.together.value(0), own.value(0), 1e-4 * own.value(0));
   EXPECT_NEAR(found.together.covariance(0, 0), 0.5 * own.covariance(0, 0), 1e-6 * own.covariance(0, 0));
   EXPECT_NEAR(found.agreement.chi_square, 0.0, 1e-9);
+}
+
+// The angle fits, but the rate is a fifth too large: motion that the model does not have.
+TEST(JointFit, ThatAgreesOnAModelThatDoesNotFitIsUndecided) {
+  std::vector<Study> studies{study_of(three_flights()[0], 5), study_of(three_flights()[2], 6)};
+  const auto verdict = [&studies] { return result::answer(fit_jointly(studies), {}).verdict; };
+  EXPECT_EQ(verdict().answer, output::Answer::yes);
+  for (double& rate_rad_s : studies[1].windows[0].record.roll_rate_rad_s) {
+    rate_rad_s *= 1.2;
+  }
+  EXPECT_EQ(verdict().answer, output::Answer::undecided);
+  EXPECT_NE(verdict().heading.find("does not fit"), std::string::npos) << verdict().heading;
+  EXPECT_NE(verdict().sentence.find("1 of 2 windows"), std::string::npos) << verdict().sentence;
 }
 
 TEST(JointFit, SeesThatTwoRocketsAreNotOne) {

@@ -81,6 +81,25 @@ TEST(HeatMap, AZeroAmongErrorsDoesNotWashOutTheRest) {
   EXPECT_EQ(colour(tiny[1]), colour(fills(svg(straight), "cells")[1]));
 }
 
+// 897.01 + 13.45 in one cell and 910.47 in the next left a white line between them.
+TEST(HeatMap, NeighboursOverlap) {
+  HeatMap map;
+  for (int i = 0; i < 60; ++i) {
+    map.x.push_back(i);
+    map.value.push_back(1.0 + i);
+  }
+  map.y = {1.0, 2.0};
+  map.value.insert(map.value.end(), map.value.begin(), map.value.begin() + 60);
+  const auto cells = fills(svg(map), "cells");
+  ASSERT_EQ(cells.size(), 120U);
+  for (std::size_t i = 1; i < 60; ++i) {
+    EXPECT_GT(SvgReader::number(cells[i - 1], "x") + SvgReader::number(cells[i - 1], "width"),
+              SvgReader::number(cells[i], "x") + 0.1);
+  }
+  EXPECT_GT(SvgReader::number(cells[60], "y") + SvgReader::number(cells[60], "height"),
+            SvgReader::number(cells[0], "y") + 0.1);
+}
+
 TEST(HeatMap, CellsWithoutAValueStayEmpty) {
   EXPECT_EQ(fills(svg(two_by_two({1.0, no_value, 3.0, 9.0})), "cells").size(), 3U);
 }

@@ -195,6 +195,10 @@ std::vector<std::string> doubts(const Record& record, const Airframe& airframe, 
   };
   add(wrong_unit(c));
   add(outliers(c));
+  // Everything else would compare with a point that another grid would not give.
+  if (found.on_grid_edge) {
+    return all;
+  }
   if ((record.canard_rate_rad_s.empty() && add(lag_doubt(c))) || add(nodes(c))) {
     return all;
   }

@@ -140,6 +140,44 @@ NodeTimes choose_nodes(const Fitting& q, std::vector<NodeTrial>& trials) {
   return even_nodes(q.record, fewest_sufficient(trials));
 }
 
+// The axis that a picture of the error has, so that an answer lies on it, and its interval where that is narrow: what
+// was searched, or around the answer.
+Axis axis_around(double found, const Interval& known, const Axis& searched) {
+  const bool narrow = is_identifiable(known);
+  const double low = narrow ? std::min(*known.low, found) : found;
+  const double high = narrow ? std::max(*known.high, found) : found;
+  const std::vector<double> values = searched.values();
+  if (low >= values.front() && high <= values.back()) {
+    return searched;
+  }
+  const double first = std::min({low, 0.5 * found, 1.5 * found});
+  const double last = std::max({high, 0.5 * found, 1.5 * found});
+  const auto cells = static_cast<double>(std::max<std::size_t>(values.size(), 11));
+  return {.first = first, .last = last, .step = (last - first) / (cells - 1.0)};
+}
+
+bool is_same(const Axis& a, const Axis& b) { return a.first == b.first && a.last == b.last && a.step == b.step; }
+
+void show_the_answer(const Fitting& q, Identification& result) {
+  if (!result.error_map || result.method == Method::grid) {
+    return;
+  }
+  const auto& known = result.uncertainty;
+  const Grid& searched = q.options.grid;
+  const Grid around{
+      .alpha_m2 = axis_around(result.model.alpha_m2, known ? known->alpha_profile_m2 : Interval{}, searched.alpha_m2),
+      .beta_m = axis_around(result.model.beta_m, known ? known->interval[1] : Interval{}, searched.beta_m)};
+  if (is_same(around.alpha_m2, searched.alpha_m2) && is_same(around.beta_m, searched.beta_m)) {
+    return;
+  }
+  const NodeTimes& nodes = result.model.node_time_s;
+  const auto& [record, airframe, options] = q;
+  result.error_map =
+      options.closed_loop
+          ? closed_loop::search_grid(record, airframe, *options.closed_loop, nodes, options.start, around).errors
+          : search_open_loop_grid(record, airframe, nodes, options.start, around).errors;
+}
+
 void remark_on_edges(Identification& result, const Grid& grid) {
   if (result.method != Method::grid) {
     return;
@@ -149,6 +187,7 @@ void remark_on_edges(Identification& result, const Grid& grid) {
     return values.size() > 1 && (value == values.front() || value == values.back());
   };
   if (on_edge(result.model.alpha_m2, grid.alpha_m2) || on_edge(result.model.beta_m, grid.beta_m)) {
+    result.on_grid_edge = true;
     result.remarks.emplace_back("The best grid point is on the edge of the grid; a better one may lie outside it.");
   }
 }
@@ -220,12 +259,11 @@ Identification identify(const Record& record, const Airframe& airframe, const Op
   remark_on_edges(result, options.grid);
   if (options.loss == Loss::huber) {
     add_robust_fit(fitting, result);
-    return result;
-  }
-  if (options.with_uncertainty) {
+  } else if (options.with_uncertainty) {
     result.uncertainty = options.method == Method::grid ? uncertainty_with_grid(fitting, result.model)
                                                         : uncertainty(fitting, result.model, result.simulation);
   }
+  show_the_answer(fitting, result);
   return result;
 }
 

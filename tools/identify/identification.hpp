@@ -31,7 +31,7 @@ struct Options {
   model::Start start = model::Start::measured;
   model::Loss loss = model::Loss::squares;  ///< Huber's: continuous, open loop, a lag that is known, Start::fitted
   bool with_uncertainty = true;
-  bool with_error_map = true;  ///< also for the continuous method, for the picture
+  bool with_error_map = true;  ///< also for the continuous method, for the picture, which shows its answer
 };
 
 /// Finds alpha, beta and the disturbance in a record. Throws text::Error (bad_data) when there are fewer samples

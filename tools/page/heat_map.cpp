@@ -103,9 +103,13 @@ void draw_cells(SvgPlot& plot, const HeatMap& map, const ColourScale& shade) {
              colour_at(shade.part(map.value[j * columns + i])) == colour) {
         ++i;
       }
+      // A little under and over the neighbours: rounded edges that only meet can leave a line between them.
+      constexpr double under = 0.5;
       const double left = edge(frame.left, frame.right, begin, columns);
+      const double right = edge(frame.left, frame.right, i, columns);
+      const bool next = i < columns && std::isfinite(map.value[j * columns + i]);
       plot.add("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>", left, top,
-               edge(frame.left, frame.right, i, columns) - left, bottom - top, hex(colour));
+               right - left + (next ? under : 0.0), bottom - top + (j > 0 ? under : 0.0), hex(colour));
     }
   }
   plot.add("</g>");

@@ -114,7 +114,8 @@ Blocks numbers(const Study& study, const WindowFindings& window, const std::stri
                       "residual_own_correlation", "residual_correlation_by_chance", "residual_canard_correlation",
                       "residual_canard_correlation_by_chance", "effective_samples", "samples"}));
     const std::string verdict = result.uncertainty ? sentence(result.uncertainty->verdict) : "";
-    if (verdict != said && !verdict.empty()) {
+    const bool told_above = !several && study.windows.size() == 1 && determines_both(window);
+    if (verdict != said && !verdict.empty() && !told_above && !result.on_grid_edge) {
       all.emplace_back(several ? fmt::format("{}: {}", name(result.method), verdict) : verdict);
     }
   }
@@ -176,10 +177,8 @@ void add_window(output::Document& document, const Study& study, const WindowFind
   if (main.frequency_response) {
     sections.push_back(frequency(*main.frequency_response));
   }
-  const auto mapped =
-      std::ranges::find_if(window.results, [](const auto& result) { return result.error_map.has_value(); });
-  if (mapped != window.results.end()) {
-    sections.push_back({"The error over alpha and beta", {error_map_drawing(window, *mapped->error_map)}, files});
+  if (main.error_map) {
+    sections.push_back({"The error over alpha and beta", {error_map_drawing(window, *main.error_map)}, files});
   }
   sections.push_back({"Remarks" + of, {output::Sentences{.all = remark_list(window)}}});
 }
@@ -214,12 +213,26 @@ output::Verdict verdict_of(const WindowFindings& window) {
   if (!determines_both(window)) {
     return {.answer = undecided, .heading = "This window does not determine both damping and torque", .sentence = said};
   }
+  if (result.on_grid_edge) {
+    return {.answer = undecided,
+            .heading = "The best grid point is on the edge of the grid",
+            .sentence =
+                "A better point may lie outside it. Search a larger grid (--grid-alpha, --grid-beta), or use "
+                "--method continuous."};
+  }
   if (const auto doubt = misfit(window.record, result)) {
     return {.answer = undecided,
             .heading = "Damping and torque are found, but the model does not fit well",
             .sentence = *doubt};
   }
-  return {.answer = yes, .heading = "This window determines damping and torque", .sentence = said};
+  const std::string edge = std::ranges::any_of(window.results, &Identification::on_grid_edge)
+                               ? " The best grid point is on the edge of the grid, so only these continuous values "
+                                 "count."
+                               : "";
+  return {.answer = yes,
+          .heading = "This window determines damping and torque",
+          .sentence = fmt::format("Alpha is {} m2, beta {} m (\u00b1: standard deviation).{}",
+                                  with_deviation(result, 0), with_deviation(result, 1), edge)};
 }
 
 output::Verdict verdict_of(const Study& study) {
@@ -231,8 +244,10 @@ output::Verdict verdict_of(const Study& study) {
   const auto doubtful = std::ranges::count_if(study.windows, [](const WindowFindings& window) {
     return misfit(window.record, main_result(window)).has_value();
   });
+  const auto on_edge =
+      std::ranges::count_if(study.windows, [](const WindowFindings& w) { return main_result(w).on_grid_edge; });
   const auto all = std::ssize(study.windows);
-  output::Verdict verdict{.answer = good == all && doubtful == 0 ? yes : undecided,
+  output::Verdict verdict{.answer = good == all && doubtful == 0 && on_edge == 0 ? yes : undecided,
                           .heading = fmt::format("{} of {} windows {} damping and torque", good, all,
                                                  good == 1 ? "determines" : "determine"),
                           .sentence = ""};
@@ -243,6 +258,9 @@ output::Verdict verdict_of(const Study& study) {
   }
   if (doubtful > 0) {
     verdict.sentence += fmt::format(" In {} of them the model does not fit the log well; see the remarks.", doubtful);
+  }
+  if (on_edge > 0) {
+    verdict.sentence += fmt::format(" In {} of them the best grid point is on the edge of the grid.", on_edge);
   }
   return verdict;
 }

@@ -220,10 +220,12 @@ fantail::result::Drawing error_map_drawing(const WindowFindings& window, const E
   page::HeatMap narrow = map;
   narrow.width = page::half_page;
   narrow.height = 300.0;
+  const std::string off = map.spots.size() < window.results.size() ? " The grid's best point is outside." : "";
   return {
       page::svg(map), page::svg(narrow),
       "Each cell shows the mean angle error with the disturbance that fits best. A long dark valley means that many "
-      "pairs of alpha and beta fit the log almost equally well."};
+      "pairs of alpha and beta fit the log almost equally well." +
+          off};
 }
 
 }  // namespace fantail::identify::result

@@ -78,6 +78,7 @@ struct Identification {
   std::optional<ResidualTests> residual_tests{};
   std::optional<FrequencyResponse> frequency_response{};  ///< open loop only: the measured canards drive the model
   std::optional<model::RobustFit> robust{};               ///< where Huber's loss was asked for
+  bool on_grid_edge = false;                              ///< of the grid method: a better point may lie outside
   std::optional<model::ErrorMap> error_map{};
   std::vector<NodeTrial> node_trials{};  ///< where the number of nodes was chosen automatically
   std::vector<std::string> remarks{};    ///< the winner lies on the edge of the grid, ...

@@ -9,6 +9,7 @@
 
 #include "identify/result/answer.hpp"
 #include "identify/result/parts.hpp"
+#include "identify/result/residual.hpp"
 #include "text/number.hpp"
 
 namespace fantail::identify::result {
@@ -21,12 +22,19 @@ using W = JointWindow;
 
 std::string name(const W& window) { return window.data + ", " + window.window.record.window; }
 
+std::ptrdiff_t doubtful_windows(const J& f) {
+  return std::ranges::count_if(f.windows, [](const W& w) { return misfit(w.window.record, w.own).has_value(); });
+}
+
 std::string heading_of(const J& f) {
   if (!f.determines_both()) {
     return "Together these windows do not determine both damping and torque";
   }
-  return f.are_of_one_rocket() ? "These windows agree on one damping and one torque"
-                               : "These windows disagree about damping and torque";
+  if (!f.are_of_one_rocket()) {
+    return "These windows disagree about damping and torque";
+  }
+  return doubtful_windows(f) > 0 ? "These windows agree, but the model does not fit them well"
+                                 : "These windows agree on one damping and one torque";
 }
 
 template <Eigen::Index which>
@@ -58,7 +66,7 @@ constexpr auto joint_fields = output::fields<J>({
     {"chi_square", "chi-square", u::none, 1, [](const J& f) { return Cell{f.agreement.chi_square}; },
      "distance of the windows, each fitted alone, from their common mean"},
     {"chi_square_limit", "95 % below", u::none, 1, [](const J& f) { return Cell{f.agreement.limit}; },
-     "windows of one rocket are below it in 95 of 100 cases"},
+     "sets of windows of one rocket are below it in 95 of 100 cases"},
     {"agree", "agree", u::none, 0, [](const J& f) { return Cell{f.agreement.agree()}; }, "whether they agree"},
     {"verdict", "verdict", u::none, 0, [](const J& f) { return Cell{heading_of(f)}; }, "the heading of the answer"},
     {"inertia", "roll inertia", kg_m2, 5, [](const J& f) { return Cell{f.airframe.inertia_kg_m2}; },
@@ -96,7 +104,7 @@ constexpr auto window_fields = output::fields<W>({
 });
 
 std::string difference_sentence(const J& f) {
-  const std::string figures = fmt::format("chi-square {}; 95 in 100 windows of one rocket stay below {}",
+  const std::string figures = fmt::format("chi-square {}; 95 in 100 such sets of one rocket stay below {}",
                                           fixed(f.agreement.chi_square, 1), fixed(f.agreement.limit, 1));
   if (f.agreement.agree()) {
     return fmt::format("Fitted separately, the windows differ no more than their noise explains ({}).", figures);
@@ -119,6 +127,12 @@ std::vector<std::string> conclusions(const J& f) {
   if (!f.determines_both()) {
     all.emplace_back("Alpha or beta is not known within a factor of four.");
   }
+  if (const auto doubtful = doubtful_windows(f); doubtful > 0) {
+    all.push_back(
+        fmt::format("In {} of {} windows the model does not fit the log well, and the intervals do not "
+                    "include that error; see the remarks.",
+                    doubtful, f.windows.size()));
+  }
   for (const W& window : f.windows) {
     if (window.information_share >= nearly_all) {
       all.push_back(fmt::format("{} % of the information on alpha and beta comes from {}; the others hardly count.",
@@ -136,7 +150,7 @@ output::Verdict verdict_of(const J& f) {
   }
   char& first = sentence[heading_of(f).size() + 2];
   first = static_cast<char>(std::tolower(static_cast<unsigned char>(first)));
-  return {.answer = f.determines_both() && f.are_of_one_rocket() ? yes : undecided,
+  return {.answer = f.determines_both() && f.are_of_one_rocket() && doubtful_windows(f) == 0 ? yes : undecided,
           .heading = heading_of(f),
           .sentence = sentence};
 }
