@@ -43,7 +43,7 @@ std::string inertia_of(const flight::FlownAirframe& flown) {
 /// What was simulated is used, unless something else was asked for: then that is said.
 void compare_with_flown(NamedAirframe& result, const flight::FlownAirframe& flown, bool inertia_was_given) {
   const auto& [inertia_kg_m2, area_m2] = result.airframe;
-  result.simulation_grows_with_mach = flown.grows_with_mach;
+  result.grows_with_mach = flown.grows_with_mach;
   const bool same_inertia =
       !differ(inertia_kg_m2, flown.roll_inertia_kg_m2) && (!inertia_was_given || flown.roll_inertia_course.empty());
   if (same_inertia) {
@@ -82,6 +82,9 @@ NamedAirframe named_airframe(const AirframeOptions& options, const std::filesyst
         input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, *options.vehicle)));
     result.airframe = {vehicle.roll_plant.inertia_kg_m2, vehicle.roll_plant.reference_area_m2};
     result.name = result.vehicle = vehicle.name;
+    if (vehicle.compressibility != sim::Compressibility::none) {
+      result.grows_with_mach = true;
+    }
     if (!options.inertia_kg_m2) {
       result.inertia_since_ignition = sim::roll_inertia_course(vehicle);
     }
@@ -90,7 +93,8 @@ NamedAirframe named_airframe(const AirframeOptions& options, const std::filesyst
   } else if (flown) {
     result.airframe = airframe_of(*flown);
     result.vehicle = flown->vehicle;
-    result.name = flown->vehicle_file + " (summary.json)";
+    const bool is_file = flown->vehicle_file.ends_with(".toml") && !flown->vehicle.empty();
+    result.name = (is_file ? flown->vehicle : flown->vehicle_file) + " (summary.json)";
   } else if (!std::filesystem::exists(log)) {
     throw text::Error{text::ErrorKind::no_such_input, log.string() + ": no such file"};
   } else {

@@ -22,12 +22,12 @@ struct AirframeOptions {
 
 struct NamedAirframe {
   identify::model::Airframe airframe;
-  std::string vehicle;                               ///< its name; empty: the numbers are from the command line
-  std::string name;                                  ///< of the vehicle and where it is from; "from the command line"
-  std::vector<std::string> warnings;                 ///< a sentence each
-  sim::RollInertiaCourse flown_inertia{};            ///< on the log's clock; empty: the airframe's throughout
-  sim::RollInertiaCourse inertia_since_ignition{};   ///< likewise, of a vehicle that is named
-  std::optional<bool> simulation_grows_with_mach{};  ///< empty: no simulated flight
+  std::string vehicle;                              ///< its name; empty: the numbers are from the command line
+  std::string name;                                 ///< of the vehicle and where it is from; "from the command line"
+  std::vector<std::string> warnings;                ///< a sentence each
+  sim::RollInertiaCourse flown_inertia{};           ///< on the log's clock; empty: the airframe's throughout
+  sim::RollInertiaCourse inertia_since_ignition{};  ///< likewise, of a vehicle that is named
+  std::optional<bool> grows_with_mach{};  ///< alpha and beta in this flight, or in its vehicle; empty: unknown
 };
 
 /// --vehicle, --inertia and --area.

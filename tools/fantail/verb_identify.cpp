@@ -58,7 +58,7 @@ identify::result::Study study_of(const IdentifyOptions& o, const std::string& da
   q.airframe = rocket.airframe;
   q.record.roll_inertia = rocket.flown_inertia;
   q.inertia_since_ignition = rocket.inertia_since_ignition;
-  q.simulation_grows_with_mach = rocket.simulation_grows_with_mach;
+  q.grows_with_mach = rocket.grows_with_mach;
   const identify::model::Grid published = identify::model::published_grid(q.airframe);
   q.options.grid.alpha_m2 = identify::parse_axis(o.grid_alpha).value_or(published.alpha_m2);
   q.options.grid.beta_m = identify::parse_axis(o.grid_beta).value_or(published.beta_m);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/core.h>
 
@@ -21,25 +20,6 @@ std::string range(double low, double high, int decimals) {
   const std::string from = text::fixed(low, decimals);
   const std::string to = text::fixed(high, decimals);
   return from == to ? to : from + " to " + to;
-}
-
-struct MachRange {
-  double low;
-  double high;
-};
-
-MachRange mach_range(const logs::RollLog& log, const model::Record& record, const RecordOptions& options) {
-  constexpr double rounding_s = 1e-6;
-  std::vector<double> all;
-  for (std::size_t i = 0; i < record.size(); ++i) {
-    const auto at = std::ranges::lower_bound(log.time_s, record.window_begin_s + record.time_s[i] - rounding_s);
-    const double logged_m =
-        log.height_m.empty() ? 0.0 : log.height_m[static_cast<std::size_t>(at - log.time_s.begin())];
-    const double height_m = options.site_elevation_m + (std::isfinite(logged_m) ? logged_m : 0.0);
-    all.push_back(std::abs(record.speed_m_s[i]) / options.atmosphere.speed_of_sound_m_s(height_m));
-  }
-  const auto [low, high] = std::ranges::minmax(all);
-  return {low, high};
 }
 
 }  // namespace
@@ -80,24 +60,23 @@ std::optional<std::string> remark_on_inertia(const model::Record& record, const 
                      last == course.rbegin()->second ? "after burn-out" : "at lift-off");
 }
 
-std::optional<std::string> remark_on_mach(const logs::RollLog& log, const model::Record& record,
-                                          const Question& question) {
+std::optional<std::string> remark_on_mach(const model::Record& record, const std::optional<bool>& grows) {
   constexpr double worth_a_word = 0.01;
   constexpr double fast = 0.3;
-  const auto& simulated = question.simulation_grows_with_mach;
-  const MachRange mach = mach_range(log, record, question.record);
-  const std::string values = range(mach.low, mach.high, 2);
-  if (simulated && *simulated && growth(mach.high) - 1.0 > worth_a_word) {
+  const auto [low, high] = std::ranges::minmax(record.mach);
+  const std::string values = range(low, high, 2);
+  const std::string shares = range(100.0 * (growth(low) - 1.0), 100.0 * (growth(high) - 1.0), 1);
+  if (record.grows_with_mach && growth(high) - 1.0 > worth_a_word) {
     return fmt::format(
-        "In this simulation alpha and beta grow with the Mach number (here {}), by {} % over the vehicle's. The fit "
-        "gives a mean over the window.",
-        values, range(100.0 * (growth(mach.low) - 1.0), 100.0 * (growth(mach.high) - 1.0), 1));
+        "The vehicle's alpha and beta grow with the Mach number (here {}), by {} %. The fit includes that and gives "
+        "their values at low speed.",
+        values, shares);
   }
-  if (!simulated && mach.high > fast) {
+  if (!grows && high > fast) {
     return fmt::format(
-        "The Mach number is {} in this window. By the Prandtl-Glauert rule alpha and beta change by {} % over it; "
-        "the fit gives a mean.",
-        values, text::fixed(100.0 * (growth(mach.high) / growth(mach.low) - 1.0), 1));
+        "The Mach number is {} in this window. By the Prandtl-Glauert rule alpha and beta are {} % above their values "
+        "at low speed; the fit gives a mean. A vehicle with compressibility would apply that growth again.",
+        values, shares);
   }
   return {};
 }

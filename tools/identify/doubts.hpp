@@ -23,9 +23,8 @@ namespace fantail::identify {
 [[nodiscard]] std::optional<std::string> remark_on_inertia(const model::Record& record,
                                                            const sim::RollInertiaCourse& course);
 
-/// How much alpha and beta change with the Mach number within a window, where that is worth a word.
-[[nodiscard]] std::optional<std::string> remark_on_mach(const logs::RollLog& log, const model::Record& record,
-                                                        const Question& question);
+/// How much alpha and beta grow with the Mach number within a window, where that is worth a word. `grows`: as Question.
+[[nodiscard]] std::optional<std::string> remark_on_mach(const model::Record& record, const std::optional<bool>& grows);
 
 /// Everything that an alternative to what was found is held against.
 struct DoubtCase {

@@ -168,6 +168,9 @@ std::optional<std::string> lag_with_another_cause(const DoubtCase& c, const Fitt
       }
     }
   }
+  if (c.record.grows_with_mach) {
+    return {};
+  }
   const Record compressible = with_growth(c.record);
   return left(fitted_lag(compressible, c, nodes), "with an alpha and beta that grow with the Mach number");
 }

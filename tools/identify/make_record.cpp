@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "input/messages.hpp"
 #include "logs/interpolator.hpp"
+#include "sim/compressibility.hpp"
 #include "text/error.hpp"
-#include "text/number.hpp"
 
 namespace fantail::identify {
 namespace {
@@ -122,8 +121,9 @@ std::vector<double> speeds(const RollLog& log, const Indices& samples, const Rec
   constexpr double standing_m_s = 1.0;
   if (std::ranges::max(speed) < standing_m_s) {
     refuse(log, fmt::format("no speed: speed_m_s is never above {} m/s in this window. On board it comes from the "
-                            "acceleration, which a wind tunnel lacks. Give --speed, or --truth for a simulated flight",
-                            about(std::ranges::max(speed))));
+                            "acceleration, which a wind tunnel lacks. Give --speed, or --truth for a simulated log; "
+                            "`fantail tunnel steps` takes it from tunnel.csv",
+                            about(std::max(0.0, std::ranges::max(speed)))));
   }
   return speed;
 }
@@ -143,38 +143,17 @@ std::vector<double> densities(const RollLog& log, const Indices& samples, const 
   return density;
 }
 
-// In a tunnel the avionics integrates its own noise to a height of metres; over ten of them density changes by 0.1 %.
-bool climbs(const RollLog& log) {
-  constexpr double real_climb_m = 10.0;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const double height : log.height_m) {
-    low = std::fmin(low, height);
-    high = std::fmax(high, height);
+// A log without heights is one near the ground.
+void add_mach(model::Record& record, const RollLog& log, const Indices& samples, const RecordOptions& options) {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double logged_m = log.height_m.empty() ? 0.0 : log.height_m[samples[k]];
+    const double height_m = options.site_elevation_m + (std::isfinite(logged_m) ? logged_m : 0.0);
+    record.mach.push_back(std::abs(record.speed_m_s[k]) / options.atmosphere.speed_of_sound_m_s(height_m));
+    if (options.grows_with_mach) {  // alpha and beta only count times the density
+      record.density_kg_m3[k] *= sim::compressibility_factor(sim::Compressibility::prandtl_glauert, record.mach.back());
+    }
   }
-  return high - low > real_climb_m;
-}
-
-Air constant_air(double density_kg_m3, const std::string& why) {
-  return {{.model = sim::DensityModel::constant, .constant_kg_m3 = density_kg_m3},
-          fmt::format("{} kg/m3{}", input::plain_number(density_kg_m3), why)};
-}
-
-Air exponential_air() {
-  return {{.model = sim::DensityModel::exponential},
-          "1.225 exp(-h / 8500 m) kg/m3, h from height_m, for a site at sea level"};
-}
-
-Air standard_air(const RollLog& log, double site_elevation_m) {
-  const sim::Atmosphere standard{.model = sim::DensityModel::isa};
-  const double at_site_kg_m3 = standard.density_kg_m3(site_elevation_m);
-  const std::string site =
-      fmt::format("standard atmosphere at {} m above the sea", input::plain_number(site_elevation_m));
-  if (!climbs(log)) {
-    return {{.model = sim::DensityModel::constant, .constant_kg_m3 = at_site_kg_m3},
-            fmt::format("{:.4f} kg/m3, {}", at_site_kg_m3, site)};
-  }
-  return {standard, fmt::format("{}, {:.4f} kg/m3, and above it by height_m", site, at_site_kg_m3)};
+  record.grows_with_mach = options.grows_with_mach;
 }
 
 // The canards' column `lag_s` later; samples for which there is none are left out.
@@ -201,34 +180,6 @@ void differentiate(const RollLog& log, double lag_s, double longest_gap_s, Indic
 }
 
 }  // namespace
-
-Air choose_air(const RollLog& log, const std::optional<std::string>& asked,
-               const std::optional<double>& site_elevation_m) {
-  if (site_elevation_m) {
-    if (asked && *asked != "isa") {
-      throw Error{ErrorKind::bad_configuration,
-                  "--density " + *asked + ": --elevation means the standard atmosphere; give one of the two"};
-    }
-    return standard_air(log, *site_elevation_m);
-  }
-  if (!asked) {
-    return climbs(log) ? exponential_air()
-                       : constant_air(1.2, log.height_m.empty() ? ", the default for a log without heights"
-                                                                : ", the default for a log that does not climb");
-  }
-  if (*asked == "exponential") {
-    return exponential_air();
-  }
-  if (*asked == "isa") {
-    return {{.model = sim::DensityModel::isa}, "standard atmosphere, height from height_m, for a site at sea level"};
-  }
-  const auto value = text::number(*asked);
-  if (!value || *value <= 0.0 || *value > 100.0) {
-    throw Error{ErrorKind::bad_configuration,
-                "--density " + *asked + ": allowed: above 0 and up to 100 kg/m3, exponential, isa"};
-  }
-  return constant_air(*value, "");
-}
 
 model::Record make_record(const RollLog& log, const Window& window, const RecordOptions& options) {
   const double longest_gap_s = gap_s(log, options);
@@ -277,6 +228,7 @@ model::Record make_record(const RollLog& log, const Window& window, const Record
   record.roll_rate_rad_s = column_at(log, log.roll_rate_rad_s, samples, "roll_rate_deg_s");
   record.speed_m_s = speeds(log, samples, options);
   record.density_kg_m3 = densities(log, samples, options);
+  add_mach(record, log, samples, options);
   record.reference_rad = column_if_complete(log.reference_rad, samples);
   record.excitation_rad = column_if_complete(log.excitation_rad, samples);
   record.offset_estimate_rad = column_if_complete(log.offset_estimate_rad, samples);

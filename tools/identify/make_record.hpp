@@ -40,6 +40,7 @@ struct RecordOptions {
   sim::RollInertiaCourse roll_inertia{};  ///< on the log's clock; empty: the airframe's throughout
   double site_elevation_m = 0.0;          ///< heights of the log count from here
   std::optional<double> speed_m_s{};      ///< for a log without speeds, or instead of them
+  bool grows_with_mach = false;           ///< alpha and beta do, by Prandtl and Glauert's rule
   bool canard_needed = true;              ///< false: a log without canard angles gives a record without them
   double longest_gap_s = 0.1;             ///< samples farther apart have a gap between them (but see below)
 };

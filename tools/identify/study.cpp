@@ -53,14 +53,14 @@ NodeChoice nodes_on_clock(const logs::RollLog& log, const Window& window, const 
   return nodes;
 }
 
-std::vector<std::string> remarks_on(const logs::RollLog& log, const Record& record, const Question& question) {
+std::vector<std::string> remarks_on(const Record& record, const Question& question) {
   std::vector<std::string> remarks;
   if (const std::size_t gaps = record.segment_begin.size() - 1; gaps > 0) {
     remarks.push_back(
         fmt::format("{} {} in the window; the model restarts after each.", gaps, gaps == 1 ? "gap" : "gaps"));
   }
   for (auto& remark :
-       {remark_on_inertia(record, question.record.roll_inertia), remark_on_mach(log, record, question)}) {
+       {remark_on_inertia(record, question.record.roll_inertia), remark_on_mach(record, question.grows_with_mach)}) {
     if (remark) {
       remarks.push_back(*remark);
     }
@@ -118,11 +118,8 @@ std::optional<std::string> about_effective_samples(const Identification& found) 
   if (!u || u->effective_samples >= few || !u->alpha_identifiable || !u->beta_identifiable) {
     return {};
   }
-  return fmt::format(
-      "There are few effective samples, {} of {}. An error that many samples share counts only once. Examples are a "
-      "slowly changing residual, and errors of the measured first angle and rate. The intervals include that. alpha "
-      "and beta are identifiable because these errors are small compared with the motion.",
-      worth_text(u->effective_samples), found.samples);
+  return "There are few effective samples: an error that changes slowly, or that of the measured first angle and rate, "
+         "counts only once. The intervals include that. A longer window or more canard motion would narrow them.";
 }
 
 // What the angle alone says so well is not known while the rate says otherwise.
@@ -150,7 +147,7 @@ WindowFindings identify_window(const logs::RollLog& log, const Window& window, c
     }
   }
   found.record = make_record(log, inside, how);
-  const std::vector<std::string> of_record = remarks_on(log, found.record, question);
+  const std::vector<std::string> of_record = remarks_on(found.record, question);
   found.remarks.insert(found.remarks.begin(), of_record.begin(), of_record.end());
   found.lag_s = how.lag_s;
   found.lag_is_fitted = question.fit_lag;
@@ -223,6 +220,7 @@ Study study(const logs::RollLog& log, const Question& asked) {
   result.airframe = asked.airframe;
   result.warnings = log.warnings;
   Question question = asked;
+  question.record.grows_with_mach = asked.grows_with_mach.value_or(false);
   if (question.record.roll_inertia.empty()) {
     question.record.roll_inertia = inertia_on_clock(log, asked.inertia_since_ignition, result.warnings);
   }

@@ -33,11 +33,11 @@ struct Question {
   RecordOptions record{};
   /// Of the vehicle, for a log that shows its burn-out; where record.roll_inertia is empty.
   sim::RollInertiaCourse inertia_since_ignition{};
-  std::optional<bool> simulation_grows_with_mach{};  ///< empty: nobody knows that the log is of a simulation
-  std::string nodes = "even:1";                      ///< as find_nodes reads it
-  std::optional<double> told_servo_lag_s{};          ///< what the person expects, beside what the closed loop finds
-  bool fit_lag = false;                              ///< instead of record.lag_s; open loop only
-  Options options{};                                 ///< nodes and method apart
+  std::optional<bool> grows_with_mach{};     ///< whether alpha and beta do; empty: unknown
+  std::string nodes = "even:1";              ///< as find_nodes reads it
+  std::optional<double> told_servo_lag_s{};  ///< what the person expects, beside what the closed loop finds
+  bool fit_lag = false;                      ///< instead of record.lag_s; open loop only
+  Options options{};                         ///< nodes and method apart
 };
 
 /// Fills in data, airframe, warnings and windows. Throws as find_nodes, make_record and identify do.

@@ -22,7 +22,9 @@ struct Record {
   std::vector<double> canard_rad;
   std::vector<double> canard_rate_rad_s;  ///< d canard_rad / d lag; empty unless the canard column's lag is fitted, too
   std::vector<double> speed_m_s;
-  std::vector<double> density_kg_m3;
+  std::vector<double> density_kg_m3;         ///< where alpha and beta grow with the Mach number, times that growth
+  std::vector<double> mach{};                ///< empty: unknown
+  bool grows_with_mach = false;              ///< of alpha and beta; then those found are the values at low speed
   std::vector<double> roll_inertia_kg_m2{};  ///< empty: the airframe's throughout
   std::vector<double> reference_rad;         ///< empty where nobody needs it: closed loop only
   std::vector<double> excitation_rad;        ///< likewise
