@@ -43,7 +43,7 @@ Claim canard_fin_interaction(const Tell& tell) {
   return compare(InWords{
       .place = "Section 4.3.1",
       .what = "Canard-fin interaction makes the offset lower at the begin of a step",
-      .theirs = "in the mean of table 2: \u22125.53, then \u22126.62 deg",
+      .theirs = "in the mean of table 2: \u22125.47, then \u22126.62 deg",
       .ours = text::with_minus(ours),
       .holds = lower,
       .why = text::with_minus(fmt::format(

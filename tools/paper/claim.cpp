@@ -39,8 +39,10 @@ std::string_view rule_text() {
   return "One rule decides the kind of a row: the source of our value. \u201cComputed\u201d: from other printed "
          "numbers alone. \u201cSimulated\u201d: by a run with the published inputs, none of which was chosen to meet "
          "it. \u201cDescribed\u201d: printed in words, and found in such a run or in other printed numbers. Only these "
-         "three count as reproduced. \u201cFitted\u201d: an unpublished input was chosen to meet it: motor, drag area, "
-         "reference area, or the way to count height. \u201cRead back\u201d: a round trip; the value was an input, and "
+         "three count as reproduced. \u201cFitted\u201d: an unpublished input (motor, drag area, reference area, "
+         "offset, height count) was "
+         "chosen to meet it or a related value. \u201cRead back\u201d: a round trip; "
+         "the value was an input, and "
          "our analysis finds it again. \u201cDefinition\u201d: an equation or input, taken as printed.";
 }
 

@@ -16,7 +16,7 @@ enum class Kind : std::uint8_t {
   computed,          ///< from other printed numbers alone
   simulated,         ///< by a run with the published inputs, none of which was chosen to meet it
   described,         ///< printed in words; seen in such a run, or in other printed numbers
-  fitted,            ///< an input that is not printed was chosen to meet it, or to meet what it follows from
+  fitted,            ///< an input that is not printed was chosen to meet it, or a related value
   read_back,         ///< a round trip: it was an input, and our analysis finds it again
   definition,        ///< an equation or an input, taken as printed: nothing is compared but whether it was taken
   outside,           ///< about what no model here contains

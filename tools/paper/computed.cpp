@@ -40,7 +40,7 @@ std::string denominator(const char* taken, const char* other, double difference,
       taken, other, percent(difference, other_value));
 }
 
-constexpr const char* other_mean = "The eight computed_rows have another mean; \u22125.47 is the entry of step 8.";
+constexpr const char* other_mean = "The eight rows have another mean; \u22125.47 is the entry of step 8.";
 
 constexpr Computed computed_rows[] = {
     {.place = "Section 4.1.2",

@@ -122,9 +122,8 @@ std::vector<Claim> first_launch_identified(const FirstLaunchIdentified& ours) {
       .holds = text::degrees(apart_rad) < 3.0,
       .kind = Kind::read_back,
       .why = "Our flight was made with this model, so both find it."}));
-  claims.push_back(
-      unpublished("Section 4.2", "Longer simulation of the closed loop than of the open", "about 50 %",
-                  "It measures their program on their computer. The manual compares ours, on its page on the model."));
+  claims.push_back(unpublished("Section 4.2", "Longer simulation of the closed loop than of the open", "about 50 %",
+                               "It measures their program on their computer."));
   add_intervals(claims, ours);
   claims.push_back(unpublished(
       "Section 4.2", "Wind on the ground", "1 to 2 m/s",

@@ -49,9 +49,16 @@ struct FirstLaunchIdentified {
 /// and over one that varies. `window` is the first window of the flight `run`.
 [[nodiscard]] std::vector<Claim> offset_intervals(const identify::model::Record& window, const Run& run);
 
-/// "0.21 deg, 0.66 deg/s": what so many intervals leave of angle and rate over the one that varies.
-[[nodiscard]] std::string errors_over_a_wave(const identify::model::Record& window, const Run& run,
-                                             std::size_t intervals);
+/// What so many intervals leave of angle and rate over the one that varies, which was fitted to the first window.
+struct PrintedErrors {
+  std::string place;
+  std::string what;
+  double angle_deg;
+  double rate_deg_s;
+  std::string why;
+};
+[[nodiscard]] Claim errors_over_a_wave(const PrintedErrors& printed, const identify::model::Record& window,
+                                       const Run& run, std::size_t intervals);
 
 /// Signs, units, repeated and contradicting numbers, each with what it must read.
 [[nodiscard]] std::vector<Claim> print_slips();
