@@ -102,7 +102,6 @@ TEST(Mistakes, NothingIsNamedInAGoodLog) {
 TEST(Mistakes, WhatLooksLikeAContradictionBesideTheVerdictIsExplained) {
   const WindowFindings found = study(noisy_log({}, {}, 3), asked()).windows[0];
   EXPECT_TRUE(knows_both(*found.results[0].uncertainty) && holds(said(found), "effective samples"));
-  EXPECT_EQ(figures(remarks(found, found.results[0]).at(0)), (std::vector<std::string>{"7", "401"})) << said(found);
 }
 
 // In either loop, whatever else is right; in the closed one, with the canards, as a doubt about the numbers.

@@ -103,6 +103,7 @@ TEST(KnownModel, IsReadAsItWasWritten) {
   EXPECT_NEAR(read.constants.covariance(0, 1), written.covariance(0, 1), 1e-6 * written.covariance(0, 0));
   EXPECT_NEAR(read.constants.degrees_of_freedom, written.degrees_of_freedom, 1e-4);
   EXPECT_TRUE(read.covariance_is_known);
+  EXPECT_EQ(read.how, "open loop, continuous, window " + study.windows[0].record.window + " of log.csv");
 }
 
 TEST(KnownModel, OfSeveralWindowsIsTheCommonOne) {

@@ -33,7 +33,7 @@ void flow(const FlowOptions& options) {
 }  // namespace
 
 void add_tunnel_flow(const Verb& tunnel) {
-  auto verb = tunnel.verb("flow", "Steady speeds, turbulence, and the line of speed over fan");
+  auto verb = tunnel.verb("flow", "Steady speeds, turbulence, and the fit of speed to fan rpm");
   auto options = std::make_shared<FlowOptions>();
   verb.option("LOG", options->log, "A CSV with time_s, fan_rpm and wind_speed_m_s, or a folder with a tunnel.csv")
       .offers(files)
@@ -41,7 +41,7 @@ void add_tunnel_flow(const Verb& tunnel) {
   add_steady_option(verb, "--steady", options->steady,
                     "Steady times, instead of finding them: beginnings in seconds, each until the fan's next set "
                     "point, or begin:end");
-  verb.option("--shortest", options->finding.shortest_s, "Shortest stretch that counts as steady")
+  verb.option("--shortest", options->finding.shortest_s, "Shortest steady period")
       .check(within(0.0, 1e6))
       .value_name("S")
       .show_default();

@@ -235,7 +235,7 @@ void stability(const StabilityOptions& options) {
 }  // namespace
 
 void add_tunnel_stability(const Verb& tunnel) {
-  auto verb = tunnel.verb("stability", "Is a rocket that swings on its pins stable? Its static margin");
+  auto verb = tunnel.verb("stability", "Static margin and stability of a rocket that swings on pins");
   auto options = std::make_shared<StabilityOptions>();
   verb.option("LOG", options->logs,
               "Flight logs (.ftl) or folders with one, with the swings in the gyro data; or CSV files with time_s "

@@ -114,10 +114,10 @@ std::string objection_to_file(const std::string& text) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<ConvertOptions>();
   verb.option("FILE", options->file,
-              fmt::format("The table to read; by the end of its name: .csv, {} (.gz: CSV packed with gzip)",
+              fmt::format("The table to read; by its extension: .csv, {} (.gz: CSV packed with gzip)",
                           files::listed(files::read_endings)))
       .offers(files);
-  verb.option("--to", options->format, "The format to write [as --out ends, else csv]")
+  verb.option("--to", options->format, "The format to write [extension of --out, else csv]")
       .one_of({"csv", "parquet", "feather", "mat", "xlsx", "mcap", "json"})
       .value_name("csv|parquet|feather|mat|xlsx|mcap|json");
   verb.option("--out", options->out, "The file; - is standard output [out/convert/NAME.ENDING]")
@@ -129,7 +129,7 @@ void fill(const Verb& verb) {
       "Examples:\n"
       "  fantail convert --install                       the packages, once (needs the Debian package python3-venv)\n"
       "  fantail convert session.xlsx                    the first sheet as CSV: out/convert/session.csv\n"
-      "  fantail convert flown.mat --out flown.parquet   what MATLAB saved, for pandas and DuckDB");
+      "  fantail convert flown.mat --out flown.parquet   a file saved by MATLAB, for pandas and DuckDB");
   verb.action([options] { convert(*options); });
 }
 

@@ -161,7 +161,7 @@ void fill(const Verb& verb) {
               "400 Hz the plan's stale time]")
       .check(within(1e-4, 10.0))
       .value_name("S");
-  verb.option("--pad", options->pad_s, "Time at rest before the log, s, with the mean readings up to lift-off")
+  verb.option("--pad", options->pad_s, "Seconds of rest to add before the log, at the mean readings up to lift-off")
       .check(within(0.0, 3600.0))
       .value_name("S");
   verb.option("--out", options->out,

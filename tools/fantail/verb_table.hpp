@@ -29,7 +29,7 @@ inline constexpr std::array verb_table{
     VerbEntry{"Logs and the roll model", "listen", "Run launch detection on an IMU log of any rocket"},
     VerbEntry{"Logs and the roll model", "log", "Show a flight log, or export it for other programs"},
     VerbEntry{"Logs and the roll model", "convert",
-              "Convert a table (MAT, Parquet, Excel, HDF5, MCAP, ULog) to CSV, or the other way"},
+              "Convert a table (MAT, Parquet, Excel, HDF5, MCAP, ULog) to CSV, or back"},
     VerbEntry{"Logs and the roll model", "paper", "Repeat the published work (Bryson et al. 2016) and list its errors"},
     VerbEntry{"A rocket on the bench", "bench", "Check and command a rocket over CAN"},
     VerbEntry{"A rocket on the bench", "node",

@@ -65,8 +65,8 @@ std::string sentence(const StepTable& table, const StepSpread& one) {
         column.label, number(spread.high), column.unit.symbol, number(spread.seen), number(spread.measurement));
   }
   return fmt::format(
-      "From step to step {} varies by {} {} (95 %: {} to {}). The estimates scatter by {}, their measurement errors "
-      "by {}.",
+      "From step to step {} varies by {} {} (95 %: {} to {}) beyond the measured noise, which excludes turbulence. The "
+      "estimates scatter by {}, their measurement errors by {}.",
       column.label, number(spread.between), column.unit.symbol, number(spread.low), number(spread.high),
       number(spread.seen), number(spread.measurement));
 }
@@ -183,7 +183,7 @@ std::vector<result::Block> identified(const StepTable& table) {
   if (table.standard_deviation) {
     all.emplace_back(
         "deviation: standard deviation over the steps; measurement: the part due to measurement errors; between: "
-        "true differences of the steps.");
+        "differences beyond the measured noise, turbulence of the air included.");
   }
   all.emplace_back(result::Sentences{.all = spread_sentences(table)});
   for (result::Block& picture : over_steps(table)) {

@@ -34,7 +34,8 @@ using text::in_degrees;
 constexpr double low_chart = 200.0;
 
 constexpr std::string_view source_of_intervals =
-    "Each interval comes from the noise in the step's own roll angle, its autocorrelation included.";
+    "Each interval comes from the noise in the step's own roll angle, its autocorrelation included. It excludes "
+    "unsteady air.";
 
 /// "19.388 m2"
 std::string with_unit(const StepTable& table, std::size_t figure, double value) {
@@ -63,10 +64,10 @@ const result::Range& interval_of(const StepResult& result, std::size_t figure) {
   }
 }
 
-/// An error bar at each step, as wide in a chart of few steps as in one of many.
+/// An error bar at each step, as wide in a chart of few steps as in one of many, and wider than its dot.
 std::vector<page::Area> error_bars(const StepTable& table, std::size_t figure) {
   const double per_si = step_fields[figure].unit.per_si;
-  const auto reach = 0.005 * static_cast<double>(table.steps.back().number - table.steps.front().number + 1);
+  const auto reach = 0.015 * static_cast<double>(table.steps.back().number - table.steps.front().number + 1);
   std::vector<page::Area> bars;
   for (const StepResult& result : table.steps) {
     const auto x = static_cast<double>(result.number);
@@ -79,6 +80,20 @@ std::vector<page::Area> error_bars(const StepTable& table, std::size_t figure) {
     }
   }
   return bars;
+}
+
+/// Where the dots hide them all.
+std::string hidden(const page::Chart& chart) {
+  constexpr double dot = 0.055;  // of the height of the chart
+  double low = chart.levels.front().value;
+  double high = low;
+  double longest = 0.0;
+  for (const page::Area& bar : chart.areas) {
+    low = std::min(low, bar.low.front());
+    high = std::max(high, bar.high.front());
+    longest = std::max(longest, bar.high.front() - bar.low.front());
+  }
+  return longest > 0.0 && longest < dot * (high - low) ? " The intervals are narrower than the dots." : "";
 }
 
 result::Picture over_steps(const StepTable& table, std::size_t figure, const char* label, const char* y_label) {
@@ -100,8 +115,9 @@ result::Picture over_steps(const StepTable& table, std::size_t figure, const cha
     chart.series[0].y.push_back(per_si * value(figure, figures_of(result)));
   }
   const std::string source = figure == 0 ? " " + std::string{source_of_intervals} : "";
-  return {chart, fmt::format("{}: mean {}, standard deviation {}.{}", label, with_unit(table, figure, mean),
-                             with_unit(table, figure, value(figure, *table.standard_deviation)), source)};
+  return {chart,
+          fmt::format("{}: mean {}, standard deviation {}.{}{}", label, with_unit(table, figure, mean),
+                      with_unit(table, figure, value(figure, *table.standard_deviation)), source, hidden(chart))};
 }
 
 std::string intervals(const StepTable& table) {

@@ -72,6 +72,7 @@ struct JointFindings {
 /// Alpha and beta as an identification found them.
 struct KnownModel {
   std::string source{};  ///< the file, as the person wrote it
+  std::string how{};     ///< it was identified: "continuous, open loop, window control of out/f1"; empty: unknown
   Constants constants{};
   bool covariance_is_known = false;  ///< else it is zero: taken for exact
   double reference_area_m2 = 0.0;

@@ -56,6 +56,27 @@ std::optional<double> correlation(const json::Value& model) {
   return has_it ? std::optional{(*matrix)[0][1].number()} : std::nullopt;
 }
 
+/// An identification of several windows lists them, and is open and continuous.
+std::string how_identified(const json::Value& model) {
+  const auto text = [](const json::Value& of, const char* key) {
+    const json::Value* value = of.find(key);
+    return value != nullptr && value->is_text() ? value->text() : std::string{};
+  };
+  const auto window = [&](const json::Value& of) {
+    return fmt::format("window {} of {}", text(of, "window"), text(of, "data"));
+  };
+  if (const json::Value* windows = model.find("windows"); windows != nullptr && windows->is_array()) {
+    std::string all = "open loop, continuous";
+    for (const json::Value& one : *windows) {
+      all += ", " + window(one);
+    }
+    return all;
+  }
+  return text(model, "loop").empty()
+             ? ""
+             : fmt::format("{} loop, {}, {}", text(model, "loop"), text(model, "method"), window(model));
+}
+
 }  // namespace
 
 KnownModel read_model(const std::filesystem::path& path) {
@@ -70,7 +91,7 @@ KnownModel read_model(const std::filesystem::path& path) {
            "it has several results, and one is needed; identify one window with one method, or windows together with "
            "--shared alpha,beta");
   }
-  KnownModel known{.source = path.string()};
+  KnownModel known{.source = path.string(), .how = how_identified(model)};
   known.constants.value = {above_zero(file, model, "alpha_m2"), above_zero(file, model, "beta_m")};
   known.reference_area_m2 = above_zero(file, model, "reference_area_m2");
   known.constants.degrees_of_freedom = std::numeric_limits<double>::infinity();

@@ -216,10 +216,11 @@ std::optional<std::string> misfit(const Record& record, const Identification& re
   const double strength = std::sqrt(mean_square(residual));
   return fmt::format(
       "The model does not fit this log well. The residual of the roll rate, {} deg/s RMS, is motion, not noise. The "
-      "intervals do not include this error. {}More nodes, another window or {} may help.",
+      "intervals do not include this error. {}Possible causes: too few nodes, an input that changes within the window, "
+      "or {}.",
       text::brief(text::degrees(strength), 2),
       is_refuted(record, result) ? "Check units and signs of the columns first. " : "",
-      result.loop == Loop::open ? "--fit-lag" : "--loop open");
+      result.loop == Loop::open ? "a lag of the canard column" : "servos that differ from the model");
 }
 
 }  // namespace fantail::identify::result

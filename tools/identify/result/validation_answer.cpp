@@ -186,7 +186,8 @@ std::vector<output::Listed> listed_validation() {
 output::Document answer(const V& v, const output::Made& made) {
   output::Document document{.kind = "validation report",
                             .title = v.data,
-                            .subtitle = fmt::format("validation of the model of {}; {}", v.model.source, v.vehicle),
+                            .subtitle = fmt::format("validation of the model of {}{}; {}", v.model.source,
+                                                    v.model.how.empty() ? "" : " (" + v.model.how + ")", v.vehicle),
                             .verdict = verdict_of(v),
                             .facts = {{"data", "", v.data},
                                       {"model", "", v.model.source},

@@ -134,7 +134,7 @@ std::vector<std::string> precision_sentences(const Identification& result) {
                     text::fixed(u.correlation(0, 1), 2)));
   }
   const std::string strength = text::brief(degrees(u.residual_rms_rad), 3);
-  const std::string worth = worth_text(u.effective_samples);
+  const std::string worth = text::fixed(u.effective_samples, 0);
   if (u.effective_samples > 0.5 * static_cast<double>(result.samples)) {
     all.push_back(
         fmt::format("The residual, {} deg RMS, is hardly correlated. The {} samples determine alpha and beta as well "
@@ -142,13 +142,10 @@ std::vector<std::string> precision_sentences(const Identification& result) {
                     strength, result.samples, worth));
   } else if (u.effective_samples < 2.0 * static_cast<double>(u.interval.size())) {
     all.push_back(
-        fmt::format("The residual, {} deg RMS, is correlated over {} s. The {} samples determine alpha and beta only "
-                    "as well as {} independent {}. The intervals include that{}.",
-                    strength, text::fixed(u.residual_correlation_s, 2), result.samples, worth == "1" ? "one" : worth,
-                    worth == "1" || u.effective_samples < 1.0 ? "sample would" : "samples would",
-                    u.alpha_identifiable && u.beta_identifiable
-                        ? "; they are narrow because the residual is small compared with the motion"
-                        : ""));
+        fmt::format("The residual, {} deg RMS, is correlated over {} s, so few of the {} samples are independent. The "
+                    "intervals include that. A longer window or more canard motion would help; faster sampling would "
+                    "not.",
+                    strength, text::fixed(u.residual_correlation_s, 2), result.samples));
   } else {
     all.push_back(fmt::format(
         "The residual, {} deg RMS, is correlated over {} s. The {} samples determine alpha and beta as well as {} "
