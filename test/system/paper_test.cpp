@@ -163,8 +163,8 @@ TEST_F(Paper, AnAgreementSaysWhatItRestsOn) {
   EXPECT_EQ(kind("Section 4.2", "Apogee"), "fitted, fitted");
   EXPECT_EQ(kind("Section 4.3.2", "Highest speed"), "fitted, fitted");
   EXPECT_EQ(kind("Figure 21a", "modelled"), "fitted, fitted");
-  EXPECT_EQ(kind("Section 4.2", "Oscillation"), "simulated, simulated");
-  EXPECT_EQ(kind("Section 4.2", "Time to apogee"), "simulated, simulated");
+  EXPECT_EQ(kind("Section 4.2", "Oscillation"), "fitted, fitted");
+  EXPECT_EQ(kind("Section 4.2", "Time to apogee"), "fitted, fitted");
   EXPECT_EQ(kind("Table 2, step 3", "Damping"), "read_back, round_trip");
   EXPECT_EQ(kind("Table 2, mean", "Mean damping"), "computed, derived");
   EXPECT_EQ(kind("Eq 47", "first window"), "read_back, round_trip");
