@@ -53,13 +53,13 @@ TEST(Html, SaysVerdictFiguresEventsAndPhasesWithoutScripts) {
 TEST(Html, SaysWhereTheLawOfThePlanComesToRestAndDrawsItsEstimate) {
   SyntheticFlight synthetic;
   const std::string published = page_of(synthetic.flight);
-  EXPECT_NE(published.find("settles at R + u_d/kp."), std::string::npos);
+  EXPECT_NE(published.find("settles at R + u_d/kp: R is its reference, u_d the fin offset."), std::string::npos);
   EXPECT_NE(published.find("proportional-derivative"), std::string::npos);
   EXPECT_NE(published.find("True disturbance"), std::string::npos);
   synthetic.flight.plan.offset.rejection = core::OffsetRejection::integral;
   const std::string rejecting = page_of(synthetic.flight);
   EXPECT_EQ(rejecting.find("u_d/kp"), std::string::npos);
-  EXPECT_NE(rejecting.find("settles at R."), std::string::npos);
+  EXPECT_NE(rejecting.find("settles at R, its reference."), std::string::npos);
   EXPECT_NE(rejecting.find("the reference R"), std::string::npos);
   EXPECT_NE(rejecting.find("and the law's estimate of it"), std::string::npos);
   synthetic.flight.why_uncontrollable = "all canards turn the rocket against the roll command";
@@ -191,6 +191,20 @@ TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
   const std::string text = without_scripts(page_of(synthetic.flight));
   EXPECT_NE(text.find("(\u22129 deg)"), std::string::npos) << text.substr(0, text.find("<dl"));
   EXPECT_NE(text.find(" 3.0 deg less than the fins need"), std::string::npos);
+}
+
+TEST(Html, ARocketThatRollsFreelyHasNoFiguresOfControl) {
+  SyntheticFlight synthetic;
+  const std::array of_control{"time under control", "net roll under control", "mean distance from the command",
+                              "canards at their limit"};
+  for (const char* figure : of_control) {
+    EXPECT_NE(without_scripts(page_of(synthetic.flight)).find(figure), std::string::npos) << figure;
+  }
+  synthetic.flight.plan.controller.proportional_gain = 0.0F;
+  synthetic.flight.plan.controller.derivative_gain_s = 0.0F;
+  for (const char* figure : of_control) {
+    EXPECT_EQ(without_scripts(page_of(synthetic.flight)).find(figure), std::string::npos) << figure;
+  }
 }
 
 TEST(Html, APathInAPlaneIsShownWithoutDirections) {

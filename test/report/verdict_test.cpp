@@ -19,8 +19,42 @@ TEST(Verdict, AHeldFlightNamesErrorSaturationAndMargin) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::held);
   EXPECT_EQ(v.text,
-            "Steady, 10.0 deg from the command: roll stayed within 2.1 deg of where this law settles; canards at their "
-            "limit 6.0 % of control time; the canards can give 4.0 deg more than the fins need.");
+            "Steady, 10.0 deg from the command: after the first second of control, roll stayed within 2.1 deg of where "
+            "this law settles; canards at their limit 6.0 % of control time; the canards can give 4.0 deg more than "
+            "the fins need.");
+}
+
+TEST(Verdict, ALimitThatEndsControlInTheLastHalfSecondIsNamedThoughTheRollIsHeld) {
+  SyntheticFlight tilted;
+  tilted.end_control(4.1, core::PhaseReason::tilted_too_far);
+  EXPECT_EQ(verdict_of(tilted.flight).outcome, Outcome::held);
+  EXPECT_TRUE(verdict_of(tilted.flight).text.ends_with("The tilt limit ended control 0.40 s before apogee."))
+      << verdict_of(tilted.flight).text;
+  SyntheticFlight usual;
+  usual.end_control(4.1, core::PhaseReason::apogee);
+  EXPECT_FALSE(says(verdict_of(usual.flight), "apogee")) << verdict_of(usual.flight).text;
+  SyntheticFlight early;
+  early.end_control(3.9, core::PhaseReason::tilted_too_far);
+  EXPECT_EQ(verdict_of(early.flight).outcome, Outcome::cut_short);
+}
+
+TEST(Verdict, SaysWhichTimeTheHoldErrorLeavesOut) {
+  SyntheticFlight stepped;
+  stepped.flight.plan.reference.kind = core::ReferenceKind::steps;
+  EXPECT_TRUE(says(verdict_of(stepped.flight), "after the first second of control, roll")) << "no step";
+  stepped.flight.plan.reference.step_times_count = 1;
+  EXPECT_TRUE(says(verdict_of(stepped.flight), "after the first second of control and of each step, roll"));
+  stepped.flight.tunnel = true;
+  stepped.each_controlled([](flight::Row& row) { row.truth->speed_m_s = 20.0; });
+  EXPECT_TRUE(says(verdict_of(stepped.flight), "after the first two seconds of control and of each step, roll"));
+}
+
+TEST(Verdict, InATunnelTheSwirlCountsWithTheFins) {
+  SyntheticFlight synthetic;
+  synthetic.flight.tunnel = true;
+  synthetic.each_controlled([](flight::Row& row) { row.truth->speed_m_s = 20.0; });
+  EXPECT_TRUE(says(verdict_of(synthetic.flight), "4.0 deg more than the fins and the swirl need"))
+      << verdict_of(synthetic.flight).text;
 }
 
 TEST(Verdict, ATrajectoryThatEndsInTheClimbIsNoWholeFlight) {
@@ -87,8 +121,9 @@ TEST(Verdict, ALargeErrorIsNotCalledHeld) {
   const Verdict v = verdict_of(synthetic.flight);
   EXPECT_EQ(v.outcome, Outcome::not_held);
   EXPECT_EQ(v.text,
-            "Roll not held: up to 24.0 deg from where this law settles, in the mean 34.0 deg from the command; canards "
-            "at their limit 0.0 % of control time; the canards can give 4.0 deg more than the fins need.");
+            "Roll not held: after the first second of control, up to 24.0 deg from where this law settles; in the mean "
+            "34.0 deg from the command; canards at their limit 0.0 % of control time; the canards can give 4.0 deg "
+            "more than the fins need.");
 }
 
 TEST(Verdict, AnOffsetBeyondTheCanardsIsSaidPlainly) {

@@ -132,6 +132,12 @@ std::vector<page::Area> resonance(const flight::Flight& flight, const ChartDrawe
     const std::array edges{edge(sign, flight.resonance_1_m->front()), edge(sign, flight.resonance_1_m->back())};
     areas.push_back(drawer.band(sign > 0.0 ? "roll resonance" : "", Role::limit, edges));
   }
+  // In slow air alone, at lift-off and near apogee, it would be a scrap at both ends.
+  const auto seen = std::ranges::count_if(areas.front().low, [](double low) { return std::isfinite(low); });
+  constexpr double least_share = 0.2;
+  if (static_cast<double>(seen) < least_share * static_cast<double>(areas.front().low.size())) {
+    areas.clear();
+  }
   return areas;
 }
 
@@ -149,7 +155,7 @@ std::vector<Chart> all_charts(const flight::Flight& flight, const ChartDrawer& d
   const page::Series true_speed = drawer.line(flight.path.empty() ? "true" : "true, through the air along the axis",
                                               Role::target, column("true_speed_m_s"));
   if (flight.tunnel) {  // on a string nothing accelerates, so there is no estimate
-    all.push_back(drawer.chart("Air speed", "m/s", page::half_page, small_chart, {true_speed}));
+    all.push_back(drawer.chart("Air speed", "m/s", page::full_page, small_chart, {true_speed}));
   } else {
     all.push_back(drawer.chart("Height", "m", page::half_page, small_chart,
                                {drawer.line("true", Role::target, column("true_height_m")),

@@ -99,6 +99,10 @@ std::string begun_on_guide(const flight::Flight& flight) {
                    text::fixed(*clear_s - *start_s, 3));
 }
 
+bool nothing_controls_roll(const flight::Flight& flight) {
+  return flight.known.plan && !flight::has_gains(flight.plan);
+}
+
 bool ended_early(const flight::Flight& flight, const Figures& f) {
   if (was_lost(flight)) {
     return f.ended_before_apogee_s.value_or(2.0 * near_apogee_s) > near_apogee_s;
@@ -117,6 +121,29 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
     return flight.trajectory_end_s && !flight.tunnel;  // elsewhere apogee may have been before it
   }
   return reason && reason != core::PhaseReason::apogee;
+}
+
+std::string late_end(const flight::Flight& flight, const Figures& f) {
+  const double before_s = f.ended_before_apogee_s.value_or(0.0);
+  if (before_s < -near_apogee_s) {
+    return fmt::format(" Control went on for {} s after apogee.", text::fixed(-before_s, 2));
+  }
+  constexpr double seen_s = 0.005;  // less is 0.00 s
+  if (before_s < seen_s || flight.phase_changes.empty()) {
+    return {};
+  }
+  const std::string before = text::fixed(before_s, 2);
+  const flight::PhaseChange& end = flight.phase_changes.back();
+  if (end.phase != core::Phase::finished || !end.reason || end.reason == core::PhaseReason::apogee) {
+    return {};
+  }
+  switch (*end.reason) {
+    case core::PhaseReason::tilted_too_far:
+      return fmt::format(" The tilt limit ended control {} s before apogee.", before);
+    case core::PhaseReason::control_time_over:
+      return fmt::format(" The plan's control time{} was over {} s before apogee.", plan_time(flight), before);
+    default: return fmt::format(" Control ended {} s before apogee: {}.", before, flight::display_name(*end.reason));
+  }
 }
 
 std::string early_end(const flight::Flight& flight, const Figures& f) {

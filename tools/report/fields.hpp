@@ -30,7 +30,8 @@ inline constexpr auto figures = result::fields<F>({
      "largest distance of the roll from where this law settles, once it has settled"},
     {"mean_hold_error", "mean hold error", u::deg, 2, &F::mean_hold_error_rad, "mean of the same"},
     {"judged_time", "time judged", u::s, 2, &F::judged_time_s, "time over which the hold error is measured"},
-    {"rest_error", "rests from its command", u::deg, 1, &F::rest_error_rad, "distance from the reference at rest"},
+    {"rest_error", "rests from its command", u::deg, 1, &F::rest_error_rad,
+     "largest distance from the reference, of the mean roll over each settled step and of the settle points in it"},
     {"mean_reference_error", "mean distance from the command", u::deg, 1, &F::mean_reference_error_rad,
      "mean of |phi - R| over all time under control"},
     {"largest_disturbance", "largest fin offset", u::deg, 1, &F::largest_disturbance_rad,
@@ -81,15 +82,16 @@ using S = SideDeflection;
 inline constexpr auto side_deflection = result::fields<S>({
     {"largest", "largest side deflection", u::deg, 1, &S::largest_rad,
      "sum of the four deflections as vectors across the axis"},
-    {"mean", "mean side deflection", u::deg, 2, &S::mean_rad, "mean of the same"},
-    {"largest_moment", "side moment", u::n_m, 3, &S::largest_moment_n_m,
-     "largest moment that it makes about the centre of gravity"},
+    {"mean", "mean side deflection", u::deg, 2, &S::mean_rad, "mean size of the same sum"},
+    {"largest_moment", "largest side moment", u::n_m, 3, &S::largest_moment_n_m,
+     "largest moment of the side deflection about the centre of gravity, across the long axis"},
 });
 
 inline constexpr auto camera_roll = result::fields<CameraRoll>({
-    {"largest_apart", "camera's roll apart", u::deg, 1, &CameraRoll::largest_rad,
+    {"largest_apart", "camera's roll less roll angle", u::deg, 1, &CameraRoll::largest_rad,
      "largest difference of the roll that a camera sees from the roll angle: the rocket cones"},
-    {"at_end_apart", "camera's roll at the end", u::deg, 1, &CameraRoll::at_end_rad, "the same at the end of control"},
+    {"at_end_apart", "camera's roll less roll angle at the end", u::deg, 1, &CameraRoll::at_end_rad,
+     "the same at the end of control"},
 });
 
 inline constexpr auto oscillation = result::fields<Oscillation>({

@@ -94,6 +94,9 @@ class RunningRest {
   std::size_t rows_ = 0;
 };
 
+/// What the hold error leaves out: "after the first second of control and of each step".
+[[nodiscard]] std::string once_settled(const flight::Flight& flight);
+
 /// Where the law of the plan comes to rest: "R + u_d/kp".
 [[nodiscard]] std::string settle_point_name(const flight::Flight& flight);
 

@@ -134,7 +134,9 @@ result::Section path_section(const flight::Flight& flight) {
   const auto along = [sine = std::sin(heading), cosine = std::cos(heading)](const PathPoint& p) {
     return cosine * p.north_m + sine * p.east_m;
   };
-  const std::string direction = fmt::format("{:.0f}\u00b0", std::fmod(text::degrees(heading) + 360.0, 360.0));
+  const auto bearing_deg = (std::lround(text::degrees(heading)) + 360) % 360;
+  const std::string direction = bearing_deg % 45 == 0 ? compass(*std::ranges::max_element(path, {}, flight::distance_m))
+                                                      : fmt::format("{}\u00b0", bearing_deg);
   Chart side = from_the_side(path, fmt::format("distance towards {} / m", direction), along);
   const double span_m =
       1.1 * std::max({extent(path, &PathPoint::east_m).high - extent(path, &PathPoint::east_m).low,

@@ -40,14 +40,22 @@ std::vector<Figure> read_figures(const flight::Flight& flight, const Figures& f,
   if (rows_are_sparse(flight, f)) {
     all["control_time"].remark = "from its first row to its last";
   }
-  all["rest_error"].remark = fmt::format("limit {} deg", text::brief(degrees(flight.rest_limit_rad), 1));
+  if (flight.tunnel) {
+    all["largest_disturbance"].label = "fin offset and swirl together";
+  }
+  all["rest_error"].remark =
+      fmt::format("farthest mean of any step; limit {} deg", text::brief(degrees(flight.rest_limit_rad), 1));
   all["roll_after_end"].remark = f.ended_before_apogee_s ? "until apogee" : "until the trajectory ends";
   if (f.authority_rad) {
     all["authority_margin"].remark = fmt::format("of {} deg", text::brief(degrees(*f.authority_rad), 1));
   }
   std::erase_if(all.all, [&](const Figure& one) {
     const bool is_of_hold = one.key == "largest_hold_error" || one.key == "mean_hold_error" || one.key == "rest_error";
-    return (is_of_hold && !roll_is_judged) || (one.key == "roll_after_end" && !ended_early(flight, f)) ||
+    const bool is_of_control = one.key == "control_time" || one.key == "saturated_fraction" ||
+                               one.key == "roll_turns" || one.key == "roll_turns_without_control" ||
+                               one.key == "mean_reference_error" || one.key == "authority_margin";
+    return (is_of_control && nothing_controls_roll(flight)) || (is_of_hold && !roll_is_judged) ||
+           (one.key == "roll_after_end" && !ended_early(flight, f)) ||
            (one.key == "saturated_fraction" && !(f.control_time_s.value_or(0.0) > 0.0)) || one.key == "judged_time" ||
            one.key == "authority" || one.key == "ended_before_apogee" || one.key == "at_limit_since";
   });
@@ -61,7 +69,10 @@ void add(std::vector<Figure>& to, const result::Figures& more) {
 result::Figures shown_figures(const flight::Flight& flight, const Figures& f, bool roll_is_judged) {
   std::vector<Figure> all = read_figures(flight, f, roll_is_judged);
   if (f.side_deflection) {
-    add(all, result::figures("", *f.side_deflection, fields::side_deflection));
+    result::Figures side = result::figures("", *f.side_deflection, fields::side_deflection);
+    side["largest"].remark = "vector sum of the four canard angles";
+    side["largest_moment"].remark = "about the centre of gravity, by that sum";
+    add(all, side);
   }
   if (f.camera_roll) {
     add(all, result::figures("", *f.camera_roll, fields::camera_roll));
@@ -185,9 +196,12 @@ std::string compass(const flight::PathPoint& point) {
 std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const Figures& f, const Verdict& verdict) {
   std::vector<std::string> all;
   if (verdict.roll_is_judged && f.largest_hold_error_rad && can_settle(flight, f)) {
-    all.push_back(fmt::format("It settles at {}.", settle_point_name(flight)));
+    all.push_back(fmt::format("It settles at {}{}.", settle_point_name(flight),
+                              flight::rejects_offset(flight.plan) ? ", its reference"
+                              : flight.tunnel ? ": R is its reference, u_d the fin offset with the swirl"
+                                              : ": R is its reference, u_d the fin offset"));
   }
-  if (f.roll_turns && f.roll_turns_without_control) {
+  if (f.roll_turns && f.roll_turns_without_control && !nothing_controls_roll(flight)) {
     all.push_back(fmt::format("Under control it made {} turns; with its canards at trim it would have made {}.",
                               fixed(*f.roll_turns, 2), fixed(*f.roll_turns_without_control, 2)));
   }

@@ -46,6 +46,14 @@ std::string in_numbers(const flight::Flight& flight) {
 
 }  // namespace
 
+std::string once_settled(const flight::Flight& flight) {
+  const core::ReferencePlan& reference = flight.plan.reference;
+  const bool has_steps = reference.kind == core::ReferenceKind::square_wave ||
+                         (reference.kind == core::ReferenceKind::steps && reference.step_times_count > 0);
+  return fmt::format("after the first {} of control{}", flight.tunnel ? "two seconds" : "second",
+                     has_steps ? " and of each step" : "");
+}
+
 std::string settle_point_name(const flight::Flight& flight) {
   if (flight.known.plan && flight::rejects_offset(flight.plan)) {
     return "R";
@@ -54,18 +62,19 @@ std::string settle_point_name(const flight::Flight& flight) {
 }
 
 std::string settle_point_text(const flight::Flight& flight, bool can_settle) {
+  const std::string balanced = flight.tunnel ? " the fin offset and the swirl." : " the fin offset.";
   const std::string here = can_settle ? in_numbers(flight) : " Here it cannot get there.";
   const std::string why =
       flight::rejects_offset(flight.plan)
-          ? "This law subtracts its estimate of the fin offset u_d from the command. So it settles at the reference R, "
+          ? "This law subtracts its estimate of u_d from the command. So it settles at the reference R, "
             "if the canards reach far enough, as soon as the estimate is right."
       : flight.plan.gain_schedule.speeds_count > 0
           ? "This loop settles at R\u00a0+\u00a0u_d/(f\u00a0kp), f the factor of the gain schedule, not at the "
-            "reference R: an angle error has to balance the fin offset." +
-                here
+            "reference R: an angle error has to balance" +
+                balanced + here
           : "A proportional-derivative loop settles at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
-            "error has to balance the fin offset." +
-                here;
+            "error has to balance" +
+                balanced + here;
   return fmt::format(
       "{} The hold error is measured from there, without the {} after control start and after each reference step.",
       why, flight.tunnel ? "two seconds" : "second");

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "report/hold.hpp"
 #include "report/verdict_parts.hpp"
 #include "text/apart.hpp"
 #include "text/degrees.hpp"
@@ -31,20 +32,20 @@ std::string sentence(std::string clause) {
 
 std::string saturation(const Figures& f) {
   if (f.saturated_fraction && *f.control_time_s == 0.0) {
-    return fmt::format("at the only recorded tick under control, the canards were {}at their limit",
-                       *f.saturated_fraction > 0.0 ? "" : "not ");
+    const char* const no = *f.saturated_fraction > 0.0 ? "" : "not ";
+    return fmt::format("at the only recorded tick under control, the canards were {}at their limit", no);
   }
   return f.saturated_fraction
              ? fmt::format("canards at their limit {} % of control time", text::fixed(100.0 * *f.saturated_fraction, 1))
              : "the log does not say when canards were at their limit";
 }
 
-std::string saturation_and_margin(const Figures& f) {
+std::string saturation_and_margin(const flight::Flight& flight, const Figures& f) {
   std::string text = saturation(f);
   if (f.authority_margin_rad) {
     text +=
-        fmt::format("; the canards can give {} {} than the fins need", degrees_text(std::abs(*f.authority_margin_rad)),
-                    *f.authority_margin_rad < 0.0 ? "less" : "more");
+        fmt::format("; the canards can give {} {} than the {} need", degrees_text(std::abs(*f.authority_margin_rad)),
+                    *f.authority_margin_rad < 0.0 ? "less" : "more", flight.tunnel ? "fins and the swirl" : "fins");
   }
   return text;
 }
@@ -125,10 +126,10 @@ Verdict steady(const flight::Flight& flight, const Figures& f, const std::string
       is_off ? text::apart(off_deg, text::degrees(flight.rest_limit_rad), 1) : text::fixed(off_deg, 1);
   const std::string asked =
       is_off ? fmt::format(" ({} deg is the limit)", text::brief(text::degrees(flight.rest_limit_rad), 1)) : "";
-  return {
-      is_off ? Outcome::off_command : Outcome::held,
-      sentence(fmt::format("steady, {} deg from the command{}: roll stayed within {} of where this law settles{}; {}",
-                           off, asked, degrees_text(*f.largest_hold_error_rad), how_long_judged(f), rest))};
+  return {is_off ? Outcome::off_command : Outcome::held,
+          sentence(fmt::format(
+              "steady, {} deg from the command{}: {}, roll stayed within {} of where this law settles{}; {}", off,
+              asked, once_settled(flight), degrees_text(*f.largest_hold_error_rad), how_long_judged(f), rest))};
 }
 
 /// Where the canards do not do what the law commands, neither the offset nor the gains decide, and there is no angle at
@@ -150,14 +151,14 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
   if (!flight.why_uncontrollable.empty() && !f.in_still_air && flight::has_gains(flight.plan)) {
     return uncontrollable(flight, f);
   }
-  const std::string rest = saturation_and_margin(f);
+  const std::string rest = saturation_and_margin(flight, f);
   if (f.at_limit_since_s && f.offset_beyond_limit) {
     const std::string off = not_following(flight);
-    const std::string offset = fmt::format("the fin offset of {}", degrees_text(*f.offset_at_limit_rad));
+    const std::string size = degrees_text(*f.offset_at_limit_rad);
     const std::string cause =
-        off.empty() ? fmt::format("{}: {} is beyond what they can balance; roll not held", at_limit(flight, f), offset)
-                    : fmt::format("{}: {}, so {} is beyond what they can balance; roll not held", at_limit(flight, f),
-                                  off, offset);
+        fmt::format("{}: {}{} is beyond what they can balance; roll not held", at_limit(flight, f),
+                    off.empty() ? "" : off + ", so ",
+                    flight.tunnel ? "the sum of fin offset and swirl, " + size + "," : "the fin offset of " + size);
     return {Outcome::not_held, fmt::format("{} {}", sentence(cause), sentence(rest))};
   }
   const std::string ended_at_limit = f.at_limit_since_s ? fmt::format(" {}", sentence(at_limit(flight, f))) : "";
@@ -168,8 +169,8 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
     }
     if (const std::string_view misses = what_misses_control(flight, f); held && !misses.empty()) {
       const std::string on_record =
-          fmt::format("roll not judged: {}; where it is, the roll stayed within {} of where this law settles; {}",
-                      misses, degrees_text(*f.largest_hold_error_rad), rest);
+          fmt::format("roll not judged: {}; where it is, the roll stayed within {} of where this law settles, {}; {}",
+                      misses, degrees_text(*f.largest_hold_error_rad), once_settled(flight), rest);
       return {Outcome::not_judged, sentence(on_record) + ended_at_limit};
     }
     if (held && *f.judged_time_s >= least_judged_s) {
@@ -178,16 +179,18 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
       return v;
     }
     if (!held) {
-      const std::string mean = f.mean_reference_error_rad ? fmt::format(", in the mean {} from the command",
+      const std::string mean = f.mean_reference_error_rad ? fmt::format("; in the mean {} from the command",
                                                                         degrees_text(*f.mean_reference_error_rad))
                                                           : "";
-      return {Outcome::not_held, sentence(fmt::format("roll not held: up to {} from where this law settles{}; {}",
-                                                      degrees_text(*f.largest_hold_error_rad), mean, rest)) +
-                                     ended_at_limit};
+      return {Outcome::not_held,
+              sentence(fmt::format("roll not held: {}, up to {} from where this law settles{}; {}",
+                                   once_settled(flight), degrees_text(*f.largest_hold_error_rad), mean, rest)) +
+                  ended_at_limit};
     }
   }
-  return {Outcome::not_judged,
-          sentence(fmt::format("roll not judged: {}; {}", why_not_judged(flight, f), saturation(f))) + ended_at_limit};
+  return {Outcome::not_judged, sentence(fmt::format("roll not judged: {}{}", why_not_judged(flight, f),
+                                                    nothing_controls_roll(flight) ? "" : "; " + saturation(f))) +
+                                   ended_at_limit};
 }
 
 void begin_lower(std::string& text) {
@@ -228,8 +231,8 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
     v.outcome = rolled_away || v.outcome == Outcome::not_held ? Outcome::not_held : Outcome::cut_short;
     begin_lower(v.text);
     v.text = fmt::format("{} Until then: {}", early_end(flight, f), v.text);
-  } else if (f.ended_before_apogee_s.value_or(0.0) < -near_apogee_s) {
-    v.text += fmt::format(" Control went on for {} s after apogee.", text::fixed(-*f.ended_before_apogee_s, 2));
+  } else {
+    v.text += late_end(flight, f);
   }
   return v;
 }

@@ -22,9 +22,16 @@ inline constexpr double near_apogee_s = 0.5;
 /// can jam the rocket. Empty: it did not.
 [[nodiscard]] std::string begun_on_guide(const flight::Flight& flight);
 
+/// A plan whose gains are zero: the rocket rolls freely in its phase of control.
+[[nodiscard]] bool nothing_controls_roll(const flight::Flight& flight);
+
 /// Did control end before apogee, whatever ended it? In the tunnel, where there is no apogee: for another reason than
 /// the plan's own time.
 [[nodiscard]] bool ended_early(const flight::Flight& flight, const Figures& f);
+
+/// Of control that did not end early: by how much before apogee and by what limit, or how long after apogee. A sentence
+/// with a space before it; empty: it went on to apogee, or until the avionics detected one.
+[[nodiscard]] std::string late_end(const flight::Flight& flight, const Figures& f);
 
 /// When and why control did, and what the rocket turned by until apogee: one or two sentences.
 [[nodiscard]] std::string early_end(const flight::Flight& flight, const Figures& f);

@@ -179,7 +179,7 @@
         {...axis, size: axisWidth, gap: 6, space: 28, values: (chart, ticks) => ticks.map(number)},
       ],
       series: [
-        {label: "time", value: (chart, value) => value == null ? "\u2013" : number(value.toFixed(3)) + " s"},
+        {label: "time", value: (chart, value) => value == null ? "\u2013" : number(chart.posToVal(chart.cursor.left, "x").toFixed(3)) + " s"},  // one time for all plots: each has samples of its own
         ...plot.series.map((series) => {
           const stroke = series.edge ? {width: 0} : plot.series.length > 1 ? strokes[series.role] : {width: 2};
           return {
