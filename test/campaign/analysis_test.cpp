@@ -62,6 +62,47 @@ TEST(Analysis, ABarOfAnInfluenceReachesFromZeroToItsSlopeAndTheLargestStandsFirs
   EXPECT_NEAR(attribute(svg, first, "width") / attribute(svg, second, "width"), 3.0, 0.3);
 }
 
+TEST(Analysis, ANarrowDrawingOfInfluencesHasEachNameAboveItsBarAndNumbersBesideZero) {
+  Report report{.flown = made(400)};
+  report.flown.quantities[0] = "aerodynamics.damping_m2_factor";
+  report.analysis = analyse(report.flown, {.runs = 400}, {}, 0.5);
+  const std::string svg = tornado_svg(report, 0, page::half_page);
+  const std::size_t name = svg.find(">aerodynamics: damping, factor<");
+  ASSERT_NE(name, std::string::npos) << svg;
+  const std::size_t text = svg.rfind("<text", name);
+  const std::size_t bar = svg.find("<rect class=\"bar", text);
+  EXPECT_LT(attribute(svg, text, "y"), attribute(svg, bar, "y"));
+  std::size_t ticks = 0;
+  for (std::size_t at = svg.find("<path class=\"tick\""); at != std::string::npos;
+       at = svg.find("<path class=\"tick\"", at + 1)) {
+    ++ticks;
+  }
+  EXPECT_GE(ticks, 3U);
+}
+
+TEST(Analysis, AHistogramLeavesOutWhatIsFarFromAllOthersAndSaysHowMany) {
+  Report report{.flown = made(400)};
+  report.flown.runs[0].figures[0] = 2913.0;
+  report.analysis = analyse(report.flown, {.runs = 400}, {}, {});
+  const page::Chart chart = histogram(report.analysis.figures[0]);
+  double runs = 0.0;
+  std::size_t filled = 0;
+  for (const double count : chart.series[0].y) {
+    runs += count;
+    filled += count > 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(runs, 399.0);
+  EXPECT_GT(filled, 5U);
+  EXPECT_LT(chart.series[0].x.back(), 60.0);
+  const Numbers said = figures(runs_beyond_histogram(report.analysis.figures[0]));
+  EXPECT_EQ(said.front(), "1");
+  EXPECT_EQ(said[1], "400");
+  EXPECT_EQ(said.back(), "2913");
+  report.flown.runs[0].figures[0] = 6.0;
+  report.analysis = analyse(report.flown, {.runs = 400}, {}, {});
+  EXPECT_EQ(runs_beyond_histogram(report.analysis.figures[0]), "");
+}
+
 TEST(Analysis, FindsTheShareAndWhatTheFigureDependsOn) {
   const FlownCampaign flown = made(4000);
   const Analysis analysis = analyse(flown, {.runs = 4000}, {}, 0.5);

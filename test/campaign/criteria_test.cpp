@@ -103,6 +103,31 @@ TEST(Criteria, WhereBothFailRunsEachIsCountedAndShownAndTheyTakeTurnsAmongTheWor
       << headline(report);
 }
 
+TEST(Criteria, TheHeadlineNamesTheStrongestInfluenceOnTheFirstOne) {
+  EXPECT_TRUE(
+      headline(report_on(made_runs(2.0, 12.0)))
+          .ends_with("In a linear fit, \"wind\" has the strongest influence on the uncontrolled time before apogee."))
+      << headline(report_on(made_runs(2.0, 12.0)));
+  const std::string no_failure = headline(report_on(made_runs(1.4, 9.0)));
+  EXPECT_EQ(no_failure.find("influence"), std::string::npos) << no_failure;
+  FlownCampaign by_chance = made_runs(2.0, 9.0);
+  sim::Random random{6, 0};
+  for (FlownRun& run : by_chance.runs) {
+    run.figures[uncontrolled_column] = random.uniform();
+  }
+  const Report report = report_on(by_chance);
+  EXPECT_EQ(headline(report).find("influence"), std::string::npos) << headline(report);
+  EXPECT_NE(result::text(answer(report)).find("less than 10 %: these slopes do not explain the figure"),
+            std::string::npos);
+}
+
+TEST(Criteria, SayWhatEarlyIsAndWhichOutcomesComeOfIt) {
+  Report report = report_on(made_runs(2.0, 12.0));
+  EXPECT_NE(result::text(answer(report)).find("Early: more than 0.5 s before apogee"), std::string::npos);
+  report.roll_band.in_tunnel = true;
+  EXPECT_EQ(result::text(answer(report)).find("before apogee, or"), std::string::npos);
+}
+
 TEST(Criteria, AFigureOfTheQuestionDecidesAloneWhateverTheOutcomes) {
   const Report report = report_on(made_runs(2.0, 12.0), parse_question("rest_error_deg<=11"));
   EXPECT_TRUE(report.analysis.failures.empty());

@@ -82,6 +82,9 @@ struct Fit {
   double explained = 0.0;  ///< Sensitivity::explained
 };
 
+/// Then the slopes do not show what the figure depends on.
+[[nodiscard]] inline bool explains_little(const Fit& fit) { return fit.explained < 0.1; }
+
 /// The share after so many runs, with bounds that hold however often one looks.
 struct Looked {
   std::uint64_t runs = 0;

@@ -116,7 +116,7 @@ std::vector<result::Block> distributions(const Analysis& analysis, const result:
   std::vector<result::Block> all;
   for (const Column& c : analysis.figures) {
     if (c.largest > c.least) {
-      all.emplace_back(result::Picture{histogram(c)});
+      all.emplace_back(result::Picture{histogram(c), runs_beyond_histogram(c)});
     }
   }
   all.emplace_back(shown(figures));
@@ -173,8 +173,8 @@ result::Document answer(const Report& report) {
                 {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
       .sections = {{"Roll angle of the runs", roll(report.roll_band, report.flown.runs.size(), instants), files},
                    {"Outcomes", outcomes(report)},
-                   {"Figures of the runs", distributions(a, figures)},
                    {"Influences", influences(report)},
+                   {"Figures of the runs", distributions(a, figures)},
                    {"Slopes of the other figures", {slopes_of_other_figures(a)}, files},
                    {"The worst runs", worst(report)},
                    {"Drawn quantities", {shown(quantities)}, files},

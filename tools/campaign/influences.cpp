@@ -17,9 +17,11 @@ using result::Cell;
 std::string about_slopes(const Analysis& analysis, std::size_t figure) {
   const bool all_known =
       std::ranges::all_of(analysis.influences, [figure](const auto& of) { return of.slopes[figure].has_value(); });
+  const Fit& fit = analysis.fits[figure];
   return fmt::format(
-      "A linear fit of all quantities together explains {} % of the variance.{}",
-      text::fixed(100.0 * std::max(0.0, analysis.fits[figure].explained), 0),
+      "A linear fit of all quantities together explains {} % of the variance{}.{}",
+      text::fixed(100.0 * std::max(0.0, fit.explained), 0),
+      explains_little(fit) ? ", less than 10 %: these slopes do not explain the figure" : "",
       all_known ? ""
                 : " A slope is not known if the quantity does not vary, if quantities depend wholly on each other, or "
                   "if one run alone decides.");
@@ -103,7 +105,9 @@ std::vector<result::Block> influences(const Report& report) {
   }
   const std::size_t main = a.decided_by.front();
   for (std::size_t i = 0; i < std::min<std::size_t>(2, a.influences.size()) && a.fits[main].why_none.empty(); ++i) {
-    all.emplace_back(result::Picture{scatter(report, main, a.influences[i].name)});
+    all.emplace_back(
+        result::Picture{scatter(report, main, a.influences[i].name),
+                        explains_little(a.fits[main]) ? "Straight lines explain less than 10 % of it." : ""});
   }
   return all;
 }

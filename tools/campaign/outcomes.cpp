@@ -104,6 +104,21 @@ std::string how_bad(const WorstRun& one) {
   return all;
 }
 
+/// Where some run fails by it: when an end of control is early, and which outcomes come of it.
+std::string what_is_early(const Report& report) {
+  const bool is_there = std::ranges::any_of(report.analysis.failures, [](const Failure& failure) {
+    return failure.criterion->name == "tilt" || failure.criterion->name == "control_end";
+  });
+  return !is_there
+             ? ""
+             : std::string{report.roll_band.in_tunnel
+                               ? " Early: before the plan's control time was over."
+                               : " Early: more than 0.5 s before apogee, or at any time where the ascent failed or "
+                                 "apogee is not known."} +
+                   " After an early end a run is cut short if it then turned by at most 10 deg, else not held. A "
+                   "failed ascent, or a roll lost before, takes precedence.";
+}
+
 }  // namespace
 
 std::string five_digits(double value) { return text::brief(value, std::max(0, result::decimals_for(value, 5))); }
@@ -121,7 +136,7 @@ std::vector<result::Block> outcomes(const Report& report) {
   }
   std::vector<result::Block> blocks{result::table({}, all, outcome_fields), result::Data{"outcomes", counts}};
   if (!reasons.empty()) {
-    blocks.emplace_back("Criteria that runs fail. One run can fail several.");
+    blocks.emplace_back("Criteria that runs fail. One run can fail several." + what_is_early(report));
   }
   blocks.emplace_back(result::table("failures", reasons, reason_fields));
   return blocks;

@@ -79,8 +79,12 @@ struct Report {
 /// The share over the number of runs, with the bounds that hold at every look.
 [[nodiscard]] page::Chart convergence_chart(const Report& report);
 /// How many of the runs are in each of equally wide bins, of a column whose values are not all the same.
+/// A few values far from all others are left out, or every other run is in one bin.
 [[nodiscard]] page::Chart histogram(const Column& column);
+/// How many those are, a sentence; empty: none.
+[[nodiscard]] std::string runs_beyond_histogram(const Column& column);
 /// A bar for each quantity: by how much one of figure_columns moves with it, largest first, with the 95 % interval.
+/// In a narrow one each name stands above its bar.
 [[nodiscard]] std::string tornado_svg(const Report& report, std::size_t figure, double width);
 /// One of figure_columns over one of the quantities: runs that meet the question, runs that do not.
 [[nodiscard]] page::Chart scatter(const Report& report, std::size_t figure, const std::string& quantity);

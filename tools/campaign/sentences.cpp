@@ -35,9 +35,12 @@ std::string judged(const Report& report) {
   if (!a.judgement) {
     return {};
   }
-  const char* words = *a.judgement == Judgement::met       ? ": met. "
-                      : *a.judgement == Judgement::not_met ? ": not met. "
-                                                           : ", which is within the interval: not decided. ";
+  // The heading says it, unless it says that the flights are outside the model.
+  const bool is_said = runs_outside_the_model(report) == 0;
+  const char* words = *a.judgement == Judgement::undecided ? ", which is within the interval. "
+                      : is_said                            ? ". "
+                      : *a.judgement == Judgement::met     ? ": met. "
+                                                           : ": not met. ";
   return fmt::format("At least {} % is required{}", text::brief(100.0 * *a.required, 3), words);
 }
 
@@ -61,6 +64,23 @@ std::vector<flight::Extremes> extremes_of_all(const Report& report) {
 /// Empty where no run is.
 std::string outside_the_model(const Report& report) {
   return flight::outside_model(flight::which_are_beyond(extremes_of_all(report)));
+}
+
+/// Which quantity matters most for the figure of the criterion that most runs fail, or of the question: where that is
+/// known, a sentence with a space before it.
+std::string strongest_influence(const Analysis& a) {
+  const bool is_about_figure = a.question.relation != Relation::is;
+  if (a.decided_by.empty() || a.influences.empty() || (!is_about_figure && a.failures.empty())) {
+    return {};
+  }
+  const std::size_t figure = a.decided_by.front();
+  const std::optional<Estimate>& slope = a.influences.front().slopes[figure];
+  const bool decides = is_about_figure || a.failures.front().criterion->figure == figure;
+  if (!decides || !slope || slope->low * slope->high <= 0.0 || explains_little(a.fits[figure])) {
+    return {};
+  }
+  return fmt::format(" In a linear fit, \"{}\" has the strongest influence on the {}.",
+                     column_words(a.influences.front().name).words, column_words(figure_columns[figure]).words);
 }
 
 std::string interval_sentence(const Report& report) {
@@ -98,10 +118,9 @@ result::Answer answer_of(const Report& report) {
 std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
   return outside_the_model(report) + judged(report) +
-         fmt::format("{}: {} of {}, {} %; with 95 % probability the share is {} to {} %.{}", a.question.words(),
-                     a.share.count, runs(a.share.of), percent(100.0 * a.share.value),
-                     end_percent(a.share.low, std::floor, a.required), end_percent(a.share.high, std::ceil, a.required),
-                     reasons(a));
+         fmt::format("{}: {} of {}, {} %; 95 % confidence interval {} to {} %.{}{}", a.question.words(), a.share.count,
+                     runs(a.share.of), percent(100.0 * a.share.value), end_percent(a.share.low, std::floor, a.required),
+                     end_percent(a.share.high, std::ceil, a.required), reasons(a), strongest_influence(a));
 }
 
 std::string reasons(const Analysis& analysis) {
