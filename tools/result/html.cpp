@@ -81,7 +81,15 @@ page::Cell in_page(const Column& column, const Cell& cell) {
 /// A longer table is folded.
 constexpr std::size_t most_open_rows = 4;
 
-std::string html(const Table& table) {
+/// "loop margins" of a table with that key, else what its section is called.
+std::string name_of(const Table& table, const std::string& heading) {
+  std::string name = table.key.value_or("");
+  name = name.empty() ? heading : name;
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+std::string html(const Table& table, const std::string& heading_of_section = {}) {
   const std::vector<std::size_t> shown_columns = known_columns(table);
   std::vector<page::Column> columns;
   for (const std::size_t i : shown_columns) {
@@ -100,7 +108,8 @@ std::string html(const Table& table) {
   const std::string all = page::table(columns, rows);
   return rows.size() <= most_open_rows
              ? all
-             : page::on_demand(fmt::format("Table of {} rows: {} ...", rows.size(), columns.front().heading), all);
+             : page::on_demand(fmt::format("Table: {} ({} rows)", name_of(table, heading_of_section), rows.size()),
+                               all);
 }
 
 bool is_half_page(const Block& block) {
@@ -108,9 +117,13 @@ bool is_half_page(const Block& block) {
   return picture != nullptr && picture->chart.width <= page::half_page;
 }
 
-std::string body(const std::vector<Block>& blocks, const SharedX& room) {
+std::string body(const Section& section, const SharedX& room) {
+  const std::vector<Block>& blocks = section.blocks;
   std::string all;
-  const auto one = [&room](const Block& block) {
+  const auto one = [&](const Block& block) {
+    if (const auto* table = std::get_if<Table>(&block)) {
+      return html(*table, section.heading);
+    }
     const auto* picture = std::get_if<Picture>(&block);
     return picture != nullptr ? html(lined_up(*picture, room))
                               : std::visit([](const auto& it) { return html(it); }, block);
@@ -185,7 +198,7 @@ std::string html(const Document& document) {
   }
   const SharedX room = room_beside_frames(document.sections);
   for (const Section* section : picture_first(document.sections)) {
-    const std::string inside = body(section->blocks, room);
+    const std::string inside = body(*section, room);
     for (const Block& block : section->blocks) {
       if (const auto* live = std::get_if<Live>(&block)) {
         page.live = live->charts;
