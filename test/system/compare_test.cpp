@@ -69,6 +69,18 @@ TEST(Compare, PrintsMeanAndLargestDifferenceAndWritesAPageAndTheData) {
   EXPECT_NE(content(folder / "out/compare/compare.html").find("</html>"), std::string::npos);
 }
 
+TEST(Compare, RemarksThatALaunchAndATunnelRunBeginTheirClocksElsewhere) {
+  const Folder folder;
+  for (const auto& [scenario, out] : {std::pair{"tasha3_launch2", "launch"}, std::pair{"tunnel_steps", "steps"}}) {
+    ASSERT_EQ(fantail({"fly", scenario, "--out", out}, {.working_folder = folder.path()}).exit_code, 0);
+  }
+  const std::string both = fantail({"compare", "launch", "steps"}, {.working_folder = folder.path()}).out;
+  EXPECT_NE(both.find("steps is a tunnel run and launch is a launch"), std::string::npos) << both;
+  const std::string same =
+      fantail({"compare", "launch", "launch", "--b", "true"}, {.working_folder = folder.path()}).out;
+  EXPECT_EQ(same.find("tunnel run"), std::string::npos) << same;
+}
+
 TEST(Compare, FindsHowFarTwoClocksAreApart) {
   const Folder folder;
   folder.write("a.csv", swing({}));

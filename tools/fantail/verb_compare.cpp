@@ -16,6 +16,7 @@
 #include "fantail/run.hpp"
 #include "identify/choices.hpp"
 #include "logs/compare.hpp"
+#include "logs/flight_file.hpp"
 #include "logs/roll_log.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -70,6 +71,27 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional{text::radians(*degrees)} : std::nullopt;
 }
 
+/// Of what Fantail wrote, its flight log or folder; empty: it is another's, or its plan is not known.
+std::optional<core::Start> start_of(const LogChoice& choice) {
+  std::error_code ignored;
+  if (!logs::is_flight_log(choice.path) && !std::filesystem::is_directory(choice.path, ignored)) {
+    return {};
+  }
+  const std::optional<core::FlightPlan> plan = logs::flown_plan(choice.path, {});
+  return plan ? std::optional{plan->run.start} : std::nullopt;
+}
+
+void remark_on_kinds(CompareResults& results, const std::optional<core::Start>& a,
+                     const std::optional<core::Start>& b) {
+  if (a && b && *a != *b) {
+    const bool a_is_tunnel = *a == core::Start::tunnel;
+    results.warnings.push_back(
+        fmt::format("{} is a tunnel run and {} is a launch: the clock of the first is 0 at control start, that of the "
+                    "other at lift-off.",
+                    a_is_tunnel ? results.names.a : results.names.b, a_is_tunnel ? results.names.b : results.names.a));
+  }
+}
+
 void compare_logs(const CompareVerbOptions& options) {
   if (options.save_columns && options.a.columns.said.empty() && options.b.columns.said.empty()) {
     throw UsageError{"--save-columns: there is nothing to save without --a-columns or --b-columns"};
@@ -98,6 +120,7 @@ void compare_logs(const CompareVerbOptions& options) {
   a.name = results.names.a;
   b.name = results.names.b;
   results.comparison = logs::compare(a, b, question(options, a));
+  remark_on_kinds(results, start_of(options.a), start_of(options.b));
   results.take_warnings(a, b);
   give_up_if_interrupted();
   deliver(comparison(results, made), {.folder = options.out,
