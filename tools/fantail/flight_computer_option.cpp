@@ -38,8 +38,8 @@ std::unique_ptr<hil::Wire> wire(const FlightComputerOptions& options) {
 
 void add_flight_computer_options(const Verb& verb, FlightComputerOptions& options) {
   verb.option("--on", options.on,
-              "Where the avionics runs: host (in this program), emulator (the ARM image on an emulated Cortex-M4), "
-              "serial:DEVICE (a board on a serial line) [host]")
+              "host (in this program), emulator (the ARM image on an emulated Cortex-M4), serial:DEVICE (a board on a "
+              "serial line) [host]")
       .offers([](std::string_view /*begun*/) { return manual::Offer{.words = {"host", "emulator", "serial:"}}; })
       .check(objection_to_place)
       .value_name("PLACE");

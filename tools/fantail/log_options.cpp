@@ -49,15 +49,17 @@ void add_older_option(const Verb& verb, const std::string& dashes, ColumnOptions
 
 void add_columns_option(const Verb& verb, const std::string& dashes, ColumnOptions& columns) {
   verb.option(dashes + "columns", columns.said,
-              "Columns and units of another logger, as time=t:ms,roll_rate=p:rad/s,canard=-u:deg; rad alone: for every "
-              "angle and rate without a unit")
+              "Columns and units of another logger, for example time=t:ms,roll_rate=p:rad/s,canard=-u:deg; rad alone "
+              "applies "
+              "to every angle and rate without a unit")
       .value_name("QUANTITY=COLUMN:UNIT,...");
   add_older_option(verb, dashes, columns);
   verb.option(dashes + "units", columns.units, "").one_of({"deg", "rad"}).value_name("deg|rad").hidden();
 }
 
 void add_tunnel_columns_option(const Verb& verb, ColumnOptions& columns) {
-  verb.option("--columns", columns.said, "Columns and units of another logger, as time=t:ms,wind_speed=v:km/h,fan=n")
+  verb.option("--columns", columns.said,
+              "Columns and units of another logger, for example time=t:ms,wind_speed=v:km/h,fan=n")
       .value_name("QUANTITY=COLUMN:UNIT,...");
   add_older_option(verb, "--", columns);
 }

@@ -172,7 +172,7 @@ void fill_merge(const Verb& verb) {
   verb.option("SHARDS", options->shards, "The folders of all shards of one campaign, in any order")
       .offers(folders)
       .required();
-  verb.option("--out", options->out, "Folder for the whole campaign: the same bytes as if it was flown in one piece")
+  verb.option("--out", options->out, "Folder for the whole campaign: the same bytes as if flown in one piece")
       .offers(folders)
       .required();
   verb.examples(
@@ -188,7 +188,7 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<CampaignOptions>();
   add_scenario_options(verb, options->scenario);
   verb.option("--runs", options->runs, "Largest number of flights").range(1.0, 1e8).show_default().changes_result();
-  verb.option("--sampling", options->sampling, "Every run is drawn independently; there is no other choice")
+  verb.option("--sampling", options->sampling, "Every run is drawn independently; the only method")
       .check(campaign::objection_to_sampling)
       .value_name("independent");
   verb.section("Question and when to stop");
@@ -225,11 +225,12 @@ void fill(const Verb& verb) {
       "Exit code 0: flown, and the requirement is met; 1: it is not met, or not decided. A shard ends with 0 when it "
       "is flown.\n"
       "Examples:\n"
-      "  fantail campaign tasha3_launch2 --runs 10000        how often does it hold its roll, and what decides it?\n"
+      "  fantail campaign tasha3_launch2 --runs 10000        how often does it hold its roll, and which quantities "
+      "matter?\n"
       "  fantail campaign tasha3_launch2 --share 'apogee_m>=420' --at-least 20 --until-decided\n"
       "                                                      as many flights as it takes to say yes or no\n"
       "  fantail campaign my_rocket.toml --runs 100000 --shard 3/8 --out shard_3\n"
-      "                                                      one of eight machines' share of the work");
+      "                                                      part 3 of 8, for one of eight machines");
   fill_faults(
       verb.verb("faults", "Break every device in every phase of the flight, and check whether the rocket stays safe"));
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
