@@ -59,6 +59,15 @@ class ReportPage(unittest.TestCase):
     def tearDown(self):
         self.assertEqual(self.page.complaints(), [])
 
+    def test_the_cursor_shows_one_time_on_all_plots(self):
+        self.page.run("""const plot = document.querySelector('.u-over'), at = plot.getBoundingClientRect();
+for (const kind of ['mouseenter', 'mousemove'])
+  plot.dispatchEvent(new MouseEvent(kind, {clientX: at.left + 137, clientY: at.top + 20, bubbles: true}));""")
+        times = self.page.run("return [...document.querySelectorAll('.u-legend')].map((one) => one.querySelector('.u-value').textContent)")
+        self.assertGreaterEqual(len(times), 6)
+        self.assertRegex(times[0], r"^[0-9]+\.[0-9]{3} s$")
+        self.assertEqual(set(times), {times[0]})
+
     def test_the_first_plot_is_in_sight_before_anybody_scrolls(self):
         self.assertGreater(self.page.run("return document.querySelector('.uplot').getBoundingClientRect().bottom"), 300)
         self.assertLess(self.page.run("return document.querySelector('.u-wrap').getBoundingClientRect().bottom"), 900)
