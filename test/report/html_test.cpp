@@ -193,20 +193,6 @@ TEST(Html, WritesNegativeNumbersInSentencesWithTheMinusOfItsFigures) {
   EXPECT_NE(text.find(" 3.0 deg less than the fins need"), std::string::npos);
 }
 
-TEST(Html, ARocketThatRollsFreelyHasNoFiguresOfControl) {
-  SyntheticFlight synthetic;
-  const std::array of_control{"time under control", "net roll under control", "mean distance from the command",
-                              "canards at their limit"};
-  for (const char* figure : of_control) {
-    EXPECT_NE(without_scripts(page_of(synthetic.flight)).find(figure), std::string::npos) << figure;
-  }
-  synthetic.flight.plan.controller.proportional_gain = 0.0F;
-  synthetic.flight.plan.controller.derivative_gain_s = 0.0F;
-  for (const char* figure : of_control) {
-    EXPECT_EQ(without_scripts(page_of(synthetic.flight)).find(figure), std::string::npos) << figure;
-  }
-}
-
 TEST(Html, APathInAPlaneIsShownWithoutDirections) {
   SyntheticFlight synthetic;
   synthetic.flight.path_frame = flight::PathFrame::plane;

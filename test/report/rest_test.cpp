@@ -64,6 +64,24 @@ TEST(Rest, ARollThatRestsFarFromItsCommandIsSteadyAndNotHeld) {
   EXPECT_NEAR(summary["rest_limit_deg"].number(), 10.0, 1e-9);
 }
 
+TEST(Rest, ARocketThatRollsFreelyHasNoFiguresOfControl) {
+  SyntheticFlight synthetic;
+  const auto shows = [&synthetic](const char* figure) {
+    const Figures f = figures(synthetic.flight);
+    return result::text(summary(synthetic.flight, f, verdict(synthetic.flight, f))).find(figure) != std::string::npos;
+  };
+  const std::array of_control{"time under control", "net roll under control", "mean distance from the command",
+                              "canards at their limit"};
+  for (const char* figure : of_control) {
+    EXPECT_TRUE(shows(figure)) << figure;
+  }
+  synthetic.flight.plan.controller.proportional_gain = 0.0F;
+  synthetic.flight.plan.controller.derivative_gain_s = 0.0F;
+  for (const char* figure : of_control) {
+    EXPECT_FALSE(shows(figure)) << figure;
+  }
+}
+
 TEST(Rest, WhoeverAsksForLessGetsIt) {
   SyntheticFlight synthetic = far_away();
   synthetic.flight.rest_limit_rad = text::radians(71.0);
