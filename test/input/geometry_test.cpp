@@ -105,6 +105,11 @@ TEST(Geometry, OfPartsOutsideTheRocketIsRefused) {
   EXPECT_EQ(long_tube.substr(long_tube.find("masses.")),
             "masses.positions_m = 0.87 for \"body tube\", 1.4 m long, reaches out of the rocket; "
             "allowed: a position that keeps it within 0 and shape.length_m = 1.51");
+  const std::string long_propellant = refusal({"masses.propellant_length_m=0.5"});
+  EXPECT_NE(long_propellant.find("for the propellant, 0.5 m long, reaches out of the rocket; allowed: a position that "
+                                 "keeps it within 0 and shape.length_m = 1.51"),
+            std::string::npos)
+      << long_propellant;
   EXPECT_EQ(refusal({"shape.diameter_m=1.6"}),
             "--set shape.diameter_m=1.6: shape.diameter_m = 1.6; allowed: less than length_m = 1.51");
 }

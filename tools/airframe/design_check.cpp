@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -105,23 +104,6 @@ std::string list(const std::vector<std::string>& all) {
   return shown < all.size() ? out + fmt::format("; and {} more", all.size() - shown) : out;
 }
 
-/// Two reasons stand behind one word.
-void doubt(Summary& summary, const std::string& why) {
-  const std::size_t behind_word = summary.sentence.find(": ") + 2;
-  if (summary.sentence.substr(0, behind_word).find("oubtful: ") != std::string::npos) {
-    char& next = summary.sentence[behind_word];
-    next = static_cast<char>(std::toupper(static_cast<unsigned char>(next)));
-    summary.sentence.insert(behind_word, why + " ");
-    return;
-  }
-  const bool is_unstable = summary.stability == Stability::unstable;
-  summary.sentence = fmt::format("{}: {} Weigh and balance the rocket, or correct the file. As it stands: {}",
-                                 is_unstable ? "Unstable, and doubtful" : "Doubtful", why, summary.sentence);
-  if (!is_unstable) {
-    summary.stability = Stability::doubtful;
-  }
-}
-
 /// Behind the word that is the verdict, so that nobody reads it alone.
 void say_not_compared(Summary& summary, const Design& design, const std::string& missing) {
   const std::size_t colon = summary.sentence.find(": ");
@@ -132,32 +114,6 @@ void say_not_compared(Summary& summary, const Design& design, const std::string&
 }
 
 }  // namespace
-
-std::string parts_off_mass(const model::BuildUp& computed, const sim::Vehicle& vehicle) {
-  const double empty_kg = vehicle.mass_kg - vehicle.motor.propellant_kg();
-  if (!computed.after_burnout || std::abs(computed.after_burnout->mass_kg - empty_kg) <= mass_tolerance * empty_kg) {
-    return {};
-  }
-  const double parts_kg = computed.after_burnout->mass_kg;
-  return fmt::format(
-      "the parts in [masses] weigh {} kg, but body.mass_kg less the motor's propellant is {} kg, {} % {}",
-      fixed(parts_kg, 3), fixed(empty_kg, 3), fixed(100.0 * std::abs(empty_kg - parts_kg) / parts_kg, 0),
-      empty_kg > parts_kg ? "more" : "less");
-}
-
-void doubt_balance(Summary& summary, const sim::Vehicle& vehicle) {
-  std::vector<std::string> doubts;
-  if (const std::string off = parts_off_mass(summary.build_up, vehicle); !off.empty()) {
-    doubts.push_back(off);
-  }
-  if (!summary.centre_of_gravity_m && summary.stability != Stability::unknown) {
-    doubts.emplace_back("the centre of gravity at lift-off, where the margin is usually least, is unknown");
-  }
-  for (const std::string& why : doubts) {
-    summary.doubts.push_back(why);
-    doubt(summary, why + ".");
-  }
-}
 
 void compare_with_design(Summary& summary, const sim::Vehicle& vehicle) {
   const auto& found = vehicle.geometry->design;

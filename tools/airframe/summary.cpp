@@ -191,22 +191,6 @@ void judge_by_file(Summary& summary, const sim::Vehicle& vehicle) {
       fixed((shape.high - gravity_m) / calibre_m, 2));
 }
 
-/// One rocket has one diameter and one length.
-void compare_sizes(Summary& summary, const sim::Vehicle& vehicle) {
-  constexpr double a_millimetre_m = 0.001;
-  if (!vehicle.airframe) {
-    return;
-  }
-  const auto add = [&](const char* what, double shape_m, double airframe_m) {
-    if (std::abs(shape_m - airframe_m) > a_millimetre_m) {
-      summary.remarks.push_back(fmt::format("The {} is {} m in [shape] and {} m in [airframe]: one of them is wrong.",
-                                            what, text::brief(shape_m, 4), text::brief(airframe_m, 4)));
-    }
-  };
-  add("diameter", vehicle.geometry->diameter_m, vehicle.airframe->diameter_m);
-  add("length", vehicle.geometry->length_m, vehicle.airframe->length_m);
-}
-
 /// Numbers of the file that lie outside of their computed ranges. A margin follows from its centres.
 void compare(Summary& summary) {
   std::string outside;
@@ -243,10 +227,9 @@ Summary summarize(const sim::Vehicle& vehicle) {
   judge(summary, vehicle);
   judge_by_file(summary, vehicle);
   compare_with_design(summary, vehicle);
-  doubt_balance(summary, vehicle);
+  doubt_own_numbers(summary, vehicle);
   add_roll(summary, vehicle);
   compare(summary);
-  compare_sizes(summary, vehicle);
   if (!vehicle.geometry->fins) {
     summary.remarks.emplace_back("The file has no section [fins].");
   }

@@ -51,9 +51,13 @@ struct Summary {
 /// design, or that there was nothing to compare with. Another vehicle's summary stays as it is.
 void compare_with_design(Summary& summary, const sim::Vehicle& vehicle);
 
-/// Holds its mass against the sum of its parts, and looks for its balance at lift-off. The sentence of a summary that
-/// has been judged then says where the masses differ by more than 2 %, and whether that balance is unknown.
-void doubt_balance(Summary& summary, const sim::Vehicle& vehicle);
+/// Holds what the file says twice against each other: sizes in [shape] and [airframe]; mass, balance and inertias by
+/// the parts and in [body] and [airframe]. Looks for its balance at lift-off, too. The sentence of a summary that has
+/// been judged then says what differs by more than its tolerance, and whether that balance is unknown.
+void doubt_own_numbers(Summary& summary, const sim::Vehicle& vehicle);
+
+/// Puts a reason, a sentence, in front of the verdict, which is doubtful from then on.
+void doubt(Summary& summary, const std::string& why);
 
 /// "the parts in [masses] weigh 3.764 kg, but ..."; empty: they weigh what the vehicle does, or are not known.
 [[nodiscard]] std::string parts_off_mass(const model::BuildUp& computed, const sim::Vehicle& vehicle);

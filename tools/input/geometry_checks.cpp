@@ -112,6 +112,17 @@ void check_radius(const Section& section, const sim::Geometry& shape, const sim:
   }
 }
 
+void check_place(const Section& section, const char* key, const std::string& what, const sim::Geometry::Mass& mass,
+                 const sim::Geometry& shape) {
+  if (mass.position_m - 0.5 * mass.length_m < -a_millimetre_m ||
+      mass.position_m + 0.5 * mass.length_m > shape.length_m + a_millimetre_m) {
+    section.refuse(key, fmt::format("= {} for {}, {} m long, reaches out of the rocket; allowed: a position that keeps "
+                                    "it within 0 and shape.length_m = {}",
+                                    plain_number(mass.position_m), what, plain_number(mass.length_m),
+                                    plain_number(shape.length_m)));
+  }
+}
+
 void check_propellant(Section& section, const sim::Geometry& shape) {
   const sim::Geometry::Mass& propellant = *shape.propellant;
   for (const char* key : {"propellant_position_m", "propellant_length_m", "propellant_radius_of_gyration_m"}) {
@@ -119,9 +130,7 @@ void check_propellant(Section& section, const sim::Geometry& shape) {
       section.refuse(key, "is missing; the propellant needs position, length and radius of gyration");
     }
   }
-  if (propellant.position_m > shape.length_m) {
-    section.refuse("propellant_position_m", at_most(propellant.position_m, "shape.length_m", shape.length_m));
-  }
+  check_place(section, "propellant_position_m", "the propellant", propellant, shape);
   const double body_m = largest_radius_m(shape, propellant.position_m - 0.5 * propellant.length_m,
                                          propellant.position_m + 0.5 * propellant.length_m);
   if (propellant.radius_of_gyration_m > body_m + a_millimetre_m) {
@@ -149,13 +158,7 @@ void check_masses(const Document& document, const sim::Geometry& shape) {
     }
   }
   for (const sim::Geometry::Mass& mass : shape.masses) {
-    if (mass.position_m - 0.5 * mass.length_m < -a_millimetre_m ||
-        mass.position_m + 0.5 * mass.length_m > shape.length_m + a_millimetre_m) {
-      section.refuse("positions_m", fmt::format("= {} for \"{}\", {} m long, reaches out of the rocket; allowed: a "
-                                                "position that keeps it within 0 and shape.length_m = {}",
-                                                plain_number(mass.position_m), mass.name, plain_number(mass.length_m),
-                                                plain_number(shape.length_m)));
-    }
+    check_place(section, "positions_m", '"' + mass.name + '"', mass, shape);
     check_radius(section, shape, mass);
   }
   if (shape.propellant) {
