@@ -54,6 +54,38 @@ TEST(ControlEnd, CanardsReturnToTrimOnlyWhereTheyHaveLeftIt) {
   EXPECT_FALSE(says_so(unseen.flight));
 }
 
+// It left the guide at 0.5 s of 1.5; of a plan that no condition of is known to be unmet, none is named.
+TEST(ControlEnd, WhatOfThePlanAFastRocketDidNotReachIsNamed) {
+  using core::PhaseReason;
+  SyntheticFlight fast;
+  fast.flight.plan.guide = {
+      .length_m = 4.0F, .clearance_m = 2.0F, .minimum_speed_m_s = 40.0F, .clearance_time = core::from_seconds(1.5F)};
+  fast.never_controlled(1.7, core::Phase::armed, PhaseReason::guide_not_cleared_in_time);
+  for (flight::Row& row : fast.flight.rows) {
+    row.height_m = row.time_s <= 1.7 ? 30.0 : 90.0;
+    row.speed_m_s = row.time_s <= 1.7 ? 33.0 : 70.0;
+  }
+  fast.flight.events.guide_clear_s = 0.5;
+  const Verdict slow = verdict_of(fast.flight);
+  EXPECT_TRUE(says(slow, "guide.minimum_speed_m_s")) << slow.text;
+  EXPECT_EQ(numbers(slow), (Numbers{"1.5", "1.70", "33.0", "40"})) << slow.text;
+  flight::Flight logged = fast.flight;
+  logged.events.guide_clear_s.reset();
+  EXPECT_EQ(verdict_of(logged).text, slow.text) << "a log does not know when it left the guide";
+
+  fast.flight.plan.guide.minimum_speed_m_s = 17.0F;
+  const Verdict shaken = verdict_of(fast.flight);
+  EXPECT_TRUE(says(shaken, "at once")) << shaken.text;
+  EXPECT_EQ(numbers(shaken), (Numbers{"1.5", "1.70"})) << shaken.text;
+
+  fast.flight.plan.guide.length_m = 100.0F;
+  const Verdict near = verdict_of(fast.flight);
+  EXPECT_TRUE(says(near, "guide.length_m")) << near.text;
+  EXPECT_EQ(numbers(near), (Numbers{"1.5", "1.70", "30.0", "102"})) << near.text;
+  fast.flight.events.guide_clear_s.reset();
+  EXPECT_TRUE(says(verdict_of(fast.flight), "did not clear the guide")) << verdict_of(fast.flight).text;
+}
+
 // A first, weak push uses up the detection; until the rocket has rested the real one is not looked for.
 TEST(ControlEnd, OfALaunchThatWasNotDetectedTheFirstCauseIsNamed) {
   using core::Phase;

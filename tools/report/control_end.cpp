@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include <fmt/core.h>
@@ -30,6 +33,53 @@ std::string no_control_in_rows(const flight::Flight& flight) {
 
 std::string at(const flight::PhaseChange& change) { return text::fixed(change.time_s, 2) + " s"; }
 
+/// The largest that the avionics had between launch detection and this change; not a number where a row lacks it.
+double largest(const flight::Flight& flight, const flight::PhaseChange& until, double flight::Row::* member) {
+  double from_s = flight.rows.empty() ? 0.0 : flight.rows.front().time_s;
+  for (const flight::PhaseChange& change : flight.phase_changes) {
+    from_s = change.phase == core::Phase::launched && change.time_s < until.time_s ? change.time_s : from_s;
+  }
+  double found = std::numeric_limits<double>::quiet_NaN();
+  for (const flight::Row& row : flight.rows) {
+    if (row.time_s < from_s || row.time_s > until.time_s) {
+      continue;
+    }
+    if (!std::isfinite(row.*member)) {
+      return row.*member;
+    }
+    found = std::fmax(found, row.*member);
+  }
+  return found;
+}
+
+/// Control needs a distance, a speed and accelerometers that agree. Which of them was missing is said where it is
+/// known.
+std::string why_guide_not_cleared(const flight::Flight& flight, const flight::PhaseChange& change) {
+  constexpr double steepest_guide = std::numbers::sqrt2;  // its length over its height: the avionics arm up to 45 deg
+  const core::GuidePlan& guide = flight.plan.guide;
+  const std::string within = fmt::format(
+      "within {} s (at {})", text::brief(static_cast<double>(core::seconds(guide.clearance_time)), 2), at(change));
+  const auto needed_m = static_cast<double>(guide.length_m + guide.clearance_m);
+  const auto needed_m_s = static_cast<double>(guide.minimum_speed_m_s);
+  const double height_m = largest(flight, change, &flight::Row::height_m);
+  const double speed_m_s = largest(flight, change, &flight::Row::speed_m_s);
+  const bool has_left = flight.events.guide_clear_s && *flight.events.guide_clear_s < change.time_s;
+  if (flight.known.plan && steepest_guide * height_m < needed_m) {
+    return has_left ? fmt::format(
+                          "launch was detected, but {} the measured height, at most {} m, did not reach the "
+                          "plan's guide.length_m and guide.clearance_m, together {} m",
+                          within, text::fixed(height_m, 1), text::brief(needed_m, 2))
+                    : "launch was detected, but the rocket did not clear the guide " + within;
+  }
+  if (flight.known.plan && speed_m_s <= needed_m_s) {
+    return fmt::format(
+        "launch was detected, but {} the measured speed, at most {} m/s, did not exceed the plan's "
+        "guide.minimum_speed_m_s of {}",
+        within, text::fixed(speed_m_s, 1), text::brief(needed_m_s, 2));
+  }
+  return "launch was detected, but the conditions for control were not all met at once " + within;
+}
+
 /// Of a flight that came no farther than this change.
 std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange& change) {
   const std::string when = at(change);
@@ -47,9 +97,7 @@ std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange
                  : "no launch was detected: the rocket had moved and had to rest first, from " + when + " on";
     case core::PhaseReason::launch_detected:
       return "the run ended before the rocket cleared the guide; launch was detected at " + when;
-    case core::PhaseReason::guide_not_cleared_in_time:
-      return fmt::format("launch was detected, but the rocket did not clear the guide within {} s (at {})",
-                         text::brief(static_cast<double>(core::seconds(flight.plan.guide.clearance_time)), 2), when);
+    case core::PhaseReason::guide_not_cleared_in_time: return why_guide_not_cleared(flight, change);
     default: return fmt::format("{} (at {})", flight::display_name(*change.reason), when);
   }
 }
