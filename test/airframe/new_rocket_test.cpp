@@ -232,7 +232,10 @@ TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
   const double twice_the_limit_rad = 20.0 * sim::radians_per_degree * found->gains.proportional;
   const auto observing = first_gains(vehicle, computed, plan, -twice_the_limit_rad);
   ASSERT_TRUE(observing && observing->observer_bandwidth_rad_s);
-  EXPECT_EQ(figures(sentence(*observing)).back(), "20") << sentence(*observing);
+  EXPECT_EQ(figures(sentence(*observing)).back(),
+            text::fixed(twice_the_limit_rad / observing->gains.proportional / sim::radians_per_degree, 0))
+      << sentence(*observing);
+  EXPECT_LT(observing->gains.proportional, found->gains.proportional);
 
   model::BuildUp sail = computed;
   sail.roll_torque_m3 = model::Estimate{.value = 1.0, .low = 0.0, .high = 2.0};

@@ -109,10 +109,14 @@ core::RollModelPlan roll_model(const sim::Vehicle& vehicle, const model::BuildUp
           .density_kg_m3 = static_cast<float>(sim::Scenario{}.atmosphere.density_kg_m3(0.0))};
 }
 
+double rest_rad(double fin_offset_rad, const stability::Gains& gains) {
+  return std::abs(fin_offset_rad) / gains.proportional;
+}
+
 /// The fastest observer with which any gains have the margin. Unlike integral action it needs no schedule: its model
 /// says how much stronger the canards are in faster air.
 void add_observer(FirstGains& first, const sim::Vehicle& vehicle, const model::BuildUp& computed, core::FlightPlan plan,
-                  const Speeds& range) {
+                  const Speeds& range, double fin_offset_rad) {
   plan.offset.rejection = core::OffsetRejection::observer;
   plan.roll_model = roll_model(vehicle, computed);
   for (const double bandwidth_rad_s : observer_bandwidths_rad_s) {
@@ -121,6 +125,7 @@ void add_observer(FirstGains& first, const sim::Vehicle& vehicle, const model::B
                                                 stability::largest_gains(), {.phase_margin_rad = phase_margin_rad});
     if (found) {
       first.gains = *found;
+      first.rest_rad = rest_rad(fin_offset_rad, *found);
       first.observer_bandwidth_rad_s = bandwidth_rad_s;
       first.roll_model = plan.roll_model;
       return;
@@ -149,10 +154,10 @@ std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::
                    .lowest_speed_m_s = range->lowest_m_s,
                    .highest_speed_m_s = range->highest_m_s,
                    .servo_lag_s = vehicle.servo.lag_s};
-  first.rest_rad = std::abs(fin_offset_rad) / first.gains.proportional;
+  first.rest_rad = rest_rad(fin_offset_rad, first.gains);
   const auto reach_rad = static_cast<double>(plan.controller.canard_limit.radians());
   if (found && first.rest_rad > rest_limit_rad && std::abs(fin_offset_rad) < reach_rad) {
-    add_observer(first, vehicle, computed, plan, *range);
+    add_observer(first, vehicle, computed, plan, *range, fin_offset_rad);
   }
   return first;
 }
@@ -175,11 +180,12 @@ std::string sentence(const FirstGains& first) {
                   first.observer_bandwidth_rad_s
                       ? fmt::format(", with an observer of {} rad/s", brief(*first.observer_bandwidth_rad_s, 4))
                       : "");
-  const std::string why_observer =
-      first.observer_bandwidth_rad_s
-          ? fmt::format(" Without the observer the fin offset would keep the roll {} deg from its reference.",
-                        text::fixed(text::degrees(first.rest_rad), 0))
-          : "";
+  const std::string why_observer = first.observer_bandwidth_rad_s
+                                       ? fmt::format(
+                                             " Without the observer the fin offset would, with these gains, keep the "
+                                             "roll {} deg from its reference.",
+                                             text::fixed(text::degrees(first.rest_rad), 0))
+                                       : "";
   const std::string where =
       fmt::format("from {} to {} m/s, with damping and torque anywhere within a factor of two and a servo lag of {} ms",
                   text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0),

@@ -19,7 +19,7 @@ struct FirstGains {
   /// Where the roll would rest too far from its reference without: as fast as leaves the phase margin.
   std::optional<double> observer_bandwidth_rad_s{};
   core::RollModelPlan roll_model{};  ///< of the observer
-  double rest_rad = 0.0;             ///< how far from its reference the fin offset keeps the roll without it
+  double rest_rad = 0.0;             ///< how far these gains alone let the fin offset keep the roll from its reference
   /// With them the loop has a phase margin of 30 degrees at every speed of a straight ascent, with damping and torque
   /// anywhere in their ranges. If not, no gains that a plan may have do, and these are those of the plan.
   bool reach_phase_margin = false;
