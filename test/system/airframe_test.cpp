@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 
+#include <array>
+#include <future>
+
 #include "json/value.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
@@ -93,6 +96,26 @@ TEST(NewRocket, WeighsAsMuchMoreAsItsNewMotorsPropellant) {
   EXPECT_NE(content(folder.path() / "mine/vehicle.toml").find("\nmass_kg = 4.09\n"), std::string::npos);
   EXPECT_NE(made.out.find("with this motor's propellant instead of its own"), std::string::npos) << made.out;
   EXPECT_EQ(made.out.find("parts are missing"), std::string::npos) << made.out;
+}
+
+// Whoever came second once replaced the rocket of the first, and both were told of theirs.
+TEST(NewRocket, OfOneNameIsMadeOnceByTwoAtOnce) {
+  const Folder folder;
+  const auto make = [&folder](const char* source) {
+    return std::async(std::launch::async, [&folder, source] {
+      return fantail({"new", "mine", "--from", source}, {.working_folder = folder.path()});
+    });
+  };
+  std::array both{make("tasha3_launch2"), make("smokey")};
+  const std::array ended{both[0].get(), both[1].get()};
+  const bool first_has_it = ended[0].exit_code == 0;
+  const Outcome& refused = ended.at(first_has_it ? 1 : 0);
+  EXPECT_EQ(ended.at(first_has_it ? 0 : 1).exit_code, 0);
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_NE(refused.err.find("mine already exists"), std::string::npos) << refused.err;
+  EXPECT_NE(
+      content(folder.path() / "mine/vehicle.toml").find(first_has_it ? "from tasha3_launch2.toml" : "from smokey.toml"),
+      std::string::npos);
 }
 
 TEST(NewRocket, NeverTouchesWhatIsThere) {

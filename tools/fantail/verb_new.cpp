@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -131,13 +132,35 @@ airframe::NewRocket from_design(const NewOptions& options) {
   return rocket;
 }
 
+[[noreturn]] void refuse_name(const std::string& name) {
+  throw UsageError{name + " already exists or is not a folder name, and nothing is replaced: use another name"};
+}
+
+/// Of several that make the same name at once, one gets the folder.
+void take(const std::filesystem::path& folder) {
+  std::error_code failed;
+  if (folder.has_parent_path()) {
+    std::filesystem::create_directories(folder.parent_path(), failed);
+  }
+  if (!failed && !std::filesystem::create_directory(folder, failed) && !failed) {
+    refuse_name(folder.string());
+  }
+  if (failed) {
+    throw text::OutputError{fmt::format("{}: {}", folder.string(), failed.message())};
+  }
+}
+
 /// A folder that is only there if all of it can be flown. What the vehicle is refused for lies in what it was made
 /// from: parts that do not weigh what the rocket does come first, because the balance follows from them.
 sim::Scenario write(const std::filesystem::path& folder, const std::vector<text::NamedFile>& files,
                     const airframe::NewRocket& rocket, const std::string& source) {
-  text::OutputFolder{folder}.write(files);
+  take(folder);
   try {
+    text::OutputFolder{folder}.write(files);
     return input::load_scenario((folder / "scenario.toml").string(), {});
+  } catch (const text::OutputError&) {
+    std::filesystem::remove_all(folder);
+    throw;
   } catch (const text::Error& error) {
     std::filesystem::remove_all(folder);
     std::string complaint = error.what();
@@ -162,8 +185,7 @@ std::string first_flight(const sim::Scenario& scenario) {
 void make(const NewOptions& options) {
   const std::filesystem::path folder{options.name};
   if (folder.filename().empty() || std::filesystem::exists(folder)) {
-    throw UsageError{options.name +
-                     " already exists or is not a folder name, and nothing is replaced: use another name"};
+    refuse_name(options.name);
   }
   const bool is_design = std::filesystem::path{options.from}.extension() == ".ork";
   airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options);
