@@ -96,6 +96,20 @@ TEST(Report, OfAFolderOfFlySaysWhatWasChangedOnTheCommandLine) {
   }
 }
 
+// A file system takes names of 255 bytes.
+TEST(Report, OfTwoFlightsWithLongNamesHasAFolderWithAShorterOne) {
+  const Folder folder;
+  const std::string a(200, 'a');
+  const std::string b(200, 'b');
+  folder.write(a + ".csv", line(1.0, 20.0));
+  folder.write(b + ".csv", line(0.0, 19.0));
+  folder.write(b + "b.csv", line(0.0, 18.0));
+  EXPECT_EQ(run_in(folder, {"report", a + ".csv", b + ".csv"}).exit_code, 0);
+  EXPECT_EQ(run_in(folder, {"report", a + ".csv", b + "b.csv"}).exit_code, 0);
+  const std::filesystem::directory_iterator pages{folder.path() / "out/report"};
+  EXPECT_EQ(std::distance(begin(pages), end(pages)), 2) << "one of each pair";
+}
+
 TEST(Report, OfTwoFlightsHasTheDifferencesOfCompare) {
   const Folder folder;
   folder.write("a.csv", line(1.0, 20.0));

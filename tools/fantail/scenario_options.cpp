@@ -27,6 +27,8 @@ std::string objection_to_seed(const std::string& text) {
 }
 
 // Of what a change may contain: neither a folder nor what a shell or another operating system takes for its own.
+constexpr std::size_t longest_name = 100;  // a file system takes 255 bytes, and a person reads less
+
 bool is_unsafe(char c) {
   const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   return !is_plain && std::string_view{"._-+="}.find(c) == std::string_view::npos;
@@ -79,18 +81,21 @@ std::vector<std::string> changes_of(const ScenarioOptions& options) {
 
 std::string command_of(const ScenarioOptions& options) { return options.verb->asked().command; }
 
+std::string short_name(const std::string& name) {
+  return name.size() <= longest_name ? name : name.substr(0, longest_name) + fmt::format("+{:08x}", hash(name));
+}
+
 std::string variant_name(std::string_view scenario, std::span<const std::string> changes) {
-  constexpr std::size_t longest = 100;  // a file system takes 255 bytes, and a person reads less
   std::string name{scenario};
   for (const std::string& change : changes) {
     name += '+' + change;
   }
   std::string safe = name;
   std::ranges::replace_if(safe.begin() + static_cast<std::ptrdiff_t>(scenario.size()), safe.end(), is_unsafe, '_');
-  if (safe == name && safe.size() <= longest) {
+  if (safe == name && safe.size() <= longest_name) {
     return name;
   }
-  return safe.substr(0, std::max(longest, scenario.size())) + fmt::format("+{:08x}", hash(name));
+  return safe.substr(0, std::max(longest_name, scenario.size())) + fmt::format("+{:08x}", hash(name));
 }
 
 std::filesystem::path results_folder(const std::string& out, std::string_view verb, std::string_view scenario,

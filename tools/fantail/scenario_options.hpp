@@ -35,6 +35,9 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options);
 /// replaced for that, or the name to be cut, it ends with a hash of all changes.
 [[nodiscard]] std::string variant_name(std::string_view scenario, std::span<const std::string> changes);
 
+/// A name that can be that of a file: where it had to be cut, it ends with a hash of all of it.
+[[nodiscard]] std::string short_name(const std::string& name);
+
 /// `out`, where it is given, else that name in a folder of the verb's results: out/predict/NAME.
 [[nodiscard]] std::filesystem::path results_folder(const std::string& out, std::string_view verb,
                                                    std::string_view scenario, std::span<const std::string> changes);

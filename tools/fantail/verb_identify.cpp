@@ -15,6 +15,7 @@
 #include "fantail/log_options.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
 #include "identify/choices.hpp"
 #include "identify/identification.hpp"
 #include "identify/joint_fit.hpp"
@@ -44,12 +45,11 @@ std::filesystem::path output_folder(const IdentifyOptions& o) {
   if (!o.out.empty()) {
     return o.out;
   }
-  constexpr std::size_t longest = 100;  // a file system takes 255 bytes, and a person reads less
   std::string name;
   for (const std::string& data : o.data) {
     name += fmt::format("{}{}", name.empty() ? "" : "+", name_of_log(data));
   }
-  return std::filesystem::path{"out"} / (o.validate ? "validate" : "identify") / name.substr(0, longest);
+  return std::filesystem::path{"out"} / (o.validate ? "validate" : "identify") / short_name(name);
 }
 
 identify::result::Study study_of(const IdentifyOptions& o, const std::string& data) {

@@ -13,6 +13,7 @@
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
 #include "logs/compare.hpp"
 #include "logs/flight_file.hpp"
@@ -78,9 +79,9 @@ void report_two(const ReportOptions& options) {
   results.comparison = logs::compare(a, b, question);
   results.take_warnings(a, b);
   give_up_if_interrupted();
-  const std::filesystem::path folder = options.out.empty()
-                                           ? default_folder(name_of_log(options.a) + "_and_" + name_of_log(options.b))
-                                           : std::filesystem::path{options.out};
+  const std::filesystem::path folder =
+      options.out.empty() ? default_folder(short_name(name_of_log(options.a) + "_and_" + name_of_log(options.b)))
+                          : std::filesystem::path{options.out};
   deliver(overlay(results, a, b, made), {.folder = folder,
                                          .name = "compare",
                                          .page = "report",
