@@ -104,6 +104,10 @@ TEST(Predict, ARunIsRepeatedByTheCommandThatThePageNames) {
   EXPECT_TRUE(std::filesystem::exists(found / "run_3/report.html"));
 }
 
+TEST(Predict, FliesNoRowThatItsRunsDoNotHave) {
+  Refusal({}, {"predict", "--runs", "80", "--run", "80"}, 64, {"--run 80", "--runs 80", "79"});
+}
+
 TEST(Predict, ResultsOfAChangedScenarioReplaceNoOthers) {
   const Folder folder;
   const auto predicted = [&folder](const Words& more) {

@@ -27,13 +27,14 @@ namespace fantail::tool {
 namespace {
 
 constexpr double most_runs = 100000;
+constexpr std::size_t usual_runs = 200;
 
 struct PredictOptions {
   ScenarioOptions scenario{.scenario = "tasha3_launch2", .seed = {}, .changes = {}};
   std::optional<std::string> tunnel;
   std::optional<double> swirl_deg;
   std::string damping_factor = "1:1";
-  std::size_t runs = 200;
+  std::optional<std::size_t> runs;
   unsigned threads = 0;
   std::optional<double> servo_lag_s;
   std::optional<double> servo_delay_s;
@@ -86,7 +87,7 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
 }
 
 predict::Options prediction_options(const PredictOptions& options) {
-  return {.runs = options.runs,
+  return {.runs = options.runs.value_or(usual_runs),
           .threads = options.threads,
           .damping = *parse_damping_factor(options.damping_factor),
           .other_vehicle = options.other_vehicle,
@@ -139,6 +140,10 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
 }
 
 void predict_launch(const PredictOptions& options) {
+  if (options.run && options.runs && *options.run >= *options.runs) {
+    throw UsageError{
+        fmt::format("--run {}: with --runs {} the last row is {}", *options.run, *options.runs, *options.runs - 1)};
+  }
   const sim::Scenario scenario = load(options.scenario);
   predict::require_launch(scenario);
   const predict::TunnelResult tunnel =
@@ -218,7 +223,7 @@ void fill(const Verb& verb) {
       .value_name("S")
       .changes_result();
   verb.section("Runs");
-  verb.option("--runs", options->runs, "How many airframes to fly").range(1.0, most_runs).show_default();
+  verb.option("--runs", options->runs, "How many airframes to fly [200]").range(1.0, most_runs);
   add_threads_option(verb, options->threads);
   verb.section("Requirements for a go");
   add_thresholds(verb, *options);
