@@ -70,6 +70,7 @@ TEST(CantChart, NeedsFinsAndCanardsInTheFileAndPutsTheOffsetOnItsLine) {
   p.flown = input::load_scenario("tasha3_launch2", {});
   p.offset_size_rad = {.p5 = radians(3.0), .p50 = radians(4.0), .p95 = radians(5.0)};
   p.reach.angle_rad = radians(9.0);
+  p.runs = {with_offset(4.0, 4.0)};
   const auto chart = cant_chart(p);
   ASSERT_TRUE(chart);
   const page::Series& line = chart->series.at(0);
@@ -78,6 +79,12 @@ TEST(CantChart, NeedsFinsAndCanardsInTheFileAndPutsTheOffsetOnItsLine) {
   EXPECT_NEAR(offset.y.at(1), 4.0, 1e-9);
   EXPECT_NEAR(offset.y.at(1) / offset.x.at(1), line.y.back() / line.x.back(), 1e-9);
   EXPECT_NEAR(chart->levels.at(0).value, 9.0, 1e-9);
+  // Canards of half the torque need twice the angle for the same cant.
+  const double by_whole_torque = line.y.back() / line.x.back();
+  p.runs.front().airframe.torque_m *= 0.5;
+  const auto weaker = cant_chart(p);
+  ASSERT_TRUE(weaker);
+  EXPECT_NEAR(weaker->series.at(0).y.back() / weaker->series.at(0).x.back(), 2.0 * by_whole_torque, 1e-9);
   p.flown.vehicle.geometry.reset();
   EXPECT_FALSE(cant_chart(p));
 }

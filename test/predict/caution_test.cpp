@@ -137,6 +137,47 @@ TEST(Caution, AGoNearTheTiltLimitNamesTheTilt) {
   EXPECT_EQ(tilt_caution(p), "") << "such a run is named as one that ends early";
 }
 
+// 73 of 73 is the least that can promise 95 %: 73 / (73 + 1.96^2) = 0.950.
+TEST(Caution, RunsThatAreTooFewToTellAreNoGo) {
+  Prediction p = all_held();
+  p.authority = share(72, 72);
+  const Decision d = decide(p, {});
+  EXPECT_FALSE(d.go);
+  EXPECT_EQ(figures(d.text), (Numbers{"4.1", "9", "72", "95"}));
+  EXPECT_NE(d.text.find("--runs"), std::string::npos) << d.text;
+  EXPECT_EQ(judgement_of(d, "authority"), Judgement::not_judged) << "all of them, which is not a no";
+  EXPECT_NE(d.criteria[0].found.find("too few runs"), std::string::npos);
+  p.authority = share(68, 72);
+  EXPECT_EQ(judgement_of(decide(p, {}), "authority"), Judgement::not_met) << "94.4 %";
+  p.authority = share(72, 72);
+  p.held = share(100, 200);
+  const std::string text = decide(p, {}).text;
+  EXPECT_LT(text.find("only 50 %"), text.find("too few")) << "what is wrong comes first: " << text;
+  p.held = share(200, 200);
+  p.authority = share(73, 73);
+  EXPECT_TRUE(decide(p, {}).go);
+}
+
+// Every run in the same wind of 3 m/s was a go that did not name it; in 4 m/s give or take 1.5 it was a no go.
+TEST(Caution, AGoInAWindThatDoesNotVaryNamesItAndWhatVariesIt) {
+  Prediction p = all_held();
+  p.flown.wind.speed_m_s = 3.0;
+  EXPECT_EQ(decide(p, {}).heading(), "Go") << "along a straight line no wind is simulated";
+  p.flown.motion = sim::FlightMotion::six_dof;
+  const Decision d = decide(p, {});
+  EXPECT_EQ(d.heading(), "Go with caution");
+  ASSERT_EQ(d.cautions.size(), 1U);
+  EXPECT_EQ(figures(d.cautions[0]), Numbers{"3"});
+  EXPECT_NE(d.cautions[0].find("--set wind.speed_spread_m_s="), std::string::npos) << d.cautions[0];
+  p.flown.wind_spread.direction_rad = 1.0;
+  EXPECT_EQ(decide(p, {}).cautions.size(), 1U) << "its speed is still the same in all runs";
+  p.flown.wind_spread = {.speed_m_s = 1.5};
+  EXPECT_EQ(decide(p, {}).heading(), "Go");
+  p.flown.wind_spread = {};
+  p.flown.wind.speed_m_s = 0.0;
+  EXPECT_EQ(decide(p, {}).heading(), "Go");
+}
+
 TEST(Caution, AGoOfARocketWithoutAirframeSaysWhatIsUnknown) {
   Prediction p = all_held();
   p.flown.vehicle.airframe.reset();

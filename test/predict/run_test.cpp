@@ -168,6 +168,19 @@ TEST(RunNotes, SaysInHowManyRunsAndWhoseTheFiguresAre) {
   EXPECT_TRUE(in_one[0].ends_with(": Weak.")) << in_one[0];
 }
 
+// Two of the six paragraphs beside a verdict said nothing that follows, and two said the same.
+TEST(RunNotes, OfTheAngleOfAttackAreOneHoweverItIsLargestAndNoRemarkWithoutAConsequence) {
+  const std::string follows = ": with 9 deg of their own, the canards leave the linear range of about 13 deg.";
+  const std::string at_end = "The angle of attack is 5 deg at the end of the guide";
+  const Notes told = notes_of_runs({{at_end + follows}, {at_end + ", and up to 6 deg later, at 0.34 s" + follows}});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told[0].starts_with("In all of 2 runs (figures of run 0): ")) << told[0];
+  EXPECT_FALSE(is_figure_alone(told[0]));
+  EXPECT_TRUE(is_figure_alone(notes_of_runs({{at_end + "."}, {}}).at(0)));
+  EXPECT_TRUE(is_figure_alone("Static margin: 285 mm (2.9 calibres) at lift-off, 366 mm (3.7) after burn-out."));
+  EXPECT_FALSE(is_figure_alone("Fault of canard 1."));
+}
+
 }  // namespace
 
 }  // namespace fantail::predict

@@ -197,7 +197,7 @@ void fill(const Verb& verb) {
       .offers(shipped(input::Shipped::tunnel_result))
       .value_name("FILE")
       .changes_result();
-  verb.flag("--other-vehicle", options->other_vehicle, "Accept tunnel results of another vehicle than the scenario's")
+  verb.flag("--other-vehicle", options->other_vehicle, "Accept tunnel results of a vehicle other than the scenario's")
       .belongs_to_command();
   verb.option(
           "--swirl", options->swirl_deg,
@@ -245,7 +245,7 @@ void fill(const Verb& verb) {
       "                                                      damping that the tunnel may underestimate\n"
       "  fantail predict my_rocket.toml --tunnel out/tunnel/steps/steps.csv --swirl -2 --servo-lag 0.018 --json\n"
       "                                                      your own rocket, after its tunnel and bench tests\n"
-      "  fantail predict tasha3_launch2 --run 17             the run of row 17 again, with its flight report");
+      "  fantail predict tasha3_launch2 --run 17             row 17 again, with its flight report");
   verb.action([options] { predict_launch(*options); });
 }
 

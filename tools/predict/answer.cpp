@@ -119,7 +119,8 @@ std::vector<result::Block> offset_and_airframe(const P& p) {
   if (auto chart = cant_chart(p)) {
     all.emplace_back(
         Picture{std::move(*chart),
-                "Canard against fin cant, computed from the shape. The points are the fin offset of the runs."});
+                "Canard against fin cant: the fins computed from the shape, the canard torque as flown (median of the "
+                "runs). The points are the fin offset of the runs."});
   }
   all.emplace_back(Picture{offset_chart(p), "The fin offset against what the canards can balance."});
   all.emplace_back(
@@ -162,15 +163,16 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
   using enum result::Readers;
   using result::Sentences;
   const std::string changes = p.request.changes.empty() ? "" : ". " + changes_sentence(p);
-  const std::vector<std::string> not_counted = not_in_verdict(p);
+  const std::vector<std::string> not_counted = not_in_verdict(p, decision);
   const result::Table over_time = band(p);
   return {.kind = "launch prediction",
           .title = p.scenario,
-          .subtitle =
-              fmt::format("{}, plan {}; {}, seed {}{}", p.vehicle, p.plan_name, runs(p.runs.size()), p.seed, changes),
+          .subtitle = fmt::format("{}plan {}; {}, seed {}{}", p.vehicle == p.scenario ? "" : p.vehicle + ", ",
+                                  p.plan_name, runs(p.runs.size()), p.seed, changes),
           .verdict = {.answer = answer_of(decision),
                       .heading = std::string{decision.heading()},
                       .sentence = decision.text,
+                      .beside = decision.advice,
                       .not_in_it = not_counted,
                       .with_caution = decision.go && !decision.cautions.empty(),
                       .not_in_it_heading = "Beside the requirements:"},
@@ -186,8 +188,7 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
                     {"not_in_verdict", "", not_counted},
                     {"version", "", made.version}},
           .sections = {{"Median of the runs, and 5 to 95 % of them", medians(p)},
-                       {"Requirements",
-                        {result::table({}, decision.criteria, criterion_fields), Sentences{"advice", decision.advice}}},
+                       {"Requirements", {result::table({}, decision.criteria, criterion_fields)}},
                        {"Predicted roll", roll(p, over_time), files},
                        {"Fin offset and airframe", offset_and_airframe(p), files},
                        {"Roll and pitch", roll_and_pitch(p)},
@@ -197,8 +198,8 @@ result::Document answer(const P& p, const Decision& decision, const result::Made
                         {result::figures("", p, count_fields), result::figures("stability", p, loop_fields),
                          result::table("stability.over_speed", p.over_speed, margin_fields),
                          result::table("criteria", decision.criteria, filed_criterion_fields),
-                         Sentences{"flight_notes", p.flight_notes}, result::Data{"tunnel", tunnel(p)},
-                         result::Data{"roll_resonance", resonance(p)}},
+                         Sentences{"advice", decision.advice}, Sentences{"flight_notes", p.flight_notes},
+                         result::Data{"tunnel", tunnel(p)}, result::Data{"roll_resonance", resonance(p)}},
                         programs}},
           .spreadsheets = {numbered(result::table("runs", p.runs, run_fields), "run"), over_time},
           .made = made};

@@ -25,7 +25,8 @@ namespace fantail::predict {
 /// What the fin offset needs and the canards give over the air speed of the climb. Empty for a rocket that stays on the
 /// pad.
 [[nodiscard]] std::optional<page::Chart> authority_chart(const Prediction& prediction);
-/// The canard angle that a cant of all fins needs, by the shape of the vehicle, with the fin offset of the runs on it.
+/// The canard angle that a cant of all fins needs, by the shape of the fins and the canard torque of the runs, with
+/// the fin offset of the runs on it.
 /// Empty without fins and canards in the vehicle file.
 [[nodiscard]] std::optional<page::Chart> cant_chart(const Prediction& prediction);
 /// Damping and torque of the airframes drawn, and of the tunnel's steps.

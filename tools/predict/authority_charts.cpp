@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -17,6 +17,21 @@ using text::degrees;
 
 // Of the highest curve: room for the names of the levels.
 constexpr double headroom = 1.15;
+
+/// The fins are those of the shape, with its error; the canards have the torque that the runs have in the median, in
+/// which their fin offset is expressed.
+std::optional<airframe::model::Estimate> canard_per_cant(const Prediction& p) {
+  const airframe::model::BuildUp shape = airframe::model::build_up(p.flown.vehicle);
+  std::vector<double> torques_m;
+  std::ranges::transform(p.runs, std::back_inserter(torques_m), [](const Run& run) { return run.airframe.torque_m; });
+  const double torque_m3 = p.flown.vehicle.roll_plant.reference_area_m2 * campaign::quantiles(std::move(torques_m)).p50;
+  if (!shape.cant_as_canards || !shape.roll_torque_m3 || torque_m3 <= 0.0) {
+    return std::nullopt;
+  }
+  const double error = shape.cant_as_canards->value / shape.cant_as_canards->low;
+  const double value = shape.cant_as_canards->value * shape.roll_torque_m3->value / torque_m3;
+  return airframe::model::Estimate{.value = value, .low = value / error, .high = value * error};
+}
 
 }  // namespace
 
@@ -58,7 +73,7 @@ std::optional<page::Chart> cant_chart(const Prediction& p) {
   if (!p.flown.vehicle.geometry) {
     return std::nullopt;
   }
-  const auto per_cant = airframe::model::build_up(p.flown.vehicle).cant_as_canards;
+  const auto per_cant = canard_per_cant(p);
   if (!per_cant || per_cant->value <= 0.0) {
     return std::nullopt;
   }
@@ -81,12 +96,12 @@ std::optional<page::Chart> cant_chart(const Prediction& p) {
   const double end_deg = most_deg / per_cant->value;
   const auto angle_deg = [&](double slope) { return std::min(most_deg, slope * end_deg); };
   // A band above the plot's upper edge ends at that edge, where its slope meets it.
-  const double meets_deg = std::isfinite(per_cant->high) ? std::min(end_deg, most_deg / per_cant->high) : 0.0;
+  const double meets_deg = std::min(end_deg, most_deg / per_cant->high);
   return page::Chart{.label = "Canard angle that balances a fin cant, over the cant, and the canard limit",
                      .x_label = "cant of all fins / deg",
                      .y_label = "canard angle / deg",
                      .width = page::half_page,
-                     .series = {{.name = "from the shape",
+                     .series = {{.name = "fins from the shape",
                                  .role = Role::model,
                                  .x = {0.0, end_deg},
                                  .y = {0.0, angle_deg(per_cant->value)}},
@@ -95,7 +110,7 @@ std::optional<page::Chart> cant_chart(const Prediction& p) {
                                 .role = Role::model,
                                 .x = {0.0, meets_deg, end_deg},
                                 .low = {0.0, per_cant->low * meets_deg, angle_deg(per_cant->low)},
-                                .high = {meets_deg > 0.0 ? 0.0 : most_deg, most_deg, most_deg}}},
+                                .high = {0.0, per_cant->high * meets_deg, most_deg}}},
                      .levels = std::move(levels),
                      .x_range = page::Range{0.0, end_deg},
                      .y_range = page::Range{0.0, most_deg}};

@@ -24,13 +24,18 @@ using text::fixed;
 
 Judgement judge(bool met) { return met ? Judgement::met : Judgement::not_met; }
 
+/// Too few runs tell neither.
+Judgement judge(const Share& share, double threshold) {
+  return too_few_runs(share, threshold) ? Judgement::not_judged : judge(share.low >= threshold);
+}
+
 /// Not as percent() rounds it: 90.5 % is not the 90 that was found.
 std::string required_share(double share) { return fmt::format("at least {} % of the runs", brief(100.0 * share, 3)); }
 
-std::string found_share(const Share& share) {
+std::string found_share(const Share& share, double threshold) {
   // Outwards: rounded, the interval may not look narrower than it is.
-  return fmt::format("{} ({} to {} %)", of_the_runs(share.value), fixed(std::floor(100.0 * share.low), 0),
-                     fixed(std::ceil(100.0 * share.high), 0));
+  return fmt::format("{} ({} to {} %){}", of_the_runs(share.value), fixed(std::floor(100.0 * share.low), 0),
+                     fixed(std::ceil(100.0 * share.high), 0), too_few_runs(share, threshold) ? ", too few runs" : "");
 }
 
 std::string more_runs(const Share& share, double threshold) {
@@ -62,9 +67,9 @@ Criterion authority(const Prediction& p, double threshold) {
   const Share& share = p.authority;
   Criterion c{.key = "authority",
               .label = "Canards can balance the fin offset",
-              .found = found_share(share),
+              .found = found_share(share, threshold),
               .required = required_share(threshold),
-              .judgement = judge(share.low >= threshold)};
+              .judgement = judge(share, threshold)};
   const bool within = c.judgement == Judgement::met || too_few_runs(share, threshold);
   const bool some_at_limit =
       std::ranges::any_of(p.runs, [](const Run& run) { return std::abs(run.authority_margin_rad) <= same_angle_rad; });
@@ -133,15 +138,15 @@ Criterion held(const Prediction& p, double threshold) {
   const Share& share = p.held;
   Criterion c{.key = "held",
               .label = "Roll is held",
-              .found = found_share(share),
+              .found = found_share(share, threshold),
               .required = required_share(threshold),
-              .judgement = judge(share.low >= threshold)};
+              .judgement = judge(share, threshold)};
   if (p.not_judged > 0) {
     c.found += fmt::format(", {} of {} not judged", p.not_judged, runs(p.runs.size()));
   }
   if (const std::size_t outside = steady_outside_model(p); outside > 0) {
     c.found += fmt::format(", {} of {} outside the model", outside, runs(p.runs.size()));
-    if (c.judgement == Judgement::not_met && predict::share(share.count + outside, share.of).low >= threshold) {
+    if (c.judgement != Judgement::met && predict::share(share.count + outside, share.of).low >= threshold) {
       c.judgement = Judgement::not_judged;
       return c;
     }
@@ -162,6 +167,10 @@ Criterion held(const Prediction& p, double threshold) {
     clause += held_where(p);
   }
   std::vector<std::string> all{std::move(clause)};
+  if (share.count > 0) {
+    const bool is_still = p.flown.plan.reference.kind == core::ReferenceKind::hold;
+    all.push_back(fmt::format("this leaves out the first second of control{}", is_still ? "" : " and of each step"));
+  }
   if (too_few_runs(share, threshold)) {
     all.push_back(more_runs(share, threshold));
   } else if (c.judgement == Judgement::not_met && p.spin_rate_rad_s) {

@@ -70,10 +70,12 @@ std::vector<std::string> advice(const Decision& d, const Prediction& p, const Lo
   std::string tilt;
   std::string wind;
   for (const Criterion& c : d.criteria) {
-    if (c.judgement != Judgement::not_met) {
+    const bool too_few = (c.key == "authority" && too_few_runs(p.authority, d.thresholds.authority_share)) ||
+                         (c.key == "held" && too_few_runs(p.held, d.thresholds.held_share));
+    if (c.judgement != Judgement::not_met && !too_few) {
       continue;
     }
-    if (c.key == "authority" && !too_few_runs(p.authority, d.thresholds.authority_share)) {
+    if (c.key == "authority" && !too_few) {
       limit = advice_on_canard_limit(p, d.thresholds.authority_share);
     } else if (c.key == "phase_margin" && p.worst_speed) {
       loop_swings = true;
@@ -95,13 +97,16 @@ std::vector<std::string> advice(const Decision& d, const Prediction& p, const Lo
   return all;
 }
 
+/// A launch that is outside the model comes first, then what is not met, then what too few runs leave open.
 std::string joined(const std::vector<Criterion>& criteria, bool met) {
   std::vector<std::string> clauses;
+  std::vector<std::string> open;
   for (const Criterion& c : criteria) {
     if ((c.judgement == Judgement::met) == met && !c.clause.empty()) {
-      clauses.push_back(c.clause);
+      (c.judgement == Judgement::not_judged && c.key != "model" ? open : clauses).push_back(c.clause);
     }
   }
+  std::ranges::move(open, std::back_inserter(clauses));
   return as_sentences(clauses);
 }
 
@@ -121,8 +126,8 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds, cons
   }
   d.go = std::ranges::all_of(d.criteria, [](const Criterion& c) { return c.judgement == Judgement::met; });
   if (d.go) {
-    d.cautions = {is_caution ? model->clause : "", tilt_caution(prediction), stability_caution(prediction),
-                  resonance_caution(prediction)};
+    d.cautions = {is_caution ? model->clause : "", wind_caution(prediction.flown), tilt_caution(prediction),
+                  stability_caution(prediction), resonance_caution(prediction)};
     std::erase(d.cautions, "");
   }
   d.text = fmt::format("{}: {}.", d.heading(), joined(d.criteria, d.go));

@@ -116,11 +116,11 @@ std::vector<std::string> assumptions(const sim::Scenario& scenario, const Tunnel
   std::vector<std::string> all = scenario.vehicle.assumed;
   all.insert(all.end(), scenario.assumed.begin(), scenario.assumed.end());
   if (!all.empty()) {
-    all.insert(all.begin(),
-               fmt::format("Damping, canard torque and fin offset are drawn from the rows of {}, whatever the next {} "
-                           "from vehicle and scenario say{} about them.",
-                           tunnel.name, all.size() == 1 ? "sentence" : fmt::format("{} sentences", all.size()),
-                           all.size() == 1 ? "s" : ""));
+    all.insert(
+        all.begin(),
+        fmt::format("Damping, canard torque and fin offset are drawn from the rows of {}. They replace the values "
+                    "that the next {}, from vehicle and scenario, may state.",
+                    tunnel.name, all.size() == 1 ? "sentence" : fmt::format("{} sentences", all.size())));
   }
   return all;
 }
@@ -153,10 +153,10 @@ AirframeSpread spread_of_airframes(const sim::Scenario& scenario, const TunnelRe
 std::string airframe_sentence(const sim::Scenario& scenario, std::size_t number, const TunnelStep& airframe) {
   const bool others_follow = !scenario.vehicle.assumed.empty() || !scenario.assumed.empty();
   return fmt::format(
-      "Run {} of the prediction with seed {}: damping {} m2, torque {} m, fin offset from {} to {} deg{}.", number,
+      "Run {} of the prediction with seed {}: damping {} m2, torque {} m, fin offset from {} to {} deg.{}", number,
       scenario.seed, fixed(airframe.damping_m2, 3), fixed(airframe.torque_m, 3),
       fixed(text::degrees(airframe.offset_begin_rad), 2), fixed(text::degrees(airframe.offset_end_rad), 2),
-      others_follow ? ", whatever the sentences of vehicle and scenario below say about them" : "");
+      others_follow ? " They replace the values that sentences of vehicle and scenario below may state." : "");
 }
 
 /// What a run comes to is read back from its text, as is that of one that was flown before an interruption.

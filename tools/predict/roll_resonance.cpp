@@ -82,7 +82,8 @@ std::string warning(const RollResonance& r, double canard_reach_rad) {
 std::string caution(const RollResonance& r) {
   return fmt::format(
       "roll resonance, a roll rate within {} % of the pitch frequency, is reached in {} of {} without control. "
-      "With the canards at their limit, {} reach it",
+      "With the canards at their limit, {} reach it. Straighter fins and a smaller canard limit keep the roll rate "
+      "farther from it. fantail campaign hardover flies a failed canard",
       fixed(100.0 * near_resonance, 0), r.near + r.past, text::counted(r.runs, "run"), r.with_canards);
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign/spread.hpp"
@@ -95,6 +96,9 @@ inline constexpr auto look_nowhere = [] {};
 /// What the flights of the runs remark, each sentence once, with the number of runs that have it. Sentences that differ
 /// in their figures only count as one; it has the figures of the first run.
 [[nodiscard]] std::vector<std::string> notes_of(const std::vector<Run>& runs);
+
+/// Whether such a note tells a static margin or an angle of attack and nothing that follows from it.
+[[nodiscard]] bool is_figure_alone(std::string_view note);
 
 /// The wind of one run: its speed normal about the stated one, drawn again until it is not below zero, and where it
 /// comes from anywhere within the spread to both sides of what is stated, each direction alike. Profile, gust and

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -19,7 +20,14 @@ struct Note {
   bool figures_differ = false;
 };
 
+/// Whether an angle of attack is largest at the end of the guide makes no other note.
 std::string without_figures(std::string sentence) {
+  constexpr std::string_view begin = ", and up to ";
+  constexpr std::string_view end = " s";
+  const std::size_t from = sentence.find(begin);
+  if (const std::size_t to = sentence.find(end, from); from != std::string::npos && to != std::string::npos) {
+    sentence.erase(from, to + end.size() - from);
+  }
   std::erase_if(sentence,
                 [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-'; });
   return sentence;
@@ -35,6 +43,12 @@ std::string told(const Note& note, std::size_t runs) {
 }
 
 }  // namespace
+
+bool is_figure_alone(std::string_view note) {
+  return note.find("Static margin: ") != std::string_view::npos ||
+         (note.find("The angle of attack is ") != std::string_view::npos &&
+          note.find(" the canards leave the linear range") == std::string_view::npos);
+}
 
 std::vector<std::string> notes_of(const std::vector<Run>& runs) {
   std::vector<Note> notes;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -105,6 +106,15 @@ std::string wind_sentence(const sim::Scenario& scenario) {
   return fmt::format("The wind of each run is {}, {}{}.", speed, direction, turbulence);
 }
 
+std::string wind_caution(const sim::Scenario& scenario) {
+  if (scenario.motion != sim::FlightMotion::six_dof || scenario.wind.speed_m_s == 0.0 ||
+      scenario.wind_spread.speed_m_s > 0.0) {
+    return {};
+  }
+  return fmt::format("the wind speed is {} m/s in all runs. Vary it with --set wind.speed_spread_m_s=M_S",
+                     brief(scenario.wind.speed_m_s, 2));
+}
+
 std::string_view name(Judgement judgement) {
   switch (judgement) {
     case Judgement::met: return "met";
@@ -152,9 +162,10 @@ std::string spread_not_drawn(const Prediction& p) {
                      fields.size() == 1 ? "it" : "them");
 }
 
-std::vector<std::string> not_in_verdict(const Prediction& p) {
-  std::vector<std::string> all = p.flight_notes;
-  if (p.resonance && p.resonance->with_canards > 0) {
+std::vector<std::string> not_in_verdict(const Prediction& p, const Decision& decision) {
+  std::vector<std::string> all;
+  std::ranges::remove_copy_if(p.flight_notes, std::back_inserter(all), is_figure_alone);
+  if (p.resonance && p.resonance->with_canards > 0 && !decision.go) {
     all.insert(all.begin(), in_short(*p.resonance, std::abs(p.reach.angle_rad)));
   }
   return all;
@@ -191,6 +202,7 @@ std::vector<std::string> basis(const Prediction& p) {
   all.push_back(fmt::format("Servo: first-order lag {} ms; dead time of the whole loop {} ms.",
                             brief(1e3 * p.servo_lag_s, 1), brief(1e3 * p.delay_s, 1)));
   all.insert(all.end(), p.notes.begin(), p.notes.end());
+  std::ranges::copy_if(p.flight_notes, std::back_inserter(all), is_figure_alone);
   return all;
 }
 

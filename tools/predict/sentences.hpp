@@ -43,14 +43,17 @@ namespace fantail::predict {
 [[nodiscard]] std::string spread_not_drawn(const Prediction& prediction);
 
 /// What the runs or the model show and neither go nor no go counts, with what to do about it: roll resonance, in short,
-/// and the notes of the flights. A sentence or two each.
-[[nodiscard]] std::vector<std::string> not_in_verdict(const Prediction& prediction);
+/// unless it is a caution, and the notes of the flights that are not a figure alone. A sentence or two each.
+[[nodiscard]] std::vector<std::string> not_in_verdict(const Prediction& prediction, const Decision& decision);
 
 /// The command that flies a run alone and writes its flight report.
 [[nodiscard]] std::string repeat_command(const Prediction& prediction, std::string_view run);
 
 /// How the wind of the runs was chosen; empty where there is none.
 [[nodiscard]] std::string wind_sentence(const sim::Scenario& scenario);
+
+/// A clause on a wind that blows alike in all runs, with what varies it; empty: it varies, or there is none.
+[[nodiscard]] std::string wind_caution(const sim::Scenario& scenario);
 
 /// How the runs were made: the airframes, the swirl, the servo, what was left out. A sentence each.
 [[nodiscard]] std::vector<std::string> basis(const Prediction& prediction);

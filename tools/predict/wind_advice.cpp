@@ -52,21 +52,22 @@ Tried fly_again(const Prediction& p, double part_of_wind, Guide guide, const Loo
 }
 
 std::string came_to(const Tried& tried) {
-  return tried.tilted > 0 ? fmt::format("{} still do", tried.tilted)
-                          : fmt::format("none does, and {} hold their roll",
-                                        tried.held == tried.runs ? "all" : fmt::format("{}", tried.held));
+  return tried.tilted > 0 ? fmt::format("{} still reach{} it", tried.tilted, tried.tilted == 1 ? "es" : "")
+         : tried.held == tried.runs
+             ? "none reaches it and all hold their roll"
+             : fmt::format("none reaches it, and {} hold{} the roll", tried.held, tried.held == 1 ? "s" : "");
 }
 
 std::string with_less_wind(const Prediction& p, const Look& look) {
   for (const Part& part : smaller_winds) {
     const Tried tried = fly_again(p, part.of_the_wind, Guide::as_it_stands, look);
     if (tried.tilted == 0) {
-      return fmt::format("in {} of their wind {}", part.name, came_to(tried));
+      return fmt::format(" In {} of their wind, {}.", part.name, came_to(tried));
     }
   }
   const Tried calm = fly_again(p, 0.0, Guide::as_it_stands, look);
-  return fmt::format("without wind {}{}", came_to(calm),
-                     calm.tilted == 0 ? ", but not all in a quarter of their wind" : "");
+  return fmt::format(" {}ithout wind, {}.",
+                     calm.tilted == 0 ? "In a quarter of their wind, some still reach it. W" : "W", came_to(calm));
 }
 
 }  // namespace
@@ -84,15 +85,14 @@ std::string advice_on_wind(const Prediction& p, const Look& look) {
     found = with_less_wind(p, look);
   }
   if (p.flown.guide.tilt_rad > 0.0) {
-    found += fmt::format("{}from an upright guide {}", found.empty() ? "" : "; ",
-                         came_to(fly_again(p, 1.0, Guide::upright, look)));
+    found += fmt::format(" From an upright guide, {}.", came_to(fly_again(p, 1.0, Guide::upright, look)));
   }
   const std::string text =
       fmt::format("In {} of {}, control ends at the plan's tilt limit.", tilted, runs(p.runs.size()));
-  return found.empty()
-             ? text
-             : text + fmt::format(" These runs, flown again ({}{}): {}.", tilted > most_tried ? "the first " : "",
-                                  std::min(tilted, most_tried), found);
+  const std::string again = tilted == 1 ? "It was"
+                                        : fmt::format("{} {} of them were", tilted > most_tried ? "The first" : "All",
+                                                      std::min(tilted, most_tried));
+  return found.empty() ? text : fmt::format("{} {} flown again.{}", text, again, found);
 }
 
 }  // namespace fantail::predict

@@ -49,7 +49,9 @@ std::string html(const Data&) { return {}; }
 
 page::Figure figure(const Figure& one) {
   const auto [number, more] = parts(one);
-  const std::string ends = std::holds_alternative<Spread>(one.value) ? "5 to 95 %: " + more : more;
+  const bool is_same = more == number + " to " + number;
+  const std::string ends =
+      std::holds_alternative<Spread>(one.value) ? "5 to 95 %: " + (is_same ? "the same" : more) : more;
   return {one.label, number, std::string{one.unit.symbol},
           one.remark + (one.remark.empty() || ends.empty() ? "" : "; ") + ends};
 }
