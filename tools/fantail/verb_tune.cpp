@@ -25,7 +25,7 @@ namespace {
 
 struct TuneOptions {
   ScenarioOptions scenario;
-  std::string rejection = "integral";
+  std::string rejection;
   bool schedule = false;
   double margin_deg = text::degrees(tune::Request{}.phase_margin_rad);
   double settling_s = tune::Request{}.settling_s;
@@ -38,14 +38,27 @@ struct TuneOptions {
   bool json = false;
 };
 
-core::OffsetRejection rejection(const std::string& word) {
+/// The plan's own, where the command line names none and the plan has one.
+core::OffsetRejection rejection(const std::string& word, core::OffsetRejection of_plan) {
+  if (word.empty() && of_plan != core::OffsetRejection::none) {
+    return of_plan;
+  }
   return word == "none"       ? core::OffsetRejection::none
+         : word.empty()       ? core::OffsetRejection::integral
          : word == "integral" ? core::OffsetRejection::integral
                               : core::OffsetRejection::observer;
 }
 
-tune::Request request(const TuneOptions& options) {
-  return {.rejection = rejection(options.rejection),
+std::string scenario_command(const ScenarioOptions& options) {
+  std::string command = "fantail tune " + text::shell_word(options.scenario);
+  for (const std::string& change : options.changes) {
+    command += " --set " + text::shell_word(change);
+  }
+  return command + (options.seed.empty() ? "" : " --seed " + text::shell_word(options.seed));
+}
+
+tune::Request request(const TuneOptions& options, core::OffsetRejection of_plan) {
+  return {.rejection = rejection(options.rejection, of_plan),
           .schedule = options.schedule,
           .phase_margin_rad = text::radians(options.margin_deg),
           .settling_s = options.settling_s,
@@ -53,6 +66,7 @@ tune::Request request(const TuneOptions& options) {
           .flights = options.flights,
           .threads = options.threads,
           .command = command_of(options.scenario),
+          .scenario_command = scenario_command(options.scenario),
           .version = FANTAIL_VERSION};
 }
 
@@ -133,7 +147,7 @@ void tune_scenario(const TuneOptions& options) {
   const runs::Folder kept{place};
   const std::vector<std::filesystem::path> inputs = files_of(options.scenario);
   const result::Made made = made_with(inputs, scenario.seed, changes);
-  const tune::Tuning tuning = tuned(scenario, request(options), place, kept);
+  const tune::Tuning tuning = tuned(scenario, request(options, scenario.plan.offset.rejection), place, kept);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
   deliver(
       tune::answer(tuning, plan_name, made),
@@ -157,9 +171,9 @@ void fill(const Verb& verb) {
   auto options = std::make_shared<TuneOptions>();
   add_scenario_options(verb, options->scenario);
   verb.section("Law and aims");
-  verb.option("--rejection", options->rejection, "How the law rejects a fin offset")
+  verb.option("--rejection", options->rejection,
+              "How the law rejects a fin offset [as the plan does; integral where it does not]")
       .one_of({"none", "integral", "observer"})
-      .show_default()
       .changes_result();
   verb.flag("--schedule", options->schedule, "Let the gains change with speed").changes_result();
   verb.option("--margin", options->margin_deg,
@@ -202,7 +216,8 @@ void fill(const Verb& verb) {
       "Examples:\n"
       "  fantail tune tasha3_launch2                          integral action, for a phase margin of 45 degrees\n"
       "  fantail tune my_rocket/scenario.toml --rejection observer --schedule --margin 50 --spread 2\n"
-      "  fantail tune tasha3_launch1                          exit code 1: more offset than its 6 degrees can balance\n"
+      "  fantail tune tasha3_launch1                          exit code 1: 6 degrees of canard cannot balance its "
+      "offset\n"
       "  fantail tune tasha3_launch1 --set controller.canard_limit_deg=9");
   verb.action([options] { tune_scenario(*options); });
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tune/alternatives.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -18,13 +20,22 @@ using text::brief;
 using text::degrees;
 using text::fixed;
 
-std::string kind_words(const Request& request) {
+std::string command_of(const Request& request) {
   const bool observes = request.rejection == core::OffsetRejection::observer;
-  return fmt::format("--rejection {}{}",
-                     observes                                               ? "observer"
-                     : request.rejection == core::OffsetRejection::integral ? "integral"
-                                                                            : "none",
-                     request.schedule ? " --schedule" : "");
+  std::string command = fmt::format("{} --rejection {}{}", request.scenario_command,
+                                    observes                                               ? "observer"
+                                    : request.rejection == core::OffsetRejection::integral ? "integral"
+                                                                                           : "none",
+                                    request.schedule ? " --schedule" : "");
+  const Request usual;
+  const auto add = [&command](const char* option, double value, double usual_value) {
+    command += value == usual_value ? "" : fmt::format(" {} {}", option, brief(value, 3));
+  };
+  add("--margin", degrees(request.phase_margin_rad), degrees(usual.phase_margin_rad));
+  add("--settling", request.settling_s, usual.settling_s);
+  add("--spread", request.spread, usual.spread);
+  add("--flights", static_cast<double>(request.flights), static_cast<double>(usual.flights));
+  return command;
 }
 
 }  // namespace
@@ -35,7 +46,9 @@ void try_other_kinds(Tuning& t, const sim::Scenario& scenario, const SearchAndFl
     return;  // without a known speed a plan has neither schedule nor observer
   }
   std::optional<double> least_rad;
+  std::vector<std::string> tried{command_of(t.request)};
   for (const auto& [rejection, schedule] : {std::pair{t.request.rejection, true},
+                                            {core::OffsetRejection::integral, false},
                                             {core::OffsetRejection::integral, true},
                                             {core::OffsetRejection::observer, false},
                                             {core::OffsetRejection::observer, true}}) {
@@ -45,19 +58,20 @@ void try_other_kinds(Tuning& t, const sim::Scenario& scenario, const SearchAndFl
     other.why_none.clear();
     other.within_reach.reset();
     other.after.reset();
-    const std::string words = kind_words(other.request);
-    if (words == kind_words(t.request) || t.alternative.find(words + " gives") != std::string::npos) {
+    const std::string command = command_of(other.request);
+    if (std::ranges::find(tried, command) != tried.end()) {
       continue;
     }
+    tried.push_back(command);
     search_and_fly(other);
     const Sum flown = other.flown_after();
     if (other.is_better() && (!least_rad || *flown.mean_rad < *least_rad)) {
       least_rad = flown.mean_rad;
       t.alternative = fmt::format(
-          "Another kind of law was tried and is better than the old plan: {} gives gains of {}, and {} degrees on "
-          "average instead of {}.",
-          words, law_words(other.after->plan), fixed(degrees(*flown.mean_rad), 2),
-          fixed(degrees(*other.flown_before().mean_rad), 2));
+          "Another kind of law flies better: gains of {}, and {} degrees from the reference on average instead of {}. "
+          "Its command: {}",
+          law_words(other.after->plan), fixed(degrees(*flown.mean_rad), 2),
+          fixed(degrees(*other.flown_before().mean_rad), 2), command);
     }
   }
 }
@@ -74,11 +88,10 @@ void try_lower_demands(Tuning& t, const SearchAndFly& search_and_fly) {
   const Sum after = other.flown_after();
   if (other.is_proposed() && before.mean_rad && after.mean_rad) {
     t.alternative = fmt::format(
-        "With lower demands there are gains: {} --margin {} --settling {} gives {}, and {} degrees on average instead "
-        "of {}.",
-        kind_words(other.request), brief(degrees(other.request.phase_margin_rad), 1),
-        brief(other.request.settling_s, 2), law_words(other.after->plan), fixed(degrees(*after.mean_rad), 2),
-        fixed(degrees(*before.mean_rad), 2));
+        "With lower demands there is a law: gains of {}, and {} degrees from the reference on average instead of {}. "
+        "Its command: {}",
+        law_words(other.after->plan), fixed(degrees(*after.mean_rad), 2), fixed(degrees(*before.mean_rad), 2),
+        command_of(other.request));
   }
 }
 

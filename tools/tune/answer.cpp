@@ -149,12 +149,6 @@ std::vector<result::Block> law(const T& t) {
   for (const std::string& sentence : t.after ? remarks(t) : std::vector<std::string>{}) {
     all.emplace_back(sentence);
   }
-  if (!t.alternative.empty()) {
-    all.emplace_back(t.alternative);
-  }
-  if (const std::string next = next_step(t); !next.empty()) {
-    all.emplace_back(next);
-  }
   result::Table both = result::table({}, plans, plan_fields);
   both.columns.insert(both.columns.begin(), result::Column{.key = "plan", .label = "plan"});
   for (std::size_t i = 0; i < both.rows.size(); ++i) {
@@ -165,19 +159,24 @@ std::vector<result::Block> law(const T& t) {
 }
 
 result::Answer answer_of(const T& t) {
-  return !t.is_proposed()                             ? result::Answer::no
+  return t.is_old_enough()                            ? result::Answer::undecided
+         : !t.is_proposed()                           ? result::Answer::no
          : t.is_better() && model_sentence(t).empty() ? result::Answer::yes
                                                       : result::Answer::undecided;
 }
 
 result::Verdict verdict(const T& t) {
   const std::string outside = model_sentence(t) + (model_sentence(t).empty() ? "" : " ");
+  std::vector<std::string> beside{t.alternative, next_step(t)};
+  std::erase(beside, "");
   return {.answer = answer_of(t),
-          .heading = !t.after          ? "No gains"
+          .heading = t.is_old_enough() ? "Keep the present plan"
+                     : !t.after        ? "No gains"
                      : t.is_better()   ? "Proposed"
                      : t.is_proposed() ? "Written, but no better in flight"
                                        : "Not proposed",
-          .sentence = outside + (t.after ? flights_sentence(t) : t.why_none)};
+          .sentence = outside + (t.after ? flights_sentence(t) : present_plan(t) + t.why_none),
+          .beside = std::move(beside)};
 }
 
 }  // namespace
@@ -193,7 +192,8 @@ result::Document answer(const T& t, const std::string& plan_file, const result::
   const auto or_null = [](const std::string& text) { return json::text_or_null(text); };
   result::Document document{.kind = "tuning",
                             .title = t.scenario,
-                            .subtitle = fmt::format("{}; {}; Fantail {}", t.vehicle, t.request.command, made.version),
+                            .subtitle = fmt::format("{}{}; Fantail {}", t.vehicle == t.scenario ? "" : t.vehicle + "; ",
+                                                    t.request.command, made.version),
                             .verdict = verdict(t),
                             .facts = {{"scenario", "", t.scenario},
                                       {"vehicle", "", t.vehicle},
@@ -212,7 +212,7 @@ result::Document answer(const T& t, const std::string& plan_file, const result::
   }
   document.sections.push_back({"Bode diagram", bode_diagram(t), files});
   if (t.after) {
-    document.sections.push_back({"Steps as flown", step_pictures(t), files});
+    document.sections.push_back({"Roll as flown", step_pictures(t), files});
     document.sections.push_back(
         {"Flights over the spread", {result::numbered(result::table({}, t.pairs, pair_fields), "rocket")}, files});
     document.sections.push_back({"How this was found", {result::Sentences{.all = basis(t)}}});

@@ -21,6 +21,7 @@ struct Request {
   unsigned threads = 0;                ///< 0: as many as the machine has; no figure depends on it
   const runs::Folder* kept = nullptr;  ///< of finished flights; null: none are kept
   std::string command{};               ///< that repeats it
+  std::string scenario_command{};      ///< the same without what this struct has: "fantail tune NAME --seed 7"
   std::string version{};               ///< of the program
 };
 

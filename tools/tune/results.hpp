@@ -23,6 +23,8 @@ namespace fantail::tune {
 /// What is little about the new law: its margin, what its range left it, what the canards' limit leaves. Each a
 /// sentence.
 [[nodiscard]] std::vector<std::string> remarks(const Tuning& tuning);
+/// That the old plan may be kept, and what it has; empty where is_old_enough() is not so.
+[[nodiscard]] std::string present_plan(const Tuning& tuning);
 /// What to do where no plan is proposed and nothing that was tried is better; empty elsewhere.
 [[nodiscard]] std::string next_step(const Tuning& tuning);
 /// What was searched and how, a sentence each.

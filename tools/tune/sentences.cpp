@@ -24,9 +24,9 @@ std::string settling(const std::optional<double>& settling_s) {
 }
 
 std::string loop(const Judged& judged) {
-  return fmt::format("a phase margin of {} degrees or more (least at {} m/s) and {}",
-                     fixed(std::floor(degrees(judged.least.phase_margin_rad) + 1e-6), 0),
-                     fixed(judged.least.speed_m_s, 0), settling(judged.settling_s));
+  return fmt::format("a least phase margin of {} degrees (at {} m/s) and {}",
+                     fixed(degrees(judged.least.phase_margin_rad), 1), fixed(judged.least.speed_m_s, 0),
+                     settling(judged.settling_s));
 }
 
 std::string error(const Sum& sum) {
@@ -107,12 +107,10 @@ namespace {
 /// Of a plan that is not proposed: of flights that were steady, or else of held ones, it has fewer.
 std::string lost(const Sum& before, const Sum& after) {
   return after.steady < before.steady
-             ? fmt::format(
-                   "In {}, the new plan keeps {} steady, each where its own law settles, and the old one {}. "
-                   "The new plan is not proposed.",
-                   text::counted(after.flights, "flight"), after.steady, before.steady)
-             : fmt::format("In {}, the new plan holds {} and the old one {}. The new plan is not proposed.",
-                           text::counted(after.flights, "flight"), after.held, before.held);
+             ? fmt::format("The new plan keeps the roll steady in {} of {}, the old one in {}.", after.steady,
+                           text::counted(after.flights, "flight"), before.steady)
+             : fmt::format("The new plan holds the roll in {} of {}, the old one in {}.", after.held,
+                           text::counted(after.flights, "flight"), before.held);
 }
 
 }  // namespace
@@ -125,8 +123,10 @@ std::string flights_sentence(const Tuning& t) {
            (t.is_proposed() ? std::string{} : fmt::format(" {}", lost(before, after)));
   }
   const bool settled = before.is_settled && after.is_settled;
-  const std::string what = settled ? "without the first second of control and after each step"
-                                   : "over all time under control, because no period is a second or more after a step";
+  const bool is_still = t.before.plan.reference.kind == core::ReferenceKind::hold;
+  const std::string what = !settled   ? "over all time under control, because not all flights settle for a second"
+                           : is_still ? "without the first second of control"
+                                      : "without the first second of control and of each step";
   std::string text = fmt::format(
       "{} of the spread flown with both plans, {}: with the new plan the roll is {} from "
       "its reference, with the old one {}. ",
@@ -139,8 +139,10 @@ std::string flights_sentence(const Tuning& t) {
     return text + fmt::format("The new plan is better: {} of the old error.",
                               ratio < 0.1 ? "less than a tenth" : fmt::format("{} %", fixed(100.0 * ratio, 0)));
   }
-  return text + (ratio <= 1.02 ? "In flight the new plan is neither better nor worse."
-                               : "In flight the new plan is not better; its advantage is the margin.");
+  return text + fmt::format("The new plan has {} % of the old error{}.", fixed(100.0 * ratio, 0),
+                            t.after->least.phase_margin_rad > t.before.least.phase_margin_rad
+                                ? "; its advantage is the margin"
+                                : "");
 }
 
 std::vector<std::string> remarks(const Tuning& t) {
@@ -148,6 +150,14 @@ std::vector<std::string> remarks(const Tuning& t) {
                                t.request.schedule ? schedules_left_out(t.speeds.range) : ""};
   std::erase(all, "");
   return all;
+}
+
+std::string present_plan(const Tuning& t) {
+  if (!t.is_old_enough()) {
+    return {};
+  }
+  return fmt::format("The present plan holds the roll in all {} of the spread. Its linear loop has {}. ",
+                     text::counted(t.old_alone->flights, "flight"), loop(t.before));
 }
 
 std::string next_step(const Tuning& t) {
@@ -164,10 +174,10 @@ std::string next_step(const Tuning& t) {
 
 std::vector<std::string> basis(const Tuning& t) {
   const Request& r = t.request;
-  const char* const fastest = r.rejection == core::OffsetRejection::integral ? "the one with the largest integral gain"
-                              : r.rejection == core::OffsetRejection::observer
-                                  ? "the one with the largest product of kp and the observer's bandwidth"
-                                  : "the one with the largest kp";
+  const char* const fastest = r.rejection == core::OffsetRejection::integral   ? "largest integral gain"
+                              : r.rejection == core::OffsetRejection::observer ? "largest product of kp and bandwidth"
+                                                                               : "largest kp";
+  const bool rejects = r.rejection != core::OffsetRejection::none;
   std::vector<std::string> all;
   all.push_back(fmt::format(
       "Speeds: {} to {} m/s, from where control begins to the top, median {} m/s. Damping and "
@@ -177,12 +187,16 @@ std::vector<std::string> basis(const Tuning& t) {
       brief(r.spread, 2), brief(1e3 * t.servo_lag_s, 1), brief(1e3 * t.delay_s, 1)));
   all.push_back(fmt::format(
       "Only laws with a phase margin of {} degrees and a gain margin of two at every speed count. From {} s after a "
-      "step of the reference, they stay within a tenth of it, at the median speed and above. Chosen: {}{}.",
-      brief(degrees(r.phase_margin_rad), 1), brief(r.settling_s, 2), fastest,
-      r.schedule ? ", on average over the time under control" : ""));
-  all.emplace_back(
-      "From the best such laws for small and for large kp, the one was taken that flew best with six other rockets of "
-      "the spread.");
+      "step of the reference, they stay within a tenth of it, at the median speed and above.",
+      brief(degrees(r.phase_margin_rad), 1), brief(r.settling_s, 2)));
+  all.push_back(fmt::format(
+      "Only round numbers were tried, 24 in a decade{}: 0.16, 0.18, 0.20. Between them, a law may be a little faster.",
+      rejects ? " (12 for kp)" : ""));
+  all.push_back(
+      fmt::format("In each third of a decade of kp{}, the law with the {} was kept{}. The law that flew best of the "
+                  "fastest of these, with six other rockets of the spread, was chosen.",
+                  r.schedule ? " and for each schedule" : "", fastest,
+                  r.schedule ? ", on average over the time under control" : ""));
   all.push_back(fmt::format(
       "Flights: {}, each with both plans and the same seed, with the fin offset and everything else of the scenario. "
       "Held means that the roll stays near the angle where the law settles, and this is at most {} degrees from the "

@@ -30,6 +30,9 @@ using text::fixed;
 /// What the search's coarse grid of speeds may miss.
 constexpr double reserve_rad = text::radians(0.3);
 
+/// Of a go by fantail predict.
+constexpr double required_margin_rad = text::radians(30.0);
+
 std::vector<LoopAtSpeed> loop_over_speed(const sim::Scenario& scenario, const SpeedsFlown& speeds, double spread) {
   constexpr int steps = 80;
   const std::vector<sim::Scenario> airframes = corners_and_middles(scenario, spread);
@@ -143,12 +146,11 @@ bool has_margin(sim::Scenario scenario, const core::FlightPlan& plan, const Tuni
 
 /// The whole degrees, or tenths of a second, that the search found a law for.
 std::optional<Request> within_reach(const Request& asked, const Found& found) {
-  constexpr double least_margin_rad = text::radians(30.0);  // predict requires it
-  constexpr double longest_settling_s = 10.0;               // --settling allows it
+  constexpr double longest_settling_s = 10.0;  // --settling allows it
   Request lowered = asked;
   if (!found.phase_margin_is_there) {
     lowered.phase_margin_rad = text::radians(std::floor(degrees(found.most.phase_margin_rad - reserve_rad)));
-    return lowered.phase_margin_rad >= least_margin_rad - 1e-9 ? std::optional{lowered} : std::nullopt;
+    return lowered.phase_margin_rad >= required_margin_rad - 1e-9 ? std::optional{lowered} : std::nullopt;
   }
   if (found.gain_margin_is_there && found.shortest_settling_s) {
     lowered.settling_s = 0.1 * std::ceil(10.0 * *found.shortest_settling_s);
@@ -231,8 +233,15 @@ bool Tuning::is_proposed() const {
   return after && new_plan.steady >= old_plan.steady && new_plan.held >= old_plan.held;
 }
 
+bool Tuning::is_old_enough() const {
+  return !after && old_alone && old_alone->flights > 0 && old_alone->held == old_alone->flights && before.settling_s &&
+         before.least.phase_margin_rad >= std::min(request.phase_margin_rad, required_margin_rad) &&
+         std::abs(largest_offset_rad) < reach_rad;
+}
+
 flight::Extremes Tuning::extremes() const {
-  return flight::worst_of({before.flight.extremes, flown_before().extremes, flown_after().extremes});
+  return flight::worst_of(
+      {before.flight.extremes, flown_before().extremes, flown_after().extremes, old_alone.value_or(Sum{}).extremes});
 }
 
 bool Tuning::is_better() const {
@@ -267,6 +276,10 @@ Tuning tune(const sim::Scenario& scenario, const Request& request, const Look& l
   }
   if (!t.after && t.alternative.empty()) {
     try_lower_demands(t, search_again);
+  }
+  if (!t.after) {
+    t.old_alone =
+        fly_each(scenario, {scenario.plan}, t.request, [&look](std::size_t) { look(Stage::choosing, 0); }).at(0);
   }
   return t;
 }

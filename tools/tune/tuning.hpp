@@ -53,8 +53,9 @@ struct Tuning {
   Judged before{};
   std::optional<Judged> after{};  ///< empty as far as no law was found
   std::vector<Pair> pairs{};
-  std::string alternative{};  ///< a sentence on another kind of law that was tried and is better, or on lower demands
-                              ///< that a law meets which loses no flight; or empty
+  std::optional<Sum> old_alone{};  ///< flights by the old plan over the spread, where no law was found
+  std::string alternative{};       ///< a sentence with a command at its end: of another kind of law that was tried and
+                                   ///< is better, or of lower demands that a law meets which loses no flight; or empty
   /// Where no law was found: the same with the demand that is missed lowered to what a law of its kind has, as far as
   /// that is worth asking for.
   std::optional<Request> within_reach{};
@@ -66,6 +67,9 @@ struct Tuning {
   [[nodiscard]] bool is_proposed() const;
   /// The worst of any flight.
   [[nodiscard]] flight::Extremes extremes() const;
+  /// No law was found, and the old plan holds every rocket of the spread with a phase margin that a prediction
+  /// requires, or that was asked for.
+  [[nodiscard]] bool is_old_enough() const;
   /// The flights were nearer to their reference, by more than chance would make them.
   [[nodiscard]] bool is_better() const;
 };
