@@ -42,6 +42,7 @@ class NewRocketFiles : public testing::Test {
     }
     return input::load_scenario((folder_ / "scenario.toml").string(), {});
   }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
   std::filesystem::path folder_;
@@ -101,6 +102,22 @@ TEST_F(NewRocketFiles, KeepWhatADesignFileHasStoredAndWhatWasLeftOut) {
   EXPECT_TRUE(std::ranges::any_of(vehicle.assumed, [&](const std::string& sentence) {
     return sentence.find(made->file) != std::string::npos && sentence.find(made->left_out[0]) != std::string::npos;
   }));
+}
+
+// The step after the first flight is a campaign, and a scenario without a spread is refused there.
+TEST_F(NewRocketFiles, ShowASpreadThatNeedsOnlyToBeUncommented) {
+  const NewFiles made = files_of(
+      {.name = "one", .vehicle = shipped(), .motor_file = "i150_canonical", .source = "a test", .assumed = {}});
+  std::string scenario = std::ranges::find(made.files, "scenario.toml", &text::NamedFile::name)->content;
+  const std::size_t begin = scenario.find("# [[spread]]");
+  ASSERT_NE(begin, std::string::npos);
+  for (std::size_t at = begin; at != std::string::npos; at = scenario.find("\n# ", at)) {
+    scenario.erase(at == begin ? at : at + 1, 2);
+  }
+  made_from(shipped());
+  std::ofstream{folder() / "scenario.toml"} << scenario;
+  EXPECT_NO_THROW((void)input::load_scenario((folder() / "scenario.toml").string(), {})) << scenario;
+  EXPECT_NE(scenario.find("\n[[spread]]\nfield = "), std::string::npos) << scenario;
 }
 
 TEST_F(NewRocketFiles, FlyInSixDegreesOfFreedomAndReachApogee) {

@@ -111,7 +111,7 @@ TEST_F(Designs, WithASecondSetOfWiderFinsAreReadWithItsMass) {
 
 TEST_F(Designs, AreNotComparedWithAFlightOnAnotherMotor) {
   const auto [made, later] = said(design("", k9 + mounted("b", "L5", "0.6"), flight("b", "4,0.9,1.1,0")));
-  expect_said(made, {"case.ork stores no up-to-date simulated flight with this motor"});
+  expect_said(made, {"case.ork stores no simulated flight with this motor that matches the design"});
 }
 
 TEST_F(Designs, WhoseMotorIsChangedAfterwardsAreNotComparedWithTheOldOne) {

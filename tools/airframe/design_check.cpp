@@ -145,7 +145,7 @@ void compare_with_design(Summary& summary, const sim::Vehicle& vehicle) {
     doubt(summary, fmt::format("parts of {} were left out or are uncertain: {}.", design.file, list(design.left_out)));
   } else {
     say_not_compared(summary, design,
-                     comparison.compared() == 0 ? "up-to-date simulated flight with this motor"
+                     comparison.compared() == 0 ? "simulated flight with this motor that matches the design"
                                                 : "flight with mass and both centres");
   }
 }

@@ -38,8 +38,19 @@ angles_deg = [{offset_deg}]
 motion = "{motion}"
 
 [wind]
-speed_m_s = {wind}
+speed_m_s = {wind}{wind_spread}
+
+# What fantail campaign draws: a table for each uncertain quantity. Uncomment this one, or write your own.
+# [[spread]]
+# field = "aerodynamics.torque_m"
+# law = "uniform"
+# effect = "factor"
+# low = 0.5
+# high = 2
 )";
+
+constexpr std::string_view wind_spread =
+    "\n# speed_spread_m_s = 1.5 # standard deviation: fantail predict varies the wind";
 
 std::string sentences(const char* key, const std::vector<std::string>& all) {
   std::string out = fmt::format("{} = [\n", key);
@@ -255,7 +266,8 @@ NewFiles files_of(const NewRocket& rocket) {
                  .content = first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("offset", offset.sentence),
                                                      fmt::arg("offset_deg", rounded(offset.angle_deg)),
                                                      fmt::arg("motion", whole ? "six_dof" : "straight"),
-                                                     fmt::arg("wind", whole ? 3 : 0))}},
+                                                     fmt::arg("wind", whole ? 3 : 0),
+                                                     fmt::arg("wind_spread", whole ? wind_spread : ""))}},
       .gains = first              ? sentence(*first)
                : b.roll_torque_m3 ? why_none(usual)
                                   : ""};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@
 #include "input/vehicle_file.hpp"
 #include "report/verdict.hpp"
 #include "text/input_file.hpp"
+#include "text/number.hpp"
 #include "text/output_folder.hpp"
 #include "text/quoting.hpp"
 
@@ -173,6 +175,20 @@ sim::Scenario write(const std::filesystem::path& folder, const std::vector<text:
   }
 }
 
+/// What of the vehicle it was made from has another value now, and no sentence of the new one says so.
+void show_changes(const sim::Vehicle& source, const sim::Vehicle& made) {
+  constexpr double same_share = 1e-3;
+  if (source.name != made.name) {
+    show("Changed: body.name, from \"{}\" to \"{}\"\n", source.name, made.name);
+  }
+  const double from = source.roll_plant.inertia_kg_m2;
+  const double to = made.roll_plant.inertia_kg_m2;
+  if (std::abs(to - from) > same_share * from) {
+    show("Changed: body.roll_inertia_kg_m2, from {} to {}, the sum of the parts\n", text::brief(from, 6),
+         text::brief(to, 6));
+  }
+}
+
 /// The verdict on a first flight of the new rocket.
 std::string first_flight(const sim::Scenario& scenario) {
   const campaign::JudgedFlight flown = campaign::fly_and_judge(scenario);
@@ -205,6 +221,9 @@ void make(const NewOptions& options) {
   }
   show("{}{}", files.gains, files.gains.empty() ? "" : "\n");
   show("{}", first_flight(scenario));
+  if (!is_design) {
+    show_changes(rocket.vehicle, made);
+  }
   for (const std::string& assumed : made.assumed) {
     show("Assumed: {}\n", assumed);
   }

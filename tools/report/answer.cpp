@@ -125,7 +125,7 @@ std::optional<flight::PathPoint> apogee_of(const flight::Flight& flight) {
 
 result::Document summary(const flight::Flight& flight, const Figures& figures, const Verdict& verdict,
                          const result::Made& made) {
-  std::vector<std::string> about{flight.vehicle};
+  std::vector<std::string> about{flight.vehicle == flight.scenario ? "" : flight.vehicle};
   about.push_back(flight.plan_name.empty() ? "" : "plan " + flight.plan_name);
   about.push_back(flight.seed              ? fmt::format("seed {}", *flight.seed)
                   : flight.version.empty() ? ""
