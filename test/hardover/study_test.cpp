@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "hardover/study.hpp"
-
-#include "input/scenario_file.hpp"
+#include "studies.hpp"
 #include "test.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
 
 namespace fantail::hardover {
 namespace {
-
-Study study(const std::vector<std::string>& changes, const Options& options) {
-  return fly(input::load_scenario("tasha3_launch2", input::parse_overrides(changes)), options,
-             [](std::size_t, std::size_t) {});
-}
-
-std::string text_of(const Study& found) { return result::text(answer(found)); }
-std::string page_of(const Study& found) { return result::html(answer(found)); }
-std::string json_of(const Study& found) { return result::json(answer(found)); }
 
 // Upright and without wind the rocket is the same to all sides, so that it does not matter which canard it is, but for
 // what the roll angle is at that moment, which only says to which side it goes.
@@ -168,46 +157,6 @@ TEST(Hardover, TheMapHasEveryApogeeWhereItIsOverGroundToTheSameScaleBothWays) {
   }
   EXPECT_EQ(points, found.effects.size() + 2) << "the healthy rocket and the guide, too";
   EXPECT_NEAR(map.x_range->high - map.x_range->low, map.y_range->high - map.y_range->low, 1e-9);
-}
-
-// Full of air it sinks with sqrt(2 m g / (rho CdA)) and goes with the wind, which comes from the north.
-TEST(Hardover, UnderAParachuteARocketLandsFromItsApogeeAsFarDownwindAsTheWindGoesMeanwhile) {
-  const std::vector<std::string> changes{"wind.speed_m_s=3", "recovery.drag_area_m2=0.8"};
-  const Study found = study(changes, {.step_s = 6.0, .coupler_m = {}, .threads = 2});
-  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", input::parse_overrides(changes));
-  const double mass_kg = scenario.vehicle.mass_kg - scenario.vehicle.motor.propellant_kg();
-  const double density_kg_m3 = scenario.atmosphere.density_kg_m3(200.0);
-  const double sinks_m_s = std::sqrt(2.0 * mass_kg * 9.80665 / (density_kg_m3 * (0.8 + scenario.vehicle.drag_area_m2)));
-  const double drift_m = found.sound_apogee_north_m - found.sound_landing_north_m.value();
-  EXPECT_NEAR(drift_m, 3.0 * found.sound_apogee_m / sinks_m_s, 0.08 * drift_m);
-  constexpr double carried_m = 25.0;  // by its speed at apogee, where it was turned early
-  for (const Effect& one : found.effects) {
-    EXPECT_NEAR(one.apogee_north_m - one.landing_north_m.value(), 3.0 * one.apogee_m / sinks_m_s, carried_m)
-        << one.from_s;
-    EXPECT_NEAR(one.landing_away_m.value(),
-                std::hypot(*one.landing_east_m - *found.sound_landing_east_m,
-                           *one.landing_north_m - *found.sound_landing_north_m),
-                1e-9);
-  }
-  EXPECT_NE(text_of(found).find("under the parachute"), std::string::npos) << text_of(found);
-  const page::Chart map = landing_map(found).value();
-  EXPECT_EQ(map.series.back().x.size(), 1U) << "the guide";
-  EXPECT_NEAR(map.x_range->high - map.x_range->low, map.y_range->high - map.y_range->low, 1e-9);
-}
-
-TEST(Hardover, WithoutAParachuteNoLandingPointIsInventedAndThatIsSaid) {
-  for (const std::vector<std::string>& changes :
-       {std::vector<std::string>{}, {"recovery.drag_area_m2=0"}, {"recovery.delay_s=60"}}) {
-    const Study found = study(changes, {.step_s = 9.0, .coupler_m = {}, .threads = 2});
-    EXPECT_FALSE(found.sound_landing_east_m);
-    EXPECT_FALSE(landing_map(found).has_value());
-    const std::string text = text_of(found);
-    EXPECT_EQ(text.find("landing shift"), std::string::npos) << text;
-    EXPECT_EQ(text.find("and the landing point"), std::string::npos) << text;
-    EXPECT_NE(text.find(found.has_parachute ? "flights have no landing point" : "Landing points are not known"),
-              std::string::npos)
-        << text;
-  }
 }
 
 TEST(Hardover, TheHeadlineIsTwoSentencesAndThePageSaysWhatItsWordsMeanAndWhichStopACurveIs) {

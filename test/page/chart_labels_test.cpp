@@ -157,7 +157,7 @@ TEST(ChartLabels, DegenerateDataGiveFiniteDrawings) {
   const std::vector<std::vector<double>> values{{},         {5},       {5, 5, 5},       {gone},        {gone, 1, gone},
                                                 {0, 0},     {-0.0},    {endless, 1},    {most, -most}, {1e-300, 2e-300},
                                                 {1e9, 1e9}, {1, 2, 3}, {-endless, gone}};
-  for (const Mark mark : {Mark::line, Mark::step, Mark::points, Mark::line_and_points}) {
+  for (const Mark mark : {Mark::line, Mark::step, Mark::points, Mark::line_and_points, Mark::ring, Mark::cross}) {
     for (const auto& x : values) {
       for (const auto& y : values) {
         Chart chart{.series = {{"a", Role::measured, mark, x, y}, {"b", Role::model, mark, y, x}}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -37,6 +38,8 @@ constexpr auto effect_fields = result::fields<E>({
     {"apogee_north", "apogee to the north", m, 1, &E::apogee_north_m, "over ground, from the foot of the guide"},
     {"landing_moved", "landing shift", m, 0, &E::landing_away_m,
      "horizontal distance of its landing point under the parachute from the healthy rocket's", Worse::larger},
+    {"landing_from_guide", "landing from the guide", m, 0, &E::landing_from_guide_m,
+     "horizontal distance of its landing point from the foot of the guide", Worse::larger},
     {"landing_east", "landing to the east", m, 0, &E::landing_east_m,
      "under the parachute, from the foot of the guide; null: not known"},
     {"landing_north", "landing to the north", m, 0, &E::landing_north_m,
@@ -96,6 +99,8 @@ result::Figures at_worst(const Study& study, const Effect& worst) {
   figures["apogee_moved"].remark = "horizontal";
   if (worst.landing_away_m) {
     figures["landing_moved"].remark = "under the parachute";
+    figures["landing_from_guide"].remark = fmt::format(
+        "healthy rocket: {} m", fixed(std::hypot(*study.sound_landing_east_m, *study.sound_landing_north_m), 0));
   }
   figures["roll_rate"].remark = fmt::format("healthy rocket: {}", fixed(degrees(study.sound_roll_rate_rad_s), 0));
   figures["side_force"].remark = "of the canards";
@@ -106,10 +111,13 @@ result::Figures at_worst(const Study& study, const Effect& worst) {
 }
 
 /// What the rows are not.
-std::string_view no_clearance() {
-  return "The shifts are distances from the healthy rocket and not from the launch guide. The guide, the wind and the "
-         "parachute are those of the scenario; others can give larger distances. These rows do not "
-         "clear a range: they contain no fall without a parachute.";
+std::string no_clearance(const Study& study) {
+  return fmt::format(
+      "The shifts are distances from the healthy rocket and not from the launch guide. The guide and the wind are "
+      "those "
+      "of the scenario{}; others can give larger distances. These rows do not clear a range: they contain no fall "
+      "without a parachute.",
+      study.has_parachute ? ", the parachute is that of the vehicle" : "");
 }
 
 /// How far the simulation tells where it lands.
@@ -248,11 +256,16 @@ result::Document answer(const Study& study) {
   std::vector<result::Block> plots{curves(study)};
   for (const std::string_view y : {"side_force", "way_turned", "apogee_moved", "apogee", "angle_of_attack", "rolled"}) {
     plots.emplace_back(result::plot(flights, y, {.x = "from", .curves = "stop"}));
+    if (y == "angle_of_attack") {
+      std::get<result::Picture>(plots.back()).caption += fmt::format(
+          " The curve ends where no flight was faster than {} m/s after the failure.", fixed(slowest_m_s, 0));
+    }
   }
   std::vector<result::Block> maps{
       result::Picture{apogee_map(study), "Apogee of each flight over ground, seen from above."}};
-  if (auto landing = landing_map(study)) {
-    maps.emplace_back(result::Picture{*std::move(landing), "Landing point of each flight, seen from above."});
+  const auto landing = landing_map(study);
+  if (landing) {
+    maps.emplace_back(result::Picture{*landing, "Landing point of each flight, seen from above."});
   }
   using enum result::Readers;
   return {.kind = "study: failure of one canard",
@@ -261,9 +274,9 @@ result::Document answer(const Study& study) {
           .verdict = {.answer = result::Answer::none,
                       .heading = "Worst of " + text::counted(study.effects.size(), "flight"),
                       .sentence = headline(study, worst),
-                      .not_in_it = {std::string{no_clearance()}}},
+                      .not_in_it = {no_clearance(study)}},
           .facts = facts(study),
-          .sections = {{"Apogee and landing", maps, files},
+          .sections = {{landing ? "Apogee and landing" : "Apogee", maps, files},
                        {"Descent", {descent(study)}},
                        {"Worst value of each figure", {at_worst(study, worst)}},
                        {"Definitions", {result::Sentences{.all = definitions(worst)}}, files},

@@ -26,14 +26,14 @@ void add(page::Series& series, const OverGround& at) {
 
 page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)(const Effect&),
                    const OverGround& of_healthy) {
-  const auto points = [](const char* name, page::Role role) {
-    return page::Series{.name = name, .role = role, .mark = page::Mark::points};
+  const auto points = [](const char* name, page::Role role, page::Mark mark = page::Mark::points) {
+    return page::Series{.name = name, .role = role, .mark = mark};
   };
   const bool two_stops = study.options.failure == Failure::hard_over;
   page::Series positive = points(two_stops ? "at the positive stop" : "pulses cut", page::Role::measured);
   page::Series negative = points("at the negative stop", page::Role::model);
-  page::Series healthy = points("healthy rocket", page::Role::second_model);
-  page::Series guide = points("launch guide", page::Role::reference);
+  page::Series healthy = points("healthy rocket", page::Role::second_model, page::Mark::ring);
+  page::Series guide = points("launch guide", page::Role::reference, page::Mark::cross);
   for (const Effect& effect : study.effects) {
     add(effect.stop_rad < 0.0 ? negative : positive, place_of(effect));
   }

@@ -39,29 +39,30 @@ struct Flown {
 
 bool has_parachute(const sim::Vehicle& vehicle) { return vehicle.recovery && vehicle.recovery->drag_area_m2 > 0.0; }
 
-/// From the pad, under a parachute to the ground. The fall without one is at angles of attack at which nothing is known
-/// of the air loads. The vectors end as much after apogee as the scenario flies on.
+/// From the pad, under a parachute to the ground, however soon after apogee the scenario's own run ends. The fall
+/// without one is at angles of attack at which nothing is known of the air loads. The vectors end at apogee.
 Flown flown(const sim::Scenario& scenario) {
   sim::Scenario to_ground = scenario;
-  if (has_parachute(scenario.vehicle)) {
-    to_ground.time_after_end_s = std::max(longest_fall_s, scenario.time_after_end_s);
-  }
+  to_ground.time_after_end_s = longest_fall_s;
   sim::World world{to_ground};
   Flown out;
   std::optional<core::Microseconds> kept_until;
   const auto ignition = sim::nearest_tick(scenario.pad_time_s);
   const auto after_ignition_s = [&](auto time) { return sim::in_seconds(time - ignition); };
   bool is_finished = false;
-  while (!world.over() && !out.landing_at_m) {
-    // In the fall the avionics only hold trim, so that its ticks change nothing and take most of the time.
-    if (!kept_until || !is_finished || world.now() < *kept_until) {
+  bool is_over = false;
+  while (!is_over && !world.over()) {
+    const sim::World::Events& events = world.events();
+    // Under the parachute the avionics only hold trim, so that its ticks change nothing and take most of the time.
+    // Until then they are needed: a tick is what notes that it opens.
+    if (!kept_until || !is_finished || !events.parachute) {
       is_finished = world.tick().phase == core::Phase::finished;
     }
-    const sim::World::Events& events = world.events();
     if (!kept_until && events.burnout && events.apogee) {
-      kept_until = std::max(*events.burnout, *events.apogee) + sim::nearest_tick(scenario.time_after_end_s);
+      kept_until = std::max(*events.burnout, *events.apogee);
     }
-    if (events.parachute && world.is_on_ground()) {
+    is_over = kept_until && (world.is_on_ground() || !has_parachute(scenario.vehicle));
+    if (is_over && events.parachute) {
       out.landing_at_m = world.path().value().position_m;
     }
     if (world.now() >= ignition && (!kept_until || world.now() < *kept_until)) {
@@ -222,9 +223,7 @@ Study fly(sim::Scenario scenario, const Options& options,
   }
   for (std::size_t i = static_cast<std::size_t>(std::lround(1e3 * sound.clear_s)); i < sound.air_speed_m_s.size();
        ++i) {
-    if (static_cast<double>(i) < 1e3 * sound.apogee_s) {
-      study.sound_roll_rate_rad_s = std::max(study.sound_roll_rate_rad_s, std::abs(sound.roll_rate_rad_s[i]));
-    }
+    study.sound_roll_rate_rad_s = std::max(study.sound_roll_rate_rad_s, std::abs(sound.roll_rate_rad_s[i]));
     if (sound.air_speed_m_s[i] >= slowest_m_s) {
       study.sound_angle_of_attack_rad =
           std::max(study.sound_angle_of_attack_rad, std::optional{sound.angle_of_attack_rad[i]});
@@ -249,6 +248,11 @@ Study fly(sim::Scenario scenario, const Options& options,
   };
   runs::run(runs::rows_into<Effect>(study.effects, flights_of_a_part, "", fly_one), options.kept, options.threads,
             [&](std::uint64_t done) { look(done, failures.size()); });
+  for (Effect& effect : study.effects) {
+    if (effect.landing_east_m && effect.landing_north_m) {
+      effect.landing_from_guide_m = std::hypot(*effect.landing_east_m, *effect.landing_north_m);
+    }
+  }
   return study;
 }
 

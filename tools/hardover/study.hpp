@@ -57,7 +57,8 @@ struct Effect {
   double apogee_north_m = 0.0;
   std::optional<double> landing_east_m{};  ///< likewise; empty: not known, as without a parachute
   std::optional<double> landing_north_m{};
-  std::optional<double> landing_away_m{};  ///< horizontal distance from where the healthy rocket lands
+  std::optional<double> landing_away_m{};        ///< horizontal distance from where the healthy rocket lands
+  std::optional<double> landing_from_guide_m{};  ///< likewise from the foot of the guide; follows from the row
 };
 inline void fields(runs::RowText& text, Effect& effect) {
   text(effect.canard, effect.stop_rad, effect.from_s, effect.side_force_n, effect.pressure_pa,
@@ -114,7 +115,7 @@ struct Study {
 
 /// Where the apogees of all flights lie over ground.
 [[nodiscard]] page::Chart apogee_map(const Study& study);
-/// Where those land that do; empty: none.
+/// Where those land whose landing is known; empty: none.
 [[nodiscard]] std::optional<page::Chart> landing_map(const Study& study);
 /// Answers nothing with yes or no: it measures.
 [[nodiscard]] result::Document answer(const Study& study);

@@ -23,7 +23,7 @@ Range x_range(const Chart& chart) {
   bool dots = chart.equal_x_ticks_at_points;
   for (const Series& series : chart.series) {
     std::ranges::for_each(series.x, [&](double x) { include(range, x); });
-    dots = dots || series.mark == Mark::points || series.mark == Mark::line_and_points;
+    dots = dots || !has_line(series.mark) || series.mark == Mark::line_and_points;
   }
   for (const Area& area : chart.areas) {
     std::ranges::for_each(area.x, [&](double x) { include(range, x); });
@@ -72,7 +72,7 @@ Range y_range(const Chart& chart, Range x_visible) {
 // broad where a model is drawn over it, so that both are seen where they agree; a target is broad already.
 std::vector<std::string> styles(const Chart& chart) {
   const bool modelled = std::ranges::any_of(chart.series, [](const Series& s) {
-    return s.mark != Mark::points && (s.role == Role::model || s.role == Role::second_model);
+    return has_line(s.mark) && (s.role == Role::model || s.role == Role::second_model);
   });
   const bool targeted = std::ranges::any_of(chart.series, [](const Series& s) { return s.role == Role::target; });
   std::vector<std::string> result;
@@ -93,10 +93,13 @@ std::vector<std::string> styles(const Chart& chart) {
   return result;
 }
 
-// The models stand before what was measured, and both before what surrounds them.
-constexpr int deepest = 3;
-int depth(Role role) {
-  switch (role) {
+// The models stand before what was measured, both before what surrounds them, and a landmark before all.
+constexpr int deepest = 4;
+int depth(const Series& series) {
+  if (is_landmark(series.mark)) {
+    return deepest;
+  }
+  switch (series.role) {
     case Role::measured: return 1;
     case Role::model: return 2;
     case Role::second_model: return 3;
@@ -119,7 +122,7 @@ void draw_curves(SvgPlot& plot, LabelPlacer& places, const Chart& chart, const s
   }
   for (int level = 0; level <= deepest; ++level) {
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
-      if (depth(chart.series[i].role) == level) {
+      if (depth(chart.series[i]) == level) {
         draw(plot, places, chart.series[i], style[i], chart.sampled);
       }
     }

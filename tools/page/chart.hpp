@@ -10,7 +10,10 @@
 
 namespace fantail::page {
 
-enum class Mark : std::uint8_t { line, step, points, line_and_points };
+/// A ring or a cross stands for one place among many dots: it is drawn in front of everything else.
+enum class Mark : std::uint8_t { line, step, points, line_and_points, ring, cross };
+[[nodiscard]] constexpr bool is_landmark(Mark mark) { return mark == Mark::ring || mark == Mark::cross; }
+[[nodiscard]] constexpr bool has_line(Mark mark) { return mark != Mark::points && !is_landmark(mark); }
 
 /// What a colour says, the same on every page. A target is what finer lines are held against: the truth, a command.
 enum class Role : std::uint8_t { measured, model, second_model, target, reference, limit, neutral };

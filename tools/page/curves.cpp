@@ -167,6 +167,13 @@ std::vector<Pixel> dots_to_draw(const SvgPlot& plot, const Series& series, doubl
   return kept;
 }
 
+void draw_landmarks(SvgPlot& plot, LabelPlacer& places, const Series& series) {
+  for (const Pixel& p : dots_to_draw(plot, series, 2.0)) {
+    plot.add("{}", landmark(p, series));
+    places.avoid(p);
+  }
+}
+
 void draw_dots(SvgPlot& plot, LabelPlacer& places, const Series& series) {
   constexpr std::size_t most = 30'000;  // more only make the page large: they cover each other in part
   double per_unit = 2.0;
@@ -204,12 +211,27 @@ bool anything_in(const Series& series) { return any_pair(series.x, series.y); }
 bool anything_in(const Area& area) { return any_pair(area.x, area.low) && any_pair(area.x, area.high); }
 
 void draw(SvgPlot& plot, LabelPlacer& places, const Series& series, std::string_view style, bool sampled) {
-  if (series.mark != Mark::points) {
+  if (has_line(series.mark)) {
     draw_line(plot, places, series, style, sampled);
   }
   if (series.mark == Mark::points || series.mark == Mark::line_and_points) {
     draw_dots(plot, places, series);
   }
+  if (is_landmark(series.mark)) {
+    draw_landmarks(plot, places, series);
+  }
+}
+
+// Twice: a wide one in the colour of the paper, so that it stands out from the dots behind it. The path of the name is
+// a dot without a width, which the cursor reads.
+std::string landmark(Pixel at, const Series& series) {
+  const std::string shape = series.mark == Mark::ring
+                                ? fmt::format("M{:.1f} {:.1f}a6 6 0 1 0 12 0a6 6 0 1 0-12 0", at.x - 6.0, at.y)
+                                : fmt::format("M{0:.1f} {1:.1f}l12 12m0-12l-12 12", at.x - 6.0, at.y - 6.0);
+  return fmt::format(
+      "<path class=\"landmark halo\" d=\"{0}\"/><path class=\"landmark {1}\" d=\"{0}\"/>"
+      "<path class=\"dots place {1}\" data-name=\"{2}\" d=\"M{3:.1f} {4:.1f}h0\"/>",
+      shape, class_of(series.role), escape_html(series.name), at.x, at.y);
 }
 
 void draw(SvgPlot& plot, const Area& area, bool sampled) {

@@ -46,10 +46,12 @@ Legend::Legend(const Chart& chart, const std::vector<std::string>& styles) : cha
     Entry& of_it = entry(anything_in(one) ? one.name : one.name + " (no data)");
     if (of_it.line.empty()) {
       const std::string_view role = class_of(one.role);
-      of_it.line =
-          one.mark == Mark::points ? "" : fmt::format("<path class=\"line {}{}\" d=\"M0-4h22\"/>", role, styles[i]);
+      of_it.line = has_line(one.mark) ? fmt::format("<path class=\"line {}{}\" d=\"M0-4h22\"/>", role, styles[i]) : "";
       if (one.mark == Mark::points || one.mark == Mark::line_and_points) {
         of_it.line += fmt::format("<path class=\"dots {}\" d=\"M11-4h0\"/>", role);
+      }
+      if (is_landmark(one.mark)) {
+        of_it.line += landmark({11.0, -4.0}, one);
       }
     }
   }

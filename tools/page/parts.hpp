@@ -25,6 +25,8 @@ namespace fantail::page {
 /// of the plot is drawn. `sampled`: as in Chart.
 void draw(SvgPlot& plot, LabelPlacer& places, const Series& series, std::string_view style, bool sampled);
 void draw(SvgPlot& plot, const Area& area, bool sampled);
+/// The ring or the cross of a series at one place.
+[[nodiscard]] std::string landmark(Pixel at, const Series& series);
 
 void draw_shaded_ranges(SvgPlot& plot, const Chart& chart);
 void draw_levels(SvgPlot& plot, const Chart& chart);
