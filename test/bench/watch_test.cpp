@@ -61,6 +61,26 @@ TEST_F(WatchTest, ASoundBoardHasNoFault) {
   EXPECT_EQ(object["battery_v"], nullptr);
 }
 
+// Neither is a fault of the board where the sensor is simulated, without the driver that looks for them.
+TEST_F(WatchTest, ADeadImuAndASilentEncoderAreSeen) {
+  watch.look(now);
+  EXPECT_EQ(json::parse(watch.json())["gyro_state"], nullptr);
+  (void)board.send(avionics::can_frame(
+      encode(protocol::HealthReport{.gyro = core::SensorState::failed, .accelerometer = core::SensorState::fresh})));
+  protocol::EncoderReport encoders;
+  encoders.angle = {core::Angle{}, core::Angle{}, std::nullopt, core::Angle{}};
+  (void)board.send(avionics::can_frame(encode(encoders, 0)));
+  hear({});
+  EXPECT_TRUE(table_says("gyro failed, accelerometer fresh\n")) << watch.table();
+  EXPECT_TRUE(table_says("silent")) << watch.table();
+  EXPECT_NE(watch.line().find("canard 3 command - deg, encoder silent"), std::string::npos) << watch.line();
+  EXPECT_NE(watch.line().find("canard 4 command - deg, encoder +0.00"), std::string::npos) << watch.line();
+  EXPECT_NE(watch.line().find("gyro failed, accelerometer fresh;"), std::string::npos) << watch.line();
+  const Json object = json::parse(watch.json());
+  EXPECT_EQ(object["gyro_state"], "failed");
+  EXPECT_EQ(object["accelerometer_state"], "fresh");
+}
+
 TEST_F(WatchTest, CountersThatWrapHaveTheirModulusBesideThem) {
   hear({});
   const Json object = json::parse(watch.json());

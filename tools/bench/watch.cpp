@@ -45,6 +45,8 @@ struct CanardRow {
   std::optional<double> limit_deg;
   std::string_view verdict = "unknown";
   bool limited = false;
+  bool silent = false;  ///< the avionics reports that the encoder has no valid reading
+  [[nodiscard]] std::string encoder_text() const { return silent ? "silent" : cell(encoder_deg); }
   [[nodiscard]] std::optional<double> difference_deg() const {
     return command_deg && encoder_deg ? std::optional{*encoder_deg - *command_deg} : std::nullopt;
   }
@@ -60,11 +62,16 @@ link::Each<CanardRow> rows(const link::AvionicsLink& link, hal::Microseconds now
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].command_deg = commands ? degrees(commands->angle[i]) : std::nullopt;
     rows[i].encoder_deg = encoders ? degrees(encoders->angle[i]) : std::nullopt;
+    rows[i].silent = encoders && !encoders->angle[i];
     rows[i].limit_deg = limits ? degrees(limits->limit[i]) : std::nullopt;
     rows[i].verdict = health ? core::name(health->verdicts[i]) : "unknown";
     rows[i].limited = status && status->limited[i];
   }
   return rows;
+}
+
+std::string sensors_text(const protocol::HealthReport& health) {
+  return fmt::format("gyro {}, accelerometer {}", core::name(health.gyro), core::name(health.accelerometer));
 }
 
 // Two or three lines, each with its end.
@@ -145,14 +152,16 @@ std::string Watch::table() const {
   if (const auto board = known<protocol::BoardReport>()) {
     text += board_lines(*board);
   }
+  if (health) {
+    text += sensors_text(*health) + "\n";
+  }
   text += "canard  command   encoder  difference   limit  verdict\n";
   const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
     const CanardRow& row = canards[i];
-    text +=
-        fmt::format("{:>6} {:>8}  {:>8}    {:>8}  {:>6}  {}{}\n", i + 1, cell(row.command_deg), cell(row.encoder_deg),
-                    cell(row.difference_deg()), row.limit_deg ? fmt::format("{:.2f}", *row.limit_deg) : "-",
-                    row.verdict, row.limited ? ", limited" : "");
+    text += fmt::format("{:>6} {:>8}  {:>8}    {:>8}  {:>6}  {}{}\n", i + 1, cell(row.command_deg), row.encoder_text(),
+                        cell(row.difference_deg()), row.limit_deg ? fmt::format("{:.2f}", *row.limit_deg) : "-",
+                        row.verdict, row.limited ? ", limited" : "");
   }
   return text + replies_text();
 }
@@ -166,7 +175,10 @@ std::string Watch::line() const {
   const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
     text += fmt::format(" canard {} command {} deg, encoder {}, {};", i + 1, cell(canards[i].command_deg),
-                        cell(canards[i].encoder_deg), canards[i].verdict);
+                        canards[i].encoder_text(), canards[i].verdict);
+  }
+  if (const auto health = known<protocol::HealthReport>()) {
+    text += " " + sensors_text(*health) + ";";
   }
   const auto board = known<protocol::BoardReport>();
   if (board && board->faults != 0) {
@@ -205,6 +217,8 @@ std::string Watch::json() const {
   json["uptime_modulo_s"] = 16'777.216;  // it begins again at 0 then
   json["plan_crc"] = heartbeat ? Json(fmt::format("{:08x}", heartbeat->plan_crc)) : Json{};
   json["longest_tick_us"] = health ? Json(health->longest_tick_us) : Json{};
+  json["gyro_state"] = health ? Json(core::name(health->gyro)) : Json{};
+  json["accelerometer_state"] = health ? Json(core::name(health->accelerometer)) : Json{};
   json["avionics_bus_state"] = health ? Json(replies::name(static_cast<hal::CanState>(health->bus_state))) : Json{};
   json["avionics_counters_modulo"] = 256;  // of the three below and of frames_refused_by_avionics
   json["avionics_unsent"] = health ? Json(health->unsent) : Json{};
