@@ -70,6 +70,19 @@ TEST_F(Page, WhileOthersAreStillToMoveItSaysWhatHasFailedAndGivesNoVerdict) {
   }
 }
 
+TEST_F(Page, OfOneCanardSaysThatTheOthersWereNotMoved) {
+  const Exercise one = Exercise::limits_of(six_degrees(), 0);
+  const Sheet sheet = examine(Bench{}.record(one), one, {}, {});
+  for (const std::string& all : {page({}, one), sheet_text(sheet), sheet_json(sheet)}) {
+    EXPECT_NE(all.find("Canards 2, 3 and 4 were not moved."), std::string::npos) << all;
+  }
+  EXPECT_NE(page({}, one).find("<h2>PASS, canard 1 only</h2>"), std::string::npos);
+  EXPECT_NE(sheet_text(sheet).find("\nPASS, canard 1 only\n"), std::string::npos) << sheet_text(sheet);
+  const std::string all_four = page({}, Exercise::limits(six_degrees()));
+  EXPECT_NE(all_four.find("<h2>PASS</h2>"), std::string::npos);
+  EXPECT_EQ(all_four.find("not moved"), std::string::npos);
+}
+
 TEST_F(Page, EscapesWhatOthersNamed) {
   const Heading heading{.vehicle = "<script>a", .plan = "b&c", .date = "\"d\"", .notes = {"<e>"}};
   const std::string html = page({}, Exercise::step(six_degrees(), 0, 3.0 * degree), heading);

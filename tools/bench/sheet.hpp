@@ -88,6 +88,9 @@ struct Sheet {
 [[nodiscard]] std::string_view name(Judgement judgement);          ///< for files: "pass"
 [[nodiscard]] std::string_view display_name(Judgement judgement);  ///< "PASS", "FAIL", "NO VERDICT"
 
+/// The large word: "PASS", or "PASS, canard 1 only" where `limits` moved only that one.
+[[nodiscard]] std::string headline(const Sheet& sheet);
+
 /// Measures, judges and names the causes. Some 10 ms for `limits` of four canards.
 [[nodiscard]] Sheet examine(const link::Recording& recording, const Exercise& exercise,
                             const sim::CanardTolerances& tolerances, const Heading& heading);

@@ -1,11 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include <cctype>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "bench/sheet.hpp"
 
 namespace fantail::bench {
+namespace {
+
+// A step or a sine is always that of one canard, and its title says so.
+bool is_of_one_canard(const Sheet& sheet) {
+  return sheet.kind == ExerciseKind::limits && sheet.canards.size() == 1 && sheet.judgement() == Judgement::pass;
+}
+
+std::string others_not_moved(std::size_t canard) {
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    if (i != canard) {
+      others.push_back(i + 1);
+    }
+  }
+  return fmt::format("Canards {}, {} and {} were not moved.", others[0], others[1], others[2]);
+}
+
+}  // namespace
+
+std::string headline(const Sheet& sheet) {
+  return fmt::format("{}{}", display_name(sheet.judgement()),
+                     is_of_one_canard(sheet) ? fmt::format(", canard {} only", sheet.canards.front().canard + 1) : "");
+}
 
 std::vector<std::string> conclusions(const Sheet& sheet) {
   std::vector<std::string> all;
@@ -32,6 +58,9 @@ std::vector<std::string> conclusions(const Sheet& sheet) {
     }
   }
   if (all.empty() && sheet.kind == ExerciseKind::limits) {
+    if (is_of_one_canard(sheet)) {
+      all.push_back(others_not_moved(sheet.canards.front().canard));
+    }
     all.push_back(
         sheet.canards.size() == core::canard_count
             ? "According to their encoders, all four canards follow their commands to their limits and no further."

@@ -48,7 +48,7 @@ std::string as_sentence(std::string why) {
 
 void judge(page::Page& page, const Sheet& sheet) {
   page.tone = result::tone(answer(sheet.judgement()));
-  page.verdict_heading = display_name(sheet.judgement());
+  page.verdict_heading = headline(sheet);
   page.stamped = true;
   std::ranges::transform(conclusions(sheet), std::back_inserter(page.findings), as_finding);
 }

@@ -32,7 +32,7 @@ class Page {
       line("  {}", about_monitor);
     }
     line("");
-    line("{}", display_name(sheet_.judgement()));
+    line("{}", headline(sheet_));
     for (const std::string& conclusion : conclusions(sheet_)) {
       line("  {}", conclusion);
     }
