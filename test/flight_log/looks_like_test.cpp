@@ -88,7 +88,11 @@ TEST_F(LogFileOnDisk, ThatDoesNotExistIsNoInput) {
 }
 
 TEST_F(LogFileOnDisk, OfAFolderIsTheFlightInIt) {
-  EXPECT_NE(refusal(folder_, text::ErrorKind::no_such_input).find("contains no flight.ftl"), std::string::npos);
+  EXPECT_NE(refusal(folder_, text::ErrorKind::no_such_input).find("contains no flight log"), std::string::npos);
+  std::ofstream{folder_ / "flight_001.ftl"} << "x";  // as a download names it
+  EXPECT_NE(refusal(folder_, text::ErrorKind::bad_data).find("flight_001.ftl"), std::string::npos);
+  std::ofstream{folder_ / "flight_002.ftl"} << "x";
+  EXPECT_NE(refusal(folder_, text::ErrorKind::no_such_input).find("several"), std::string::npos);
   std::ofstream{folder_ / "flight.ftl"} << "x";
   EXPECT_NE(refusal(folder_, text::ErrorKind::bad_data).find("flight.ftl"), std::string::npos);
 }

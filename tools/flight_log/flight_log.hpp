@@ -111,8 +111,8 @@ inline constexpr std::size_t most_flights = 1000;
 /// Whatever bytes it is given: takes memory in proportion to them, and saves what can be saved.
 [[nodiscard]] LogFile parse_log(std::span<const std::byte> bytes, std::string name);
 
-/// A folder stands for the flight.ftl in it. Throws text::Error: no_such_input; bad_data for a file that holds no
-/// intact record at all (saying what it looks like instead); and as text::read_input() does.
+/// A folder stands for the flight.ftl in it, or for its only .ftl. Throws text::Error: no_such_input; bad_data for a
+/// file that holds no intact record at all (saying what it looks like instead); and as text::read_input() does.
 [[nodiscard]] LogFile read_log_file(const std::filesystem::path& path);
 
 /// What bytes without a single record are, as the end of a sentence: "a CSV file". People take the wrong file more

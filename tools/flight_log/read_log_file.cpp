@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -20,11 +21,21 @@ std::filesystem::path file_of(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path, ignored)) {
     return path;
   }
-  std::filesystem::path file = path / "flight.ftl";
-  if (!std::filesystem::exists(file, ignored)) {
-    throw Error{ErrorKind::no_such_input, path.string() + ": this folder contains no flight.ftl"};
+  if (std::filesystem::path file = path / "flight.ftl"; std::filesystem::exists(file, ignored)) {
+    return file;
   }
-  return file;
+  std::vector<std::filesystem::path> logs;  // as a download leaves them: flight_001.ftl
+  for (const auto& entry : std::filesystem::directory_iterator{path, ignored}) {
+    if (entry.path().extension() == ".ftl") {
+      logs.push_back(entry.path());
+    }
+  }
+  if (logs.size() != 1) {
+    throw Error{ErrorKind::no_such_input,
+                path.string() + (logs.empty() ? ": this folder contains no flight log (.ftl)"
+                                              : ": this folder contains several flight logs (.ftl); name one of them")};
+  }
+  return logs.front();
 }
 
 }  // namespace
