@@ -72,6 +72,16 @@ TEST(FaultHeadline, SaysHowManyFaultsAreNotSafeAndNamesTheWorstFirst) {
       headline(with_colours({not_judged, green})).starts_with("No fault is unsafe; 1 is safe in every flight. "));
 }
 
+// Another rocket than the shipped one can have them.
+TEST(FaultReasons, OfARedCellNameTheCommandThatFliesItsWorstRun) {
+  Result result;
+  result.cells = {of("flash/dead/armed", Colour::red, 20.0)};
+  const result::Table table = reasons(result);
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(std::get<std::string>(table.rows[0][1]), "Not among the known limits of Fantail.");
+  EXPECT_NE(std::get<std::string>(table.rows[0][2]).find("--cell flash/dead/armed"), std::string::npos);
+}
+
 TEST(FaultWorst, AreTheWorstCellsOfFiveFaultsRedOnesFirst) {
   Result result;
   result.cells = {of("imu/dead/pad", Colour::green, 500.0, Outcome::not_armed),

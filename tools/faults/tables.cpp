@@ -127,9 +127,12 @@ result::Table reasons(const Result& result) {
     }
     last = &cell;
     const std::string fault = fmt::format("{} {}", cell.cell.row->device, cell.cell.row->fault);
-    table.rows.push_back({Judged{mark_of(cell.colour), fault, phase},
-                          cell.limit == nullptr ? "Not known yet." : std::string{cell.limit->why},
-                          cell.limit == nullptr ? "" : what_to_do(cell)});
+    table.rows.push_back(
+        {Judged{mark_of(cell.colour), fault, phase},
+         cell.limit == nullptr ? "Not among the known limits of Fantail." : std::string{cell.limit->why},
+         cell.limit == nullptr ? fmt::format("Read the flight report of its worst run: {}",
+                                             run_command(result.campaign, cell.cell, cell.worst->number))
+                               : what_to_do(cell)});
   }
   return table;
 }
