@@ -88,9 +88,7 @@ void add_bench_hold(const Verb& bench) {
   auto verb = bench.verb("hold", "Hold one canard at an angle until Ctrl-C and show its encoder; then all are centred");
   auto options = std::make_shared<HoldOptions>();
   verb.option("CANARD", options->canard, "Which canard, 1 to 4").range(1, 4).required();
-  verb.option("DEG", options->angle_deg, "Shaft angle; the avionics keeps to its limit")
-      .range(-20.47, 20.47)
-      .required();
+  verb.option("DEG", options->angle_deg, "Shaft angle, clamped to the limit").range(-20.47, 20.47).required();
   add_bench_options(verb, options->bench, "Print one JSON object a second, one per line");
   add_end_option(verb, options->seconds);
   verb.examples(

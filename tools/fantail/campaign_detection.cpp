@@ -166,14 +166,14 @@ void detect(const DetectionOptions& options) {
 void fill_detection(const Verb& verb) {
   auto options = std::make_shared<DetectionOptions>();
   verb.option("--plan", options->plans,
-              "A shipped plan, a plan file, or published_launch2; may be given again [all shipped launch plans and "
+              "A shipped plan, a plan file, or published_launch2; repeatable [all shipped launch plans and "
               "published_launch2, the rule of the second launch as printed]. Without this option, only plans that use "
               "two accelerometers are judged. A named plan is always judged, except published_launch2")
       .offers(shipped(input::Shipped::plan))
       .one_word_each_time()
       .changes_result();
   verb.section("Events");
-  verb.option("--kind", options->kinds, "Only this kind of event; may be given again [all]")
+  verb.option("--kind", options->kinds, "Only this kind of event; repeatable [all]")
       .one_word_each_time()
       .check(objection_to_kind)
       .changes_result();
@@ -210,7 +210,7 @@ void fill_detection(const Verb& verb) {
       .offers(folders);
   verb.flag("--json", options->json, "Print summary.json instead of the text; with --event, its result");
   verb.examples(
-      "Plays what can happen to an armed rocket: handling, drops, transport, shaking, a launch nearby, the recovery "
+      "Plays events around an armed rocket: handling, drops, transport, shaking, a launch nearby, the recovery "
       "after an undetected flight. Shows how often it detects a false launch and how often its canards move. For "
       "launches: how many are missed, and the errors of time, height and tilt.\n"
       "To continue an interrupted campaign, repeat the command; --events may be larger.\n"

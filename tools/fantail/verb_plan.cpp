@@ -117,7 +117,7 @@ constexpr Action showing{
     "  fantail plan show my_plan.toml --json             every number of a plan, for a script"};
 constexpr Action packing{
     "compile",
-    "Write the packed block that a board is loaded with",
+    "Write the packed block to load into a board",
     true,
     "",
     compile,
@@ -144,7 +144,7 @@ void fill(const Verb& plan) {
       "Examples:\n"
       "  fantail plan check my_plan.toml                   may it fly? If not: file, line, value, allowed range\n"
       "  fantail plan show tasha3_launch2                  every number with its unit, range and meaning\n"
-      "  fantail plan compile tasha3_launch2 --out p.ftpl  the block of bytes that a board is loaded with");
+      "  fantail plan compile tasha3_launch2 --out p.ftpl  the block of bytes to load into a board");
   auto options = std::make_shared<PlanOptions>();
   add(plan, checking, options)
       .option("--scenario", options->scenario,
