@@ -48,6 +48,11 @@ class Wiring(unittest.TestCase):
                          "python3 tools/docs/wiring.py . draws it anew")
         self.assertEqual(self.drawn(check=True), (0, ""))
 
+    def test_its_colours_are_literal_for_programs_that_know_no_variables(self):
+        drawing = (PROJECT / DRAWING).read_text(encoding="utf-8")
+        self.assertNotIn("var(", drawing)
+        self.assertIn("prefers-color-scheme: dark", drawing)
+
     def test_a_pin_that_has_moved_is_noticed_and_drawn(self):
         self.assertEqual(self.drawn(), (0, ""))
         moved = (TABLE_LINE, TABLE_LINE.replace("'A', 4", "'D', 2"))

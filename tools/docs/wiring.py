@@ -7,6 +7,7 @@ drawing is an error, and so is a place without a pin. --check writes nothing; ex
 
 import pathlib
 import re
+import string
 import sys
 
 PIN_MAP, DRAWING = "firmware/boards/stm32f405/pin_map.hpp", "docs/images/wiring.svg"
@@ -17,16 +18,15 @@ RESERVED = {"PA11", "PA12", "PA13", "PA14", "PC14", "PC15", "PH0", "PH1"}
 # In pixels: sizes; edges of the boxes; parts of a wire, from the edge of the device or (a resistor in the wire, a trunk) of the board.
 WIDTH, ROW, TITLE, GAP, TOP, DEVICES, LEFT, BOARD, RIGHT = 900, 17, 21, 12, 14, 92, (104, 236), (346, 578), (708, 888)
 SERIES, PULL, TRUNKS, LIGHT = 28, {1: 34, -1: 58}, (16, 28, 40), "status light"
-STYLE = """
-svg { --paper: #fff; --ink: #1f2933; --soft: #586069; --wash: #f4f6f8; --pin: #0f5fb5; --hot: #b3261e; }
-@media screen and (prefers-color-scheme: dark) {
-  svg { --paper: #12171c; --ink: #e6ebf0; --soft: #a3adb8; --wash: #1a2128; --pin: #7cb8f7; --hot: #ff8078; }
-}
-text { font: 12px system-ui, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; fill: var(--ink); }
-.box, .part { fill: var(--wash); stroke: var(--ink); } .paper, .part { fill: var(--paper); } .dot { fill: var(--ink); }
-.wire { fill: none; stroke: var(--ink); stroke-width: 1.2; } .hot { stroke: var(--hot); stroke-width: 2; }
-.title { font-weight: 600; } .pin { fill: var(--pin); font-weight: 600; } .soft { fill: var(--soft); font-size: 11px; }
-"""
+LIGHT_COLOURS = {"paper": "#fff", "ink": "#1f2933", "soft": "#586069", "wash": "#f4f6f8", "pin": "#0f5fb5", "hot": "#b3261e"}
+DARK_COLOURS = {"paper": "#12171c", "ink": "#e6ebf0", "soft": "#a3adb8", "wash": "#1a2128", "pin": "#7cb8f7", "hot": "#ff8078"}
+# Without variables, which many programs that are no browser do not know: they would draw everything black.
+SHAPES = """text { font-family: system-ui, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; font-size: 12px; }
+.wire { fill: none; stroke-width: 1.2; } .hot { stroke-width: 2; } .title, .pin { font-weight: 600; } .soft { font-size: 11px; }"""
+COLOURS = """text, .dot { fill: $ink; } .box { fill: $wash; stroke: $ink; } .paper { fill: $paper; }
+.part { fill: $paper; stroke: $ink; } .wire { stroke: $ink; } .hot { stroke: $hot; } .pin { fill: $pin; } .soft { fill: $soft; }"""
+STYLE = "\n".join(("", SHAPES, string.Template(COLOURS).substitute(LIGHT_COLOURS),
+                   "@media screen and (prefers-color-scheme: dark) {", string.Template(COLOURS).substitute(DARK_COLOURS), "}", ""))
 
 # A row: its name at the device, and what it is wired to: (use in the pin map, part in the wire, part to a supply), a line, or nothing.
 SUPPLY = ("3.3 V and GND", None)
