@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -71,6 +74,31 @@ void expect_sentences(const std::string& page, const Sentence& sentence) {
     EXPECT_NE(page.find(begin_of(said)), std::string::npos) << said;
   }
   EXPECT_GT(known, 1);
+}
+
+// Whoever decodes the bus without this program has these words alone.
+TEST(MessagesPage, HasEveryWordThatTheBusGivesAsACause) {
+  const std::string text = page();
+  std::ifstream file{FANTAIL_TEST_SOURCE "/firmware/protocol/canard_bus.dbc"};
+  const std::set<std::string> causes{"reason",         "failure",       "refusal",   "fault",     "block_fault",
+                                     "command_status", "gyro",          "verdict_1", "verdict_2", "verdict_3",
+                                     "verdict_4",      "accelerometer", "plan",      "quality"};
+  std::set<std::string> seen;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words{line};
+    std::string mark;
+    std::string identifier;
+    std::string signal;
+    if (!(words >> mark >> identifier >> signal) || mark != "VAL_" || !causes.contains(signal)) {
+      continue;
+    }
+    seen.insert(signal);
+    std::string number;
+    for (std::string word; words >> number >> std::quoted(word);) {
+      EXPECT_TRUE(word == "none" || text.find('`' + word + '`') != std::string::npos) << signal << " " << word;
+    }
+  }
+  EXPECT_EQ(seen, causes);
 }
 
 TEST(MessagesPage, HasEveryRefusal) {
