@@ -65,8 +65,8 @@ std::string tables(const std::vector<Listed>& all) {
         as_above += fmt::format("{}{}", as_above.empty() ? "As above: " : ", ", key_of(column));
       }
     }
-    text += one.place.empty() ? "" : fmt::format("`{}`:\n\n", one.place);
-    text += rows.empty() ? "" : "| key | meaning |\n|---|---|\n" + rows + "\n";
+    const std::string place = one.place.empty() ? "key" : fmt::format("`{}`", one.place);
+    text += rows.empty() ? place + ":\n\n" : fmt::format("| {} | meaning |\n|---|---|\n{}\n", place, rows);
     text += as_above.empty() ? "" : as_above + ".\n\n";
   }
   return text;
