@@ -152,7 +152,7 @@ class LivePage(unittest.TestCase):
             page.wait_until(f"{state} === 'Moving' && 1")
             self.assertNotIn("Canard 1", page.run(sheet), "nothing is known of a canard that is still moving")
             page.wait_until(f"{sheet}.includes('Not finished: 3 more turns to come') && 1")
-            self.assertRegex(page.run("return document.getElementById('doing').textContent"), "^canard 3 alone: ")
+            page.wait_until("return document.getElementById('doing').textContent.startsWith('canard 3 alone: ') && 1")
             headings = "return [...document.querySelectorAll('#sheet h2')].map((one) => one.textContent)"
             self.assertEqual(page.run(headings), ["Not finished: 3 more turns to come", "Figures", "Canard 1 is healthy", "Canard 2 is healthy"])
             page.picture(PICTURES / "bench_live.png")

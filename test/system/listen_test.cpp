@@ -190,7 +190,7 @@ TEST(Listen, RefusesWhatItCannotHear) {
   Refusal({{"log.csv", made}}, with("time=ms:ms,axal=Ay:g"), 78, {"did you mean axial?"});
   Refusal({{"log.csv", made + "20000,1,0\n19000,1,0\n"}}, of_made, 65,
           {"log.csv:2004", "ms is 19000 after", "in line 2003: time must increase"});
-  Refusal({{"log.csv", made}}, with("time=alt:s,axial=Ay:g"), 65, {"1 samples of the axial"});
+  Refusal({{"log.csv", made}}, with("time=alt:s,axial=Ay:g"), 65, {"1 sample of the axial"});
   Refusal({{"log.csv", made}}, with("time=ms:us,axial=-Ay:g"), 65,
           {"it is 20 ms, shorter than 1 s", "check that the time ms is in us"});
   Refusal({{"log.csv", made}}, {"listen", "log.csv", "--map", "altus"}, 64, {"altus", "altos", "px4"});

@@ -227,7 +227,7 @@ TEST(LogVerbs, WhatIsNoLogIsRefusedWithWhatItIs) {
   const Refusal replay{{{"a.csv", csv}}, {"replay", "a.csv"}, 65, {"a.csv", "CSV"}};
   const Refusal empty{{{"a.ftl", ""}}, {"log", "info", "a.ftl"}, 65, {"empty"}};
   const Refusal none{{}, {"log", "info", "none.ftl"}, 66, {"none.ftl", "no such file"}};
-  const Refusal folder{{{"d/x", ""}}, {"replay", "d"}, 66, {"flight.ftl"}};
+  const Refusal folder{{{"d/x", ""}}, {"replay", "d"}, 66, {"no flight log (.ftl)"}};
   const Refusal missing{{}, {"replay"}, 64, {"LOG"}};
 }
 
