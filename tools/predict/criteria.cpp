@@ -38,6 +38,15 @@ std::string found_share(const Share& share, double threshold) {
                      fixed(std::ceil(100.0 * share.high), 0), too_few_runs(share, threshold) ? ", too few runs" : "");
 }
 
+/// A share of the runs that must be at least `threshold`; without its clause.
+Criterion share_asked(std::string key, std::string label, const Share& share, double threshold) {
+  return {.key = std::move(key),
+          .label = std::move(label),
+          .found = found_share(share, threshold),
+          .required = required_share(threshold),
+          .judgement = judge(share, threshold)};
+}
+
 std::string more_runs(const Share& share, double threshold) {
   return fmt::format("{} too few to be sure of {}: fly more with --runs", text::counted(share.of, "run is", "runs are"),
                      percent(threshold));
@@ -65,11 +74,7 @@ std::string as_sentences(const std::vector<std::string>& clauses) {
 
 Criterion authority(const Prediction& p, double threshold) {
   const Share& share = p.authority;
-  Criterion c{.key = "authority",
-              .label = "Canards can balance the fin offset",
-              .found = found_share(share, threshold),
-              .required = required_share(threshold),
-              .judgement = judge(share, threshold)};
+  Criterion c = share_asked("authority", "Canards can balance the fin offset", share, threshold);
   const bool within = c.judgement == Judgement::met || too_few_runs(share, threshold);
   const bool some_at_limit =
       std::ranges::any_of(p.runs, [](const Run& run) { return std::abs(run.authority_margin_rad) <= same_angle_rad; });
@@ -136,11 +141,7 @@ std::string held_where(const Prediction& p) {
 
 Criterion held(const Prediction& p, double threshold) {
   const Share& share = p.held;
-  Criterion c{.key = "held",
-              .label = "Roll is held",
-              .found = found_share(share, threshold),
-              .required = required_share(threshold),
-              .judgement = judge(share, threshold)};
+  Criterion c = share_asked("held", "Roll is held", share, threshold);
   if (p.not_judged > 0) {
     c.found += fmt::format(", {} of {} not judged", p.not_judged, runs(p.runs.size()));
   }
