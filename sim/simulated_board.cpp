@@ -55,6 +55,7 @@ SimulatedBoard::SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& p
 
 void SimulatedBoard::begin() {
   devices_.arm_switch.power_up();
+  devices_.abort_contact.power_up();
   hal::BackupMemory& backup_memory = ports_.has_backup_memory ? static_cast<hal::BackupMemory&>(backup_domain_)
                                                               : static_cast<hal::BackupMemory&>(no_backup_memory_);
   avionics_.emplace(avionics::Devices{.clock = devices_.clock,
@@ -63,6 +64,7 @@ void SimulatedBoard::begin() {
                                       .servo = devices_.servo,
                                       .encoder = devices_.encoder,
                                       .arm_switch = devices_.arm_switch,
+                                      .abort_contact = devices_.abort_contact,
                                       .can_bus = ports_.can_bus,
                                       .flash = ports_.flash,
                                       .console = ports_.console,

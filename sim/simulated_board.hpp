@@ -20,6 +20,7 @@ class SimulatedBoard final : public FlightComputer {
   [[nodiscard]] hal::sim::WorldSide& hardware() override { return devices_.world; }
   const core::TickRecord& tick() override {
     devices_.arm_switch.update();
+    devices_.abort_contact.update();
     return avionics_->tick();
   }
   core::Microseconds restart(const Reset& reset) override;

@@ -99,6 +99,10 @@ ArmRefusal Arming::objection(const Situation& now, const Permission& permission)
   if (!now.arm_switch_closed) {
     return ArmRefusal::switch_open;
   }
+  // Meets ABT-1.
+  if (now.abort) {
+    return ArmRefusal::abort_asked_for;
+  }
   // Meets ARM-6.
   // A switch that was closed before power-up is nobody's decision: this may be a reset on the pad.
   return switch_was_open_ ? ArmRefusal::none : ArmRefusal::switch_not_cycled;

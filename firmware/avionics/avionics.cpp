@@ -11,6 +11,16 @@ namespace {
 
 constexpr std::array<std::optional<hal::Pulse>, hal::canards> no_pulses{};
 
+// Of a contact that has not settled yet nobody knows: a reset in flight is no abort.
+bool asks_to_abort(core::AbortInput input, const hal::Contact& contact) {
+  switch (input) {
+    case core::AbortInput::none: return false;
+    case core::AbortInput::open_aborts: return contact.open();
+    case core::AbortInput::closed_aborts: return contact.closed();
+  }
+  return true;
+}
+
 }  // namespace
 
 Avionics::Avionics(Devices devices, const core::FlightPlan& built_in, const Identity& identity)
@@ -44,7 +54,8 @@ const core::TickRecord& Avionics::tick() {
                 .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
                 .moves = record.motion.at_rest_for == core::Microseconds{0},
                 .arm_switch_closed = inputs.arm_switch_closed,
-                .arm_switch_open = devices_.arm_switch.open()};
+                .arm_switch_open = devices_.arm_switch.open(),
+                .abort = inputs.abort};
   watch_board(record, flash);
   arming_.update(situation_);
   self_test_.update(inputs, record, flash, situation_.board_faulty);
@@ -222,6 +233,7 @@ core::Inputs Avionics::read_devices(core::Microseconds now) {
       .arm_switch_closed = devices_.arm_switch.closed(),
       .arm_command = arm_command,
       .start_command = start_command,
+      .abort = asks_to_abort(plan_.run.abort_input, devices_.abort_contact),
       .canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request(),
   };
 }

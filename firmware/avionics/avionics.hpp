@@ -19,7 +19,7 @@
 #include "core/autopilot.hpp"
 #include "core/flight_plan.hpp"
 #include "hal/accelerometer.hpp"
-#include "hal/arm_switch.hpp"
+#include "hal/contact.hpp"
 #include "hal/backup_memory.hpp"
 #include "hal/board.hpp"
 #include "hal/can_bus.hpp"
@@ -41,7 +41,8 @@ struct Devices {
   hal::Accelerometer& accelerometer;
   hal::Servo& servo;
   hal::Encoder& encoder;
-  hal::ArmSwitch& arm_switch;
+  hal::Contact& arm_switch;
+  hal::Contact& abort_contact;  ///< of no use where the plan says that none is fitted
   hal::CanBus& can_bus;
   hal::Flash& flash;
   hal::Console& console;

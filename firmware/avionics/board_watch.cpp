@@ -85,6 +85,7 @@ hal::Signal signal_of(core::Phase phase, core::PhaseReason reason, bool self_tes
     case core::Phase::safe: break;
     case core::Phase::armed: return waits_for_rest(reason) ? hal::Signal::armed_not_ready : hal::Signal::armed;
     case core::Phase::launched:
+    case core::Phase::dormant:
     case core::Phase::controlling: return hal::Signal::flying;
     case core::Phase::finished: return hal::Signal::finished;
   }

@@ -51,6 +51,7 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
       .arm_switch_closed = inputs.arm_switch_closed,
       .arm_command = inputs.arm_command,
       .start_command = inputs.start_command,
+      .abort = inputs.abort,
       .phase = record.phase,
       .command_status = record.command_status,
       .saturated = record.saturated,
@@ -113,6 +114,7 @@ core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales
       .arm_switch_closed = tick.arm_switch_closed,
       .arm_command = tick.arm_command,
       .start_command = tick.start_command,
+      .abort = tick.abort,
       .canard_request = std::nullopt,
   };
 }

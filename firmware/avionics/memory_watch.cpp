@@ -13,8 +13,6 @@ namespace {
 constexpr std::size_t slice = 16;
 static_assert(sizeof(core::FlightPlan) <= 40 * slice, "all of it within 40 ms");
 
-bool flies(core::Phase phase) { return phase == core::Phase::launched || phase == core::Phase::controlling; }
-
 std::span<const std::byte> bytes_of(const core::FlightPlan& plan) { return std::as_bytes(std::span{&plan, 1}); }
 
 }  // namespace
@@ -43,7 +41,7 @@ void MemoryWatch::look(const core::FlightPlan& plan, const core::Autopilot& law)
   }
   damaged_ = damaged_ || !law.moves_as_planned(canard_ % core::canard_count, plan);
   canard_ = static_cast<std::uint8_t>(canard_ + 1U);
-  law_ = flies(law.phase()) ? std::optional{memory_sum(law.flight_memory())} : std::nullopt;
+  law_ = core::is_flight(law.phase()) ? std::optional{memory_sum(law.flight_memory())} : std::nullopt;
 }
 
 }  // namespace fantail::avionics

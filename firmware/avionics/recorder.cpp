@@ -204,7 +204,7 @@ void Recorder::fly_on(const Tick& tick, core::Autopilot& law) {
 
 std::optional<LogEnd> Recorder::reason_to_end(const Tick& tick) {
   const core::TickRecord& record = tick.record;
-  if (record.phase == Phase::launched || record.phase == Phase::controlling) {
+  if (core::is_flight(record.phase)) {
     over_since_.reset();
     return std::nullopt;
   }

@@ -15,6 +15,7 @@ struct Situation {
   bool moves = false;    ///< not at rest at all
   bool arm_switch_closed = false;
   bool arm_switch_open = false;  ///< neither of the two: not known yet
+  bool abort = false;            ///< the abort contact stands as ends control
   bool board_faulty = false;
 };
 

@@ -44,6 +44,7 @@ protocol::StatusReport status(const core::TickRecord& record, const Report& repo
                                 .self_test_running = report.self_test_running,
                                 .timing_fault = record.timing_fault,
                                 .every_tick = every_tick,
+                                .abort = report.situation.abort,
                                 .gyro_bias_rad_s = record.motion.gyro_bias_rad_s.x};
   for (std::size_t i = 0; i < status.limited.size(); ++i) {
     status.limited[i] = record.canards[i].limited;
@@ -55,8 +56,7 @@ protocol::StatusReport status(const core::TickRecord& record, const Report& repo
 
 void Telemetry::send(const core::TickRecord& record, const core::Inputs& inputs, const Report& report,
                      hal::CanBus& bus) {
-  const bool every_tick = record.phase == core::Phase::launched || record.phase == core::Phase::controlling ||
-                          report.self_test_running || report.session_open;
+  const bool every_tick = core::is_flight(record.phase) || report.self_test_running || report.session_open;
   if (every_tick || ticks_ % motion_period == 0) {
     put(encode(protocol::CommandReport{driven_angles(record.canards)}, command_counter_.next()), bus);
     put(encode(protocol::EncoderReport{record.encoders}, encoder_counter_.next()), bus);

@@ -27,6 +27,8 @@ Autopilot::Autopilot(const FlightPlan& plan)
       reference_{plan.reference},
       overrun_limit_{plan.run.overrun_limit},
       flight_phase_{plan.run, plan.guide, plan.motion},
+      dormancy_gate_{plan.dormancy},
+      capture_{plan},
       chirp_{plan.excitation},
       offset_estimator_{plan},
       canard_mixer_{plan.canards, plan.controller.canard_limit},
@@ -51,6 +53,9 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
                                                         : DetectionState::quiet;
 
   const Phase before = flight_phase_.phase();
+  if (is_flight(before)) {
+    dormancy_gate_.update(inputs.time, record.motion);
+  }
   const bool agree = before != Phase::launched || launch_detector_.agrees(inputs.time, inputs.accelerometers);
   const bool changed = flight_phase_.update({.time = inputs.time,
                                              .arm_switch_closed = inputs.arm_switch_closed,
@@ -59,7 +64,9 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
                                              .launch_detected = record.detection == DetectionState::detected,
                                              .accelerometers_agree = agree,
                                              .timing_fault = record.timing_fault,
-                                             .canard_fault = canard_fault_},
+                                             .canard_fault = canard_fault_,
+                                             .gate_is_open = dormancy_gate_.is_open(),
+                                             .abort = inputs.abort},
                                             record.motion);
   record.phase = flight_phase_.phase();
   record.reason = flight_phase_.reason();
@@ -75,6 +82,10 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   } else {
     // Meets PHS-1.
     record.reference = record.excitation = record.offset_estimate = Angle{};
+    if (record.phase == Phase::dormant) {
+      capture_.watch(record.motion);
+      record.offset_estimate = capture_.offset().value_or(Angle{});
+    }
     stay_neutral(CommandStatus::outside_control);
   }
 
@@ -104,7 +115,7 @@ std::span<const std::byte> Autopilot::flight_memory() const {
 Angle Autopilot::control(Microseconds since_control_start) {
   TickRecord& record = record_;
   const bool shares = shares_work();
-  record.reference = roll_reference(reference_, since_control_start);
+  record.reference = roll_reference(reference_, since_control_start) + capture_.turns();
   record.excitation = chirp_.update(since_control_start);
   if (record.motion.gyro == SensorState::lost) {
     record.offset_estimate = offset_estimator_.estimate();
@@ -166,15 +177,32 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
   }
   if (to == Phase::launched) {
     motion_estimator_.begin_flight(time);
-  } else if (to == Phase::controlling && from == Phase::launched) {
+    dormancy_gate_.reset();
+  } else if (from == Phase::launched && is_flight(to)) {
     motion_estimator_.leave_guide();
-  } else if (to == Phase::controlling) {
+  } else if (to == Phase::controlling && from == Phase::armed) {
     motion_estimator_.begin_tunnel_run(time);
   } else if (to == Phase::armed) {
     if (from == Phase::launched) {
       motion_estimator_.return_to_pad();
     }
     launch_detector_.reset();
+  }
+  if (to == Phase::controlling) {
+    begin_control(motion_estimator_.motion(time), time);
+  } else if (from == Phase::controlling) {
+    offset_estimator_.interrupt();
+  }
+}
+
+// A law that begins as published has no turns and no estimate to begin with.
+void Autopilot::begin_control(const Motion& motion, Microseconds time) {
+  if (!capture_.is_on()) {
+    return;
+  }
+  capture_.begin(motion, roll_reference(reference_, time - flight_phase_.control_start().value_or(time)));
+  if (capture_.offset()) {
+    offset_estimator_.begin(*capture_.offset());
   }
 }
 
@@ -187,8 +215,7 @@ bool Autopilot::watch_clock(Microseconds time) {
     const std::int64_t most = std::numeric_limits<std::uint32_t>::max() - overruns_;
     overruns_ += static_cast<std::uint32_t>(std::min(missed, most));
   }
-  const Phase phase = flight_phase_.phase();
-  const bool flies = phase == Phase::launched || phase == Phase::controlling;
+  const bool flies = is_flight(flight_phase_.phase());
   // Meets TIM-1, TIM-3.
   // Each one spoils rate and angle a little, and a loop that keeps failing is not the one that was tested.
   const bool too_many = flies && overruns_ - overruns_before_flight_ > overrun_limit_;

@@ -8,7 +8,9 @@
 #include "core/canard_mixer.hpp"
 #include "core/canard_monitor.hpp"
 #include "core/canard_sharing.hpp"
+#include "core/capture.hpp"
 #include "core/chirp.hpp"
+#include "core/dormancy_gate.hpp"
 #include "core/flight_phase.hpp"
 #include "core/flight_plan.hpp"
 #include "core/gain_schedule.hpp"
@@ -23,7 +25,7 @@ namespace fantail::core {
 /// The flight law. Time and samples come in, canard commands and a record go out; there is no clock, no heap and no
 /// input or output in it, so the same object flies in the rocket, in the simulator and in a replay.
 ///
-///   motion_estimator -> launch_detector -> flight_phase -> roll_reference + chirp
+///   motion_estimator -> launch_detector, dormancy_gate -> flight_phase -> roll_reference + capture + chirp
 ///     -> pd_controller, with gain_schedule and offset_estimator where the plan asks for them (clamp)
 ///     -> canard_sharing, while a canard does not follow -> canard_mixer (clamp each);  canard_monitor watches;  the
 ///     record holds all of it
@@ -62,7 +64,7 @@ class Autopilot {
   /// See core/state_visitor.hpp. The record is no state: it is made anew in every step.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(motion_estimator_, launch_detector_, flight_phase_, chirp_, offset_estimator_, canard_mixer_, canard_monitor_,
+    visit(motion_estimator_, launch_detector_, flight_phase_, dormancy_gate_, capture_, chirp_, offset_estimator_, canard_mixer_, canard_monitor_,
           canard_sharing_, last_time_, canard_fault_, overruns_, overruns_before_flight_);
   }
 
@@ -70,6 +72,7 @@ class Autopilot {
   /// Counts the ticks that did not come; true when this one came at a time that makes it doubtful.
   [[nodiscard]] bool watch_clock(Microseconds time);
   void enter_phase(Microseconds time, Phase from, Phase to);
+  void begin_control(const Motion& motion, Microseconds time);
   /// The roll command that each canard is asked for.
   [[nodiscard]] Angle control(Microseconds since_control_start);
   /// Whether the work of a canard that does not follow goes to the others.
@@ -88,6 +91,8 @@ class Autopilot {
   ReferencePlan reference_;
   std::uint32_t overrun_limit_;
   FlightPhase flight_phase_;
+  DormancyGate dormancy_gate_;
+  Capture capture_;
   Chirp chirp_;
   OffsetEstimator offset_estimator_;
   CanardMixer canard_mixer_;

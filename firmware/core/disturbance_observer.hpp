@@ -6,6 +6,9 @@
 
 namespace fantail::core {
 
+/// Slower, and the air tells less of an offset than a gyro makes noise.
+inline constexpr float slowest_observed_m_s = 10.0F;
+
 /// A disturbance observer: what turned the rocket and was no canard, as an equivalent fin offset, by the roll model
 ///
 ///   p' = -a p + b (u + u_d),   a = rho v A alpha / (2 I),   b = rho v^2 A beta / (2 I)   (Eq 1-3)

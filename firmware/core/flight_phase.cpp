@@ -7,6 +7,9 @@ namespace {
 // Guides stand within this of the vertical. What has landed lies on its side or hangs on its nose.
 constexpr Angle steepest_guide = Angle::from_degrees(45.0F);
 
+// Longer than any rocket climbs that this law was made for. Where the speed is only a lower bound nobody sees apogee.
+constexpr Microseconds longest_dormancy{120'000'000};
+
 }  // namespace
 
 FlightPhase::FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion)
@@ -23,6 +26,7 @@ bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
     case Phase::safe: next = from_safe(inputs); break;
     case Phase::armed: next = from_armed(inputs, motion); break;
     case Phase::launched: next = from_launched(inputs, motion); break;
+    case Phase::dormant: next = from_dormant(inputs, motion); break;
     case Phase::controlling: next = from_controlling(inputs, motion); break;
     case Phase::finished: break;  // lasts until a power cycle
   }
@@ -34,7 +38,7 @@ bool FlightPhase::update(const PhaseInputs& inputs, const Motion& motion) {
   // Meets PHS-2.
   must_rest_first_ = must_rest_first_ || (phase_ == Phase::launched && next->to == Phase::armed);
   if (next->to == Phase::controlling) {
-    control_start_ = inputs.time;
+    control_start_ = control_start_.value_or(inputs.time);
   }
   phase_ = next->to;
   reason_ = next->reason;
@@ -55,7 +59,7 @@ void FlightPhase::watch_rest(const Motion& motion) {
 }
 
 void FlightPhase::give_up(Microseconds time) {
-  if (phase_ == Phase::launched || phase_ == Phase::controlling) {
+  if (is_flight(phase_)) {
     phase_ = Phase::finished;
     reason_ = PhaseReason::memory_fault;
     entered_ = time;
@@ -65,7 +69,7 @@ void FlightPhase::give_up(Microseconds time) {
 std::optional<FlightPhase::Transition> FlightPhase::from_safe(const PhaseInputs& inputs) const {
   // Meets ARM-1.
   // Two independent actions: a switch that a hand closes, and a command. Neither alone arms.
-  if (inputs.arm_switch_closed && inputs.arm_command) {
+  if (inputs.arm_switch_closed && inputs.arm_command && !inputs.abort) {
     return Transition{Phase::armed, PhaseReason::armed_by_switch_and_command};
   }
   return std::nullopt;
@@ -77,6 +81,10 @@ std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs
   // vibration must not end a flight.
   if (!inputs.arm_switch_closed) {
     return Transition{Phase::safe, PhaseReason::disarmed_by_switch};
+  }
+  // Meets ABT-1.
+  if (inputs.abort) {
+    return Transition{Phase::safe, PhaseReason::aborted};
   }
   // Meets PHS-5.
   // The parachute opens, the rocket lands and is picked up: nothing of this may be taken for a launch.
@@ -100,6 +108,9 @@ std::optional<FlightPhase::Transition> FlightPhase::from_armed(const PhaseInputs
 
 std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInputs& inputs,
                                                                   const Motion& motion) const {
+  if (inputs.abort) {
+    return Transition{Phase::finished, PhaseReason::aborted};
+  }
   // Without a rate there is no roll angle, and with a broken clock no height: such a flight is never controlled.
   if (inputs.timing_fault) {
     return Transition{Phase::armed, PhaseReason::timing_fault_before_control};
@@ -117,7 +128,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
   const bool clear = beyond_guide && motion.speed_m_s > guide_.minimum_speed_m_s && inputs.accelerometers_agree;
   // A gyro that is silent is waited for: control never begins with a rate that nobody measures.
   if (clear && motion.gyro != SensorState::lost) {
-    return Transition{Phase::controlling, PhaseReason::guide_clear};
+    return Transition{inputs.gate_is_open ? Phase::controlling : Phase::dormant, PhaseReason::guide_clear};
   }
   // A real launch is clear of the guide within about half a second; what takes this long was something else.
   if (inputs.time - entered_ >= guide_.clearance_time) {
@@ -126,35 +137,65 @@ std::optional<FlightPhase::Transition> FlightPhase::from_launched(const PhaseInp
   return std::nullopt;
 }
 
-// Meets PHS-4.
-std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
-                                                                     const Motion& motion) const {
+// What ends every flight that has left the guide.
+std::optional<PhaseReason> FlightPhase::fault_in_flight(const PhaseInputs& inputs, const Motion& motion) const {
+  // Meets ABT-1.
+  if (inputs.abort) {
+    return PhaseReason::aborted;
+  }
   // A tick that came late or twice makes every rate and angle doubtful.
   if (inputs.timing_fault) {
-    return Transition{Phase::finished, PhaseReason::timing_fault};
+    return PhaseReason::timing_fault;
   }
   // Meets SEN-1.
   // Without a rate the canards are at trim; for how long that can be bridged is in the plan.
   if (motion.gyro == SensorState::failed) {
-    return Transition{Phase::finished, PhaseReason::gyro_failed};
+    return PhaseReason::gyro_failed;
   }
   // Three canards still control roll, so by default a fault is recorded, and the others do its part too.
   if (inputs.canard_fault && run_.canard_fault == CanardFaultPolicy::end_control) {
-    return Transition{Phase::finished, PhaseReason::canard_fault};
+    return PhaseReason::canard_fault;
   }
-  if (run_.start == Start::launch) {
-    // Canards deflected on a rocket that lies across the wind steer it: past this tilt they can only do harm.
-    if (motion.tilt > run_.tilt_limit) {
-      return Transition{Phase::finished, PhaseReason::tilted_too_far};
-    }
-    // Near apogee there is no flow over the canards, and after it the recovery system works.
-    // A speed that is a lower bound comes to zero too early: then time and tilt end control.
-    if (motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound) {
-      return Transition{Phase::finished, PhaseReason::apogee};
-    }
+  // Canards deflected on a rocket that lies across the wind steer it: past this tilt they can only do harm.
+  const Angle tilt = run_.tilt_from == TiltOrigin::guide ? motion.tilt_from_guide : motion.tilt;
+  if (run_.start == Start::launch && tilt > run_.tilt_limit) {
+    return PhaseReason::tilted_too_far;
   }
-  if (inputs.time - entered_ >= run_.control_time) {
+  return std::nullopt;
+}
+
+// Meets DOR-1.
+std::optional<FlightPhase::Transition> FlightPhase::from_dormant(const PhaseInputs& inputs, const Motion& motion) const {
+  if (const auto fault = fault_in_flight(inputs, motion)) {
+    return Transition{Phase::finished, *fault};
+  }
+  // Never opened by time: what the plan waits for may not come in this flight, and then the canards have stood at trim.
+  const bool is_over = motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound;
+  if (is_over || inputs.time - entered_ >= longest_dormancy) {
+    return Transition{Phase::finished, PhaseReason::gate_never_opened};
+  }
+  if (inputs.gate_is_open && motion.gyro != SensorState::lost) {
+    return Transition{Phase::controlling, PhaseReason::gate_open};
+  }
+  return std::nullopt;
+}
+
+// Meets PHS-4.
+std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
+                                                                     const Motion& motion) const {
+  if (const auto fault = fault_in_flight(inputs, motion)) {
+    return Transition{Phase::finished, *fault};
+  }
+  // Near apogee there is no flow over the canards, and after it the recovery system works.
+  // A speed that is a lower bound comes to zero too early: then time and tilt end control.
+  if (run_.start == Start::launch && motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound) {
+    return Transition{Phase::finished, PhaseReason::apogee};
+  }
+  if (inputs.time - control_start_.value_or(entered_) >= run_.control_time) {
     return Transition{Phase::finished, PhaseReason::control_time_over};
+  }
+  if (!inputs.gate_is_open) {
+    return Transition{Phase::dormant, PhaseReason::gate_closed_again};
   }
   return std::nullopt;
 }

@@ -17,9 +17,15 @@ enum class Phase : std::uint8_t {
   launched,     ///< launch detected; the guide is not yet clear
   controlling,  ///< the only phase in which the roll command is not zero
   finished,     ///< until a power cycle
+  dormant,      ///< between Launched and Controlling: beyond the guide, and the plan's gate is closed
 };
 /// How many values Phase has: one that is read must be below.
-inline constexpr std::size_t phases = 5;
+inline constexpr std::size_t phases = 6;
+
+/// In the air, before control or under it: what a reset must not end, and what a log keeps every tick of.
+[[nodiscard]] constexpr bool is_flight(Phase phase) {
+  return phase == Phase::launched || phase == Phase::dormant || phase == Phase::controlling;
+}
 
 /// Why the phase is what it is: the reason of the last transition.
 enum class PhaseReason : std::uint8_t {
@@ -27,24 +33,28 @@ enum class PhaseReason : std::uint8_t {
   armed_by_switch_and_command,  ///< Safe to Armed: a command came while the switch was closed
   disarmed_by_switch,           ///< Armed to Safe: the switch is open
   launch_detected,              ///< Armed to Launched
-  guide_clear,                  ///< Launched to Controlling: far enough beyond the guide and fast enough
+  guide_clear,                  ///< Launched to Controlling, or to Dormant: far enough beyond the guide and fast enough
   tunnel_start_command,         ///< Armed to Controlling, at rest in the tunnel
   guide_not_cleared_in_time,    ///< Launched to Armed: it was no launch, and only rest lets the next one be detected
   gyro_failed_before_control,   ///< Launched to Armed: this flight is not controlled
   timing_fault_before_control,  ///< Launched to Armed: this flight is not controlled
-  control_time_over,            ///< Controlling to Finished, as the following are
-  apogee,                       ///< the vertical speed is below zero, and no mere lower bound; never in the tunnel
-  tilted_too_far,               ///< beyond the plan's limit; never in the tunnel
+  control_time_over,            ///< Controlling to Finished
+  apogee,                       ///< the same: the vertical speed is below zero, and no mere lower bound
+  tilted_too_far,               ///< Dormant or Controlling to Finished, as the next three; never in the tunnel
   gyro_failed,                  ///< no usable rate for longer than the plan lets control wait
   timing_fault,                 ///< a tick came no later than the last or much too late, or too many did not come
   canard_fault,                 ///< with a plan that ends control for it
-  memory_fault,                 ///< give_up(): Launched or Controlling to Finished
+  memory_fault,                 ///< give_up(): Launched, Dormant or Controlling to Finished
   moved_without_launch,         ///< stays Armed, but only rest lets a launch be detected: see PadMovement
   rested,                       ///< stays Armed, and a launch can be detected again
   flew_without_launch,          ///< Armed to Finished: it was weightless for so long that it has flown undetected
+  gate_open,                    ///< Dormant to Controlling: what the plan waits for has come
+  gate_closed_again,            ///< Controlling to Dormant: the motor pushes again
+  gate_never_opened,            ///< Dormant to Finished: apogee, or two minutes, came first
+  aborted,                      ///< the abort input: Armed to Safe; Launched, Dormant or Controlling to Finished
 };
 /// How many values PhaseReason has: one that is read must be below.
-inline constexpr std::size_t phase_reasons = 19;
+inline constexpr std::size_t phase_reasons = 23;
 
 /// Armed for one of these reasons, a rocket detects no launch before it has rested.
 [[nodiscard]] constexpr bool waits_for_rest(PhaseReason reason) {
@@ -64,10 +74,12 @@ struct PhaseInputs {
   bool timing_fault =
       false;  ///< the time of this tick is doubtful: Launched goes back to Armed, Controlling ends, no run begins
   bool canard_fault = false;  ///< some canard is not healthy; what follows from it says the plan
+  bool gate_is_open = true;   ///< of DormancyGate
+  bool abort = false;         ///< asked for at the abort input, by the plan's sense
 };
 
-/// Safe -> Armed -> Launched -> Controlling -> Finished. Starts in Safe; there is no way to set a phase, but to give
-/// up.
+/// Safe -> Armed -> Launched -> Dormant, while the plan's gate is closed -> Controlling -> Finished. Starts in Safe;
+/// there is no way to set a phase, but to give up.
 ///
 /// A launch is detected only by a rocket that has rested, near the vertical, since it last moved or took something for
 /// a launch: a launch that was missed is followed by an opening parachute, a landing and people.
@@ -90,7 +102,7 @@ class FlightPhase {
   /// May a launch be detected now?
   [[nodiscard]] bool listens_for_launch() const;
 
-  /// Empty until control has started.
+  /// When control first started; empty before.
   [[nodiscard]] std::optional<Microseconds> control_start() const { return control_start_; }
 
   /// See core/state_visitor.hpp.
@@ -102,6 +114,7 @@ class FlightPhase {
   }
 
  private:
+  [[nodiscard]] std::optional<PhaseReason> fault_in_flight(const PhaseInputs& inputs, const Motion& motion) const;
   struct Transition {
     Phase to;
     PhaseReason reason;
@@ -111,6 +124,7 @@ class FlightPhase {
   [[nodiscard]] std::optional<Transition> from_safe(const PhaseInputs& inputs) const;
   [[nodiscard]] std::optional<Transition> from_armed(const PhaseInputs& inputs, const Motion& motion) const;
   [[nodiscard]] std::optional<Transition> from_launched(const PhaseInputs& inputs, const Motion& motion) const;
+  [[nodiscard]] std::optional<Transition> from_dormant(const PhaseInputs& inputs, const Motion& motion) const;
   [[nodiscard]] std::optional<Transition> from_controlling(const PhaseInputs& inputs, const Motion& motion) const;
 
   RunPlan run_;

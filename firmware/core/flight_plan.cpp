@@ -83,6 +83,54 @@ std::optional<PlanFault> check_offset_rejection(const FlightPlan& plan) {
   return std::nullopt;
 }
 
+bool gates_by_burn_out(DormantUntil until) {
+  return until == DormantUntil::burn_out || until == DormantUntil::burn_out_and_height;
+}
+
+bool gates_by_height(DormantUntil until) {
+  using enum DormantUntil;
+  return until == height || until == burn_out_and_height || until == max_dynamic_pressure_and_height;
+}
+
+std::optional<PlanFault> check_dormancy(const FlightPlan& plan) {
+  const DormancyPlan& dormancy = plan.dormancy;
+  if (dormancy.until == DormantUntil::guide) {
+    return std::nullopt;
+  }
+  if (!knows_speed(plan)) {
+    return PlanFault{place("dormancy", "until"), 0, PlanRule::gate_is_measured};
+  }
+  if (gates_by_burn_out(dormancy.until) && !(dormancy.burn_time > Microseconds{0})) {
+    return PlanFault{place("dormancy", "burn_time_s"), 0, PlanRule::burn_out_has_time};
+  }
+  if (gates_by_height(dormancy.until) && !(dormancy.height_m > plan.guide.length_m + plan.guide.clearance_m)) {
+    return PlanFault{place("dormancy", "height_m"), 0, PlanRule::height_beyond_guide};
+  }
+  return std::nullopt;
+}
+
+std::optional<PlanFault> check_capture(const FlightPlan& plan) {
+  constexpr std::size_t entry = place("controller", "entry");
+  if (plan.controller.entry != ControlEntry::capture) {
+    return std::nullopt;
+  }
+  if (!knows_speed(plan)) {
+    return PlanFault{entry, 0, PlanRule::speed_is_known};
+  }
+  if (!(plan.controller.proportional_gain > 0.0F) || plan.controller.rate_reference != RateReference::zero) {
+    return PlanFault{entry, 0, PlanRule::capture_turns_back};
+  }
+  const RollModelPlan& model = plan.roll_model;
+  int given = 0;
+  for (const float value : {model.roll_inertia_kg_m2, model.reference_area_m2, model.damping_m2, model.torque_m}) {
+    given += value > 0.0F ? 1 : 0;
+  }
+  if (given != 0 && given != 4) {
+    return PlanFault{entry, 0, PlanRule::capture_model_is_whole};
+  }
+  return std::nullopt;
+}
+
 std::optional<PlanFault> check_mountings(const SensorsPlan& sensors) {
   std::size_t field = place("sensors", "imu_along_y");  // in the order of the table, a pair for each sensor
   for (const SensorMounting& mounting : {sensors.imu, sensors.second_imu, sensors.accelerometer}) {
@@ -140,6 +188,12 @@ std::optional<PlanFault> check_across_fields(const FlightPlan& plan) {
     return fault;
   }
   if (const auto fault = check_offset_rejection(plan)) {
+    return fault;
+  }
+  if (const auto fault = check_dormancy(plan)) {
+    return fault;
+  }
+  if (const auto fault = check_capture(plan)) {
     return fault;
   }
   return check_steps(plan.reference);

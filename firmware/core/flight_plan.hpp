@@ -30,13 +30,28 @@ enum class CanardFaultPolicy : std::uint8_t {
   share,             ///< control goes on, and the healthy canards carry what a faulty one does not do
 };
 
+/// What the tilt limit is counted from.
+enum class TiltOrigin : std::uint8_t {
+  vertical,
+  guide,  ///< the direction in which the axis pointed at rest on the pad
+};
+
+/// What a contact between a pin, which has a pull-up, and ground does.
+enum class AbortInput : std::uint8_t {
+  none,           ///< nothing: no contact is fitted
+  open_aborts,    ///< a broken wire aborts, too
+  closed_aborts,  ///< a broken wire does not abort
+};
+
 /// When control begins and ends.
 struct RunPlan {
   Start start;
   Microseconds control_time;  ///< control ends this long after control start
-  Angle tilt_limit;           ///< control ends when the axis has turned this far from the vertical
+  Angle tilt_limit;           ///< the flight is over for control when the axis has turned this far ...
+  TiltOrigin tilt_from;       ///< ... from here
   CanardFaultPolicy canard_fault;
   std::uint16_t overrun_limit;  ///< control ticks that may fail to come in a flight, and before it is armed
+  AbortInput abort_input;
 };
 
 /// Which gyros are flown on.
@@ -90,6 +105,26 @@ struct GuidePlan {
   Microseconds clearance_time;  ///< ... within this time of launch detection
 };
 
+/// Until when canards stay at trim, see DormancyGate.
+enum class DormantUntil : std::uint8_t {
+  guide,  ///< until the guide is clear, as published
+  burn_out,
+  max_dynamic_pressure,
+  height,
+  burn_out_and_height,
+  max_dynamic_pressure_and_height,
+};
+
+/// What a range asks a rocket to wait for before it moves its canards.
+struct DormancyPlan {
+  DormantUntil until;
+  float height_m;           ///< above the place of lift-off
+  Microseconds burn_time;   ///< of the motor, from first to last thrust
+  float burn_clock_factor;  ///< burn-out is believed after this many burn times
+  float scale_error;        ///< of the accelerometer that height is integrated from: a share of what it reads ...
+  float bias_error_m_s2;    ///< ... and this, at most
+};
+
 /// What is kept of the hold before a launch was detected, see MotionEstimator.
 enum class HeightOrigin : std::uint8_t {
   replay,          ///< height and speed
@@ -117,12 +152,19 @@ enum class RateReference : std::uint8_t {
   paper_literal,  ///< the reference angle itself, its radians taken as rad/s
 };
 
-/// Of pd_controller().
+/// Which of the roll angles that look the same the law begins to hold.
+enum class ControlEntry : std::uint8_t {
+  as_published,  ///< the reference itself: every turn made before control is turned back
+  capture,       ///< the one that can be reached soonest, see Capture
+};
+
+/// Of pd_controller(), and how it begins.
 struct ControllerPlan {
   float proportional_gain;  ///< kp: canard angle per angle of roll error
   float derivative_gain_s;  ///< kd: canard angle per rate of roll error
   RateReference rate_reference;
   Angle canard_limit;  ///< the plan limit
+  ControlEntry entry;
 };
 
 /// A plan with more is refused: PlanRule::too_many_values.
@@ -150,7 +192,7 @@ struct OffsetPlan {
   float observer_bandwidth_rad_s;  ///< w, of an observer
 };
 
-/// The roll model, for a law with an observer (Eq 1-3). Zero if not given.
+/// The roll model, for an observer and for capture (Eq 1-3). Zero if not given.
 struct RollModelPlan {
   float roll_inertia_kg_m2;  ///< I, after burn-out
   float reference_area_m2;   ///< A
@@ -249,6 +291,7 @@ struct FlightPlan {
   SensorsPlan sensors;
   LaunchDetectionPlan launch_detection;
   GuidePlan guide;
+  DormancyPlan dormancy;
   MotionPlan motion;
   ControllerPlan controller;
   GainSchedulePlan gain_schedule;

@@ -33,6 +33,15 @@ std::string_view sentence(PlanRule rule) {
     case PlanRule::integral_beside_proportional:
       return "\"integral\" needs controller.proportional_gain above 0: an integral alone makes a roll swing ever more";
     case PlanRule::axes_differ: return "must be another axis than the one that points to the nose";
+    case PlanRule::gate_is_measured:
+      return "must be \"guide\", unless run.start is \"launch\" and motion.height_origin is not \"from_detection\"";
+    case PlanRule::burn_out_has_time: return "must be above 0 with a gate by burn-out: the burn time of the motor";
+    case PlanRule::height_beyond_guide: return "must be above guide.length_m and guide.clearance_m together";
+    case PlanRule::capture_turns_back:
+      return "\"capture\" needs controller.proportional_gain above 0 and controller.rate_reference \"zero\"";
+    case PlanRule::capture_model_is_whole:
+      return "\"capture\" needs roll_inertia_kg_m2, reference_area_m2, damping_m2 and torque_m of roll_model, or none of "
+             "them";
     case PlanRule::observer_has_model: return "must be above 0 with offset.rejection = \"observer\"";
   }
   return "unknown rule";

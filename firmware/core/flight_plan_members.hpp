@@ -78,7 +78,7 @@ struct PlanMember {
 [[nodiscard]] std::span<const PlanMember> flight_plan_members();
 
 /// The slots of all fields, and a length for each list.
-inline constexpr std::size_t flight_plan_words = 122;
+inline constexpr std::size_t flight_plan_words = 131;
 
 /// Every field at its default; passes validate().
 [[nodiscard]] FlightPlan default_plan();
@@ -103,6 +103,11 @@ enum class PlanRule : std::uint8_t {
   integral_beside_proportional,  ///< integral action needs a proportional gain above zero
   observer_has_model,            ///< an observer needs inertia, area, damping and torque above zero
   axes_differ,                   ///< of a sensor's mounting, not only in sign
+  gate_is_measured,      ///< dormancy beyond the guide needs a start by launch, and a height that does not begin at detection
+  burn_out_has_time,     ///< a gate by burn-out needs the motor's burn time
+  height_beyond_guide,   ///< a gate by height lies above the end of the guide and its clearance
+  capture_turns_back,    ///< capture needs a proportional gain above zero and a rate reference of zero
+  capture_model_is_whole,  ///< of inertia, area, damping and torque all or none are above zero
 };
 
 /// What is wrong with a plan: the field by its place in the table, which of its slots, and the rule it breaks.

@@ -25,6 +25,15 @@ using Names = std::span<const std::string_view>;
 inline constexpr std::array<std::string_view, 2> start_names{"launch", "tunnel"};
 /// Names of CanardFaultPolicy.
 inline constexpr std::array<std::string_view, 3> fault_policy_names{"continue", "end_control", "share"};
+/// Names of TiltOrigin.
+inline constexpr std::array<std::string_view, 2> tilt_origin_names{"vertical", "guide"};
+/// Names of AbortInput.
+inline constexpr std::array<std::string_view, 3> abort_input_names{"none", "open_aborts", "closed_aborts"};
+/// Names of DormantUntil.
+inline constexpr std::array<std::string_view, 6> dormant_until_names{
+    "guide", "burn_out", "max_dynamic_pressure", "height", "burn_out and height", "max_dynamic_pressure and height"};
+/// Names of ControlEntry.
+inline constexpr std::array<std::string_view, 2> control_entry_names{"as_published", "capture"};
 /// Names of GyroRule.
 inline constexpr std::array<std::string_view, 2> gyro_rule_names{"one", "two_agree"};
 /// Names of SensorAxis.
@@ -145,9 +154,11 @@ constexpr PlanField list(std::size_t length_offset, PlanField field) {
 inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   choice(MEMBER(run.start), "run", "start", start_names, "how control begins: by launch detection, or on command in the tunnel"),
   number(MEMBER(run.control_time), "run", "control_time_s", "s", 30, {0.1F, 600}, "control ends this long after control start"),
-  number(MEMBER(run.tilt_limit), "run", "tilt_limit_deg", "deg", 60, {20, 90}, "control ends when the axis is tilted further from the vertical"),
+  number(MEMBER(run.tilt_limit), "run", "tilt_limit_deg", "deg", 60, {20, 90}, "control ends when the axis is tilted further than this"),
+  choice(MEMBER(run.tilt_from), "run", "tilt_from", tilt_origin_names, "what the tilt is measured from: the vertical, or the axis at rest in the launch guide"),
   choice(MEMBER(run.canard_fault), "run", "canard_fault", fault_policy_names, "what a canard that does not follow does to control; share: the others do its part too", 2),
   integer(MEMBER(run.overrun_limit), "run", "overrun_limit", 20, {0, 1000}, "control ticks that may fail to come in a flight, and from power-up to arming"),
+  choice(MEMBER(run.abort_input), "run", "abort_input", abort_input_names, "what ends control: no contact, one that opens (a broken wire does too), or one that closes"),
 
   choice(MEMBER(sensors.gyros), "sensors", "gyros", gyro_rule_names, "one gyro, or two that agree"),
   number(MEMBER(sensors.gyro_disagreement_rad_s), "sensors", "gyro_disagreement_deg_s", "deg/s", 20, {1, 200}, "largest difference of two gyros"),
@@ -171,6 +182,13 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   number(MEMBER(guide.minimum_speed_m_s), "guide", "minimum_speed_m_s", "m/s", 10, {0, 100}, "and faster than this"),
   number(MEMBER(guide.clearance_time), "guide", "clearance_time_s", "s", 1.5F, {0.2F, 5}, "and within this time of launch detection"),
 
+  choice(MEMBER(dormancy.until), "dormancy", "until", dormant_until_names, "canards stay at trim until the guide is clear, or until this too"),
+  number(MEMBER(dormancy.height_m), "dormancy", "height_m", "m", 1500, {1, 30000}, "height above the launch site, for a gate by height"),
+  number(MEMBER(dormancy.burn_time), "dormancy", "burn_time_s", "s", 0, {0, 120}, "burn time of the motor from first to last thrust, for a gate by burn-out"),
+  number(MEMBER(dormancy.burn_clock_factor), "dormancy", "burn_clock_factor", "", 1.1F, {1, 5}, "burn-out is believed this many burn times after first thrust"),
+  number(MEMBER(dormancy.scale_error), "dormancy", "scale_error", "", 0.01F, {0, 0.1F}, "accelerometer error for the height: this share of its reading"),
+  number(MEMBER(dormancy.bias_error_m_s2), "dormancy", "bias_error_g", "g", 0.06F, {0, 0.5F}, "and this much at any reading"),
+
   choice(MEMBER(motion.height_origin), "motion", "height_origin", height_origin_names, "where height and speed begin: first thrust replayed, its speed only, or launch detection"),
   number(MEMBER(motion.stale_time), "motion", "stale_time_s", "s", 0.005F, {0.004F, 0.02F}, "a sample older than this counts as missing"),
   number(MEMBER(motion.longest_gyro_gap), "motion", "longest_gyro_gap_s", "s", 0.25F, {0, 1}, "under control, canards wait at trim this long for a silent gyro"),
@@ -182,6 +200,7 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   number(MEMBER(controller.derivative_gain_s), "controller", "derivative_gain_s", "s", 0.05F, {0, 2}, "canard angle per roll rate (kd)"),
   choice(MEMBER(controller.rate_reference), "controller", "rate_reference", rate_reference_names, "what the roll rate is compared with: zero, or the reference angle as printed"),
   number(MEMBER(controller.canard_limit), "controller", "canard_limit_deg", "deg", 9, {0.5F, 20}, "plan limit of each canard"),
+  choice(MEMBER(controller.entry), "controller", "entry", control_entry_names, "roll angle to begin with: the reference, or the same one whole turns away that is reached soonest"),
 
   list(offsetof(Plan, gain_schedule.speeds_count), number(LIST(gain_schedule.speeds_m_s), "gain_schedule", "speeds_m_s", "m/s", 0, {0, 1000}, "speeds of the rows, increasing; linear between rows, as the end beyond them")),
   list(offsetof(Plan, gain_schedule.factors_count), number(LIST(gain_schedule.factors), "gain_schedule", "factors", "", 1, {0.01F, 100}, "what all gains of the law are multiplied with at each speed")),

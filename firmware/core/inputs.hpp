@@ -58,6 +58,7 @@ struct Inputs {
   bool arm_switch_closed = false;  ///< debounced
   bool arm_command = false;        ///< the second, independent action: one tick long
   bool start_command = false;      ///< tunnel only: begin control now, one tick long
+  bool abort = false;              ///< debounced: the abort contact stands as, by the plan, ends control
   /// Canard angles asked for by the pad self-test or an open bench session; obeyed in Safe only.
   std::optional<std::array<Angle, canard_count>> canard_request{};
 };

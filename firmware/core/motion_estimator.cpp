@@ -284,7 +284,10 @@ Motion MotionEstimator::motion(Microseconds now) const {
   result.distance_along_guide_m = eigen(trajectory_.position_m).dot(eigen(trajectory_.guide_axis));
   result.speed_m_s = eigen(trajectory_.velocity_m_s).dot(eigen(trajectory_.guide_axis));
   result.vertical_speed_m_s = trajectory_.velocity_m_s.z;
+  result.velocity_m_s = trajectory_.velocity_m_s;
   result.tilt = atan2(std::sqrt(axis.x() * axis.x() + axis.y() * axis.y()), axis.z());
+  const Vector3f guide = eigen(trajectory_.guide_axis);
+  result.tilt_from_guide = atan2(axis.cross(guide).norm(), axis.dot(guide));
   result.gyro = gyro_;
   result.accelerometer = accelerometer_;
   result.rate_is_lower_bound = rate_is_lower_bound_;

@@ -26,7 +26,9 @@ struct Motion {
   float distance_along_guide_m = 0.0F;  ///< from the same place, in the direction that the guide had
   float speed_m_s = 0.0F;               ///< along the guide
   float vertical_speed_m_s = 0.0F;      ///< earth frame, positive up
+  Vector3 velocity_m_s;                 ///< earth frame, z up
   Angle tilt;                           ///< of the rocket's axis from the vertical
+  Angle tilt_from_guide;                ///< of the same from where it pointed at rest on the pad
   SensorState gyro = SensorState::failed;
   SensorState accelerometer = SensorState::failed;
   /// The gyro stood at the end of its range: the rocket turns faster than this, in this sense.

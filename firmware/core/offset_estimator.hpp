@@ -16,7 +16,8 @@ namespace fantail::core {
 /// reference: by integral action or by a disturbance observer, as the plan says. Never beyond the plan limit, because
 /// what is more no canard can hold against. Only under control does it change, and only from measured rates: it stands
 /// still while the gyro is silent or at the end of its range. An observer also does while the speed is too small to
-/// tell an offset by, or only known to be at least what it is.
+/// tell an offset by, or only known to be at least what it is. With entry by capture it begins with what the spin before
+/// control told, and an integral stands still while the angle's part of the command alone is beyond the plan limit.
 class OffsetEstimator {
  public:
   /// `plan` has passed validate().
@@ -24,6 +25,13 @@ class OffsetEstimator {
 
   /// Zero for a plan that does not reject the offset.
   [[nodiscard]] Angle estimate() const { return estimate_; }
+
+  /// Control begins by capture, and this is known of the offset.
+  void begin(Angle offset) {
+    if (rejection_ != OffsetRejection::none) {
+      estimate_ = clamp(offset, canard_limit_);
+    }
+  }
 
   /// Before the command of a tick. `error` is R - phi, `gain_factor` that of the gain schedule, and `reach` what the
   /// canards can make of a command. A tick that came late counts as one.
@@ -39,6 +47,10 @@ class OffsetEstimator {
     }
     Angle estimate = estimate_;
     if (rejection_ == OffsetRejection::integral) {
+      // Turning a captured rocket back is no sign of an offset, and would wind the integral up.
+      if (captures_ && abs(gain_factor * proportional_gain_ * error) > canard_limit_) {
+        return;
+      }
       estimate = integral_.integrated(estimate, gain_factor * error);
       const Angle reached = clamp(before_excitation_, reach);
       if (reached != before_excitation_) {
@@ -73,10 +85,9 @@ class OffsetEstimator {
   }
 
  private:
-  /// Slower, and the air tells less of an offset than a gyro makes noise.
-  static constexpr float slowest_observed_m_s = 10.0F;
-
   OffsetRejection rejection_;
+  bool captures_;
+  float proportional_gain_;
   Angle canard_limit_;
   IntegralAction integral_;
   DisturbanceObserver observer_;

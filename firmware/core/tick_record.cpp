@@ -10,6 +10,7 @@ std::string_view name(Phase phase) {
     case Phase::launched: return "launched";
     case Phase::controlling: return "controlling";
     case Phase::finished: return "finished";
+    case Phase::dormant: return "dormant";
   }
   return "unknown";
 }
@@ -35,6 +36,10 @@ std::string_view name(PhaseReason reason) {
     case PhaseReason::moved_without_launch: return "moved_without_launch";
     case PhaseReason::rested: return "rested";
     case PhaseReason::flew_without_launch: return "flew_without_launch";
+    case PhaseReason::gate_open: return "gate_open";
+    case PhaseReason::gate_closed_again: return "gate_closed_again";
+    case PhaseReason::gate_never_opened: return "gate_never_opened";
+    case PhaseReason::aborted: return "aborted";
   }
   return "unknown";
 }

@@ -39,9 +39,10 @@ struct TickRecord {
   Motion motion{};
   std::optional<GyroVote> gyro_vote{};  ///< empty where the plan asks for one gyro
 
-  Angle reference{};          ///< R; zero outside of Controlling, as excitation, estimate and commands are
+  /// R, with the turns of capture; zero outside of Controlling, as excitation and commands are.
+  Angle reference{};
   Angle excitation{};         ///< what the chirp adds; also where no rate lets a command be given
-  Angle offset_estimate{};    ///< of the fin offset, taken off the command
+  Angle offset_estimate{};    ///< of the fin offset: taken off the command, and in Dormant what capture will begin with
   Angle unclamped_command{};  ///< of the law, with the excitation
   Angle command{};            ///< what is made of it within the plan limit
   bool saturated = false;     ///< the canards together cannot give `unclamped_command`

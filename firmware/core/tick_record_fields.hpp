@@ -43,6 +43,7 @@ void visit_signals(Record& record, Visitor&& visit) {
   visit(SignalName{"speed", "m_s"}, motion.speed_m_s);
   visit(SignalName{"vertical_speed", "m_s"}, motion.vertical_speed_m_s);
   visit(SignalName{"tilt", "rad"}, motion.tilt);
+  visit(SignalName{"tilt_from_guide", "rad"}, motion.tilt_from_guide);
   visit(SignalName{"gyro_state", ""}, motion.gyro);
   visit(SignalName{"accelerometer_state", ""}, motion.accelerometer);
   visit(SignalName{"rate_is_lower_bound", ""}, motion.rate_is_lower_bound);

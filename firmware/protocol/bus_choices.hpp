@@ -112,6 +112,7 @@ constexpr unsigned choice(ArmRefusal value) {
     case not_a_tunnel_plan: return CANARD_BUS_ARM_REPLY_REFUSAL_NOT_A_TUNNEL_PLAN_CHOICE;
     case not_armed: return CANARD_BUS_ARM_REPLY_REFUSAL_NOT_ARMED_CHOICE;
     case board_fault: return CANARD_BUS_ARM_REPLY_REFUSAL_BOARD_FAULT_CHOICE;
+    case abort_asked_for: return CANARD_BUS_ARM_REPLY_REFUSAL_ABORT_ASKED_FOR_CHOICE;
   }
   return no_choice;
 }

@@ -21,6 +21,7 @@ constexpr unsigned choice(core::Phase value) {
     case launched: return CANARD_BUS_STATUS_REPORT_PHASE_LAUNCHED_CHOICE;
     case controlling: return CANARD_BUS_STATUS_REPORT_PHASE_CONTROLLING_CHOICE;
     case finished: return CANARD_BUS_STATUS_REPORT_PHASE_FINISHED_CHOICE;
+    case dormant: return CANARD_BUS_STATUS_REPORT_PHASE_DORMANT_CHOICE;
   }
   return no_choice;
 }
@@ -47,6 +48,10 @@ constexpr unsigned choice(core::PhaseReason value) {
     case moved_without_launch: return CANARD_BUS_STATUS_REPORT_REASON_MOVED_WITHOUT_LAUNCH_CHOICE;
     case rested: return CANARD_BUS_STATUS_REPORT_REASON_RESTED_CHOICE;
     case flew_without_launch: return CANARD_BUS_STATUS_REPORT_REASON_FLEW_WITHOUT_LAUNCH_CHOICE;
+    case gate_open: return CANARD_BUS_STATUS_REPORT_REASON_GATE_OPEN_CHOICE;
+    case gate_closed_again: return CANARD_BUS_STATUS_REPORT_REASON_GATE_CLOSED_AGAIN_CHOICE;
+    case gate_never_opened: return CANARD_BUS_STATUS_REPORT_REASON_GATE_NEVER_OPENED_CHOICE;
+    case aborted: return CANARD_BUS_STATUS_REPORT_REASON_ABORTED_CHOICE;
   }
   return no_choice;
 }

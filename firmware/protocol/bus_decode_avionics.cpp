@@ -40,6 +40,7 @@ std::optional<StatusReport> read_status(const StatusReportFrame::Raw& raw) {
                        .self_test_running = raw.self_test_running != 0,
                        .timing_fault = raw.timing_fault != 0,
                        .every_tick = raw.every_tick != 0,
+                       .abort = raw.abort != 0,
                        .gyro_bias_rad_s = core::Angle::from_degrees(GyroBias::value(raw.gyro_bias)).radians()};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     message.limited[i] = raw.*signals::limited[i] != 0;

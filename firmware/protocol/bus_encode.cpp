@@ -70,6 +70,7 @@ BusFrame encode(const StatusReport& message) {
   raw.self_test_running = message.self_test_running;
   raw.timing_fault = message.timing_fault;
   raw.every_tick = message.every_tick;
+  raw.abort = message.abort;
   raw.gyro_bias = GyroBias{}.raw(core::Angle::from_radians(message.gyro_bias_rad_s).degrees());
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     raw.*signals::limited[i] = message.limited[i];

@@ -44,6 +44,7 @@ struct StatusReport {
   bool self_test_running = false;
   bool timing_fault = false;
   bool every_tick = false;       ///< commands and encoders are reported every millisecond now
+  bool abort = false;            ///< the abort contact stands as, by the plan, ends control
   float gyro_bias_rad_s = 0.0F;  ///< about the long axis: what rest on the pad has shown, and is taken off
 };
 
@@ -116,6 +117,7 @@ enum class ArmRefusal : std::uint8_t {
   not_a_tunnel_plan,  ///< start
   not_armed,          ///< start
   board_fault,        ///< BoardReport names it
+  abort_asked_for,    ///< the abort contact stands as ends control
 };
 
 struct ArmReply {

@@ -23,6 +23,7 @@ constexpr std::string_view all =
     "0 u16:11.1 start_command\n"
     "0 u16:12.1 saturated\n"
     "0 u16:13.1 timing_fault\n"
+    "0 u16:14.1 abort\n"
     "2 u16 imu_age us\n"
     "4 i16 rate_x count\n"
     "6 i16 rate_y count\n"

@@ -96,6 +96,7 @@ void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out) {
   flags.add(tick.start_command ? 1 : 0, 1);
   flags.add(tick.saturated ? 1 : 0, 1);
   flags.add(tick.timing_fault ? 1 : 0, 1);
+  flags.add(tick.abort ? 1 : 0, 1);
 
   put<2>(out, flags_at, flags.value);
   put<2>(out, imu_age_at, age(tick.time, tick.imu_time));
@@ -144,6 +145,7 @@ std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std:
   tick.start_command = flags.take(1) != 0;
   tick.saturated = flags.take(1) != 0;
   tick.timing_fault = flags.take(1) != 0;
+  tick.abort = flags.take(1) != 0;
 
   tick.imu_time = measured(time, static_cast<std::uint16_t>(get<2>(payload, imu_age_at)), times.imu);
   get_counts(payload, rate_at, tick.rate_counts);

@@ -48,6 +48,7 @@ struct LogTick {
   bool arm_switch_closed = false;
   bool arm_command = false;
   bool start_command = false;
+  bool abort = false;
 
   core::Phase phase = core::Phase::safe;
   core::CommandStatus command_status = core::CommandStatus::outside_control;

@@ -53,6 +53,7 @@ void visit_inputs(World& world, Visitor& visit) {
     visit(encoder.status);
   }
   visit(world.arm_switch_closed);
+  visit(world.abort_contact_closed);
   auto faults = world.board.faults.bits();
   visit(faults);
   if constexpr (!std::is_const_v<World>) {

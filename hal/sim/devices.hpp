@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hal/accelerometer.hpp"
-#include "hal/arm_switch.hpp"
+#include "hal/contact.hpp"
 #include "hal/board.hpp"
 #include "hal/clock.hpp"
 #include "hal/debounced_contact.hpp"
@@ -74,18 +74,18 @@ class Encoder final : public hal::Encoder {
   const WorldSide& world_;
 };
 
-/// As on the board.
-class ArmSwitch final : public hal::ArmSwitch {
+/// As on the board: a level of the world, debounced.
+class Contact final : public hal::Contact {
  public:
-  explicit ArmSwitch(const WorldSide& world) : world_{world} {}
+  explicit Contact(const bool& closed_now) : closed_now_{closed_now} {}
   void power_up() { contact_ = {}; }
   /// Once a tick, before the avionics has its own.
-  void update() { contact_.update(world_.arm_switch_closed); }
+  void update() { contact_.update(closed_now_); }
   [[nodiscard]] bool closed() const override { return contact_.closed(); }
   [[nodiscard]] bool open() const override { return contact_.open(); }
 
  private:
-  const WorldSide& world_;
+  const bool& closed_now_;
   DebouncedContact contact_;
 };
 
@@ -117,7 +117,8 @@ struct Devices {
   Accelerometer accelerometer{world};
   Servo servo{world};
   Encoder encoder{world};
-  ArmSwitch arm_switch{world};
+  Contact arm_switch{world.arm_switch_closed};
+  Contact abort_contact{world.abort_contact_closed};
   Watchdog watchdog{world};
   Board board{world};
 

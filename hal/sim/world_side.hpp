@@ -24,7 +24,8 @@ struct WorldSide {
   AccelerometerSample accelerometer{};
   float accelerometer_scale_m_s2 = 0.0F;
   EncoderReading encoders{};
-  bool arm_switch_closed = false;  ///< its contacts now, which may bounce
+  bool arm_switch_closed = false;     ///< its contacts now, which may bounce
+  bool abort_contact_closed = false;  ///< likewise
   BoardStatus board{};
   std::array<std::optional<Pulse>, canards> pulses{};  ///< what the avionics wrote last
   Signal shown = Signal::safe;                         ///< by lamp and buzzer

@@ -50,7 +50,7 @@ struct SetEntropy final : hal::Entropy {
 };
 
 /// Without bounces, and so without a debouncer.
-struct DirectSwitch final : hal::ArmSwitch {
+struct DirectSwitch final : hal::Contact {
   explicit DirectSwitch(const hal::sim::WorldSide& side) : world{side} {}
   const hal::sim::WorldSide& world;
   [[nodiscard]] bool closed() const override { return world.arm_switch_closed; }

@@ -58,7 +58,7 @@ struct Encoder final : Watched<hal::Encoder, hal::Encoder> {
   using Watched::Watched;
   hal::EncoderReading read() override { return order.called(), device.read(); }
 };
-struct ArmSwitch final : Watched<hal::ArmSwitch, hal::ArmSwitch> {
+struct ArmSwitch final : Watched<hal::Contact, hal::Contact> {
   using Watched::Watched;
   [[nodiscard]] bool closed() const override { return order.called(), device.closed(); }
   [[nodiscard]] bool open() const override { return order.called(), device.open(); }

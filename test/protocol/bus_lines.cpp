@@ -87,6 +87,7 @@ void print_signals(const StatusReport& m) {
   print("self_test_running", m.self_test_running);
   print("timing_fault", m.timing_fault);
   print("every_tick", m.every_tick);
+  print("abort", m.abort);
   print_degrees("gyro_bias", core::Angle::from_radians(m.gyro_bias_rad_s));
 }
 void print_signals(const MotionReport& m) {

@@ -32,7 +32,7 @@ void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
     return;
   }
   flight.phase_changes.push_back({time_s, record.phase, record.reason});
-  if (record.phase == core::Phase::launched || record.phase == core::Phase::controlling) {
+  if (core::is_flight(record.phase)) {
     flight.gyro_bias_rad_s = record.motion.gyro_bias_rad_s;
   }
   if (record.reason == core::PhaseReason::timing_fault ||
@@ -43,7 +43,9 @@ void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
     flight.events.control_end_s = time_s;  // a reset after which nothing was resumed
   }
   if (auto* event = event_of(flight.events, record.phase)) {
-    *event = time_s;
+    // A gate that closes again does not make another beginning.
+    const bool again = record.reason == core::PhaseReason::gate_closed_again || record.reason == core::PhaseReason::gate_open;
+    *event = again ? event->value_or(time_s) : time_s;
   }
 }
 
@@ -65,7 +67,7 @@ void note_canards(Flight& flight, const core::TickRecord& record, double time_s)
 void note_unmeasured(Flight& flight, const core::TickRecord& record, double time_s) {
   constexpr double tick_s = 1e-3;
   Unmeasured& u = flight.unmeasured;
-  const bool flies = record.phase == core::Phase::launched || record.phase == core::Phase::controlling;
+  const bool flies = core::is_flight(record.phase);
   const auto add = [time_s](std::optional<double>& from_s, double& for_s) {
     from_s = from_s.value_or(time_s);
     for_s += tick_s;
@@ -87,6 +89,7 @@ void note_unmeasured(Flight& flight, const core::TickRecord& record, double time
 std::optional<double>* event_of(Events& events, core::Phase phase) {
   switch (phase) {
     case core::Phase::launched: return &events.detected_s;
+    case core::Phase::dormant: return &events.dormant_s;
     case core::Phase::controlling: return &events.control_start_s;
     case core::Phase::finished: return &events.control_end_s;
     case core::Phase::safe:

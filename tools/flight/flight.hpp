@@ -71,6 +71,7 @@ struct Events {
   std::optional<double> liftoff_s{};
   std::optional<double> detected_s{};
   std::optional<double> guide_clear_s{};  ///< the rocket truly left the guide; control starts some way above it
+  std::optional<double> dormant_s{};      ///< the plan's gate was still closed beyond the guide
   std::optional<double> control_start_s{};
   std::optional<double> control_end_s{};
   std::optional<double> burnout_s{};
@@ -85,7 +86,7 @@ struct NamedEvent {
 };
 inline constexpr std::array named_events{
     NamedEvent{"liftoff_s", &Events::liftoff_s},         NamedEvent{"detected_s", &Events::detected_s},
-    NamedEvent{"guide_clear_s", &Events::guide_clear_s}, NamedEvent{"control_start_s", &Events::control_start_s},
+    NamedEvent{"guide_clear_s", &Events::guide_clear_s}, NamedEvent{"dormant_s", &Events::dormant_s}, NamedEvent{"control_start_s", &Events::control_start_s},
     NamedEvent{"burnout_s", &Events::burnout_s},         NamedEvent{"control_end_s", &Events::control_end_s},
     NamedEvent{"apogee_s", &Events::apogee_s},           NamedEvent{"parachute_s", &Events::parachute_s}};
 

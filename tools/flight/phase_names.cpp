@@ -36,6 +36,10 @@ std::string_view display_name(core::PhaseReason reason) {
     case PhaseReason::moved_without_launch: return "moved without a launch, must rest";
     case PhaseReason::rested: return "at rest again";
     case PhaseReason::flew_without_launch: return "flew without a detected launch";
+    case PhaseReason::gate_open: return "the plan's gate opened";
+    case PhaseReason::gate_closed_again: return "the motor pushes again";
+    case PhaseReason::gate_never_opened: return "the plan's gate did not open";
+    case PhaseReason::aborted: return "aborted by the abort input";
   }
   return "unknown";
 }

@@ -61,14 +61,13 @@ std::optional<core::Microseconds> control_start(const Flight& flight) {
   return std::nullopt;
 }
 
-bool flies(core::Phase phase) { return phase == core::Phase::launched || phase == core::Phase::controlling; }
 
 // Of the last detection: one before it was none.
 std::optional<core::Microseconds> lift_off(const Regeneration& regeneration) {
   std::optional<core::Microseconds> result;
   core::Phase before = core::Phase::safe;
   for (const auto& record : regeneration.records) {
-    if (record && flies(record->phase) && !flies(before)) {
+    if (record && core::is_flight(record->phase) && !core::is_flight(before)) {
       result = record->motion.thrust_since;
     }
     before = record ? record->phase : before;

@@ -68,7 +68,7 @@ class Bus {
 
   void send(const core::TickRecord& record, const protocol::LogTick& tick) {
     const std::int64_t millisecond = record.time.count() / 1000;
-    const bool every_tick = record.phase == core::Phase::launched || record.phase == core::Phase::controlling;
+    const bool every_tick = core::is_flight(record.phase);
     if (every_tick || millisecond % 10 == 0) {
       put(record.time, encode(protocol::CommandReport{driven_angles(record.canards)}, command_counter_.next()));
       put(record.time, encode(protocol::EncoderReport{record.encoders}, encoder_counter_.next()));
@@ -104,6 +104,7 @@ class Bus {
                                   .at_rest = plan && record.motion.at_rest_for >= plan->motion.rest_time,
                                   .timing_fault = record.timing_fault,
                                   .every_tick = every_tick,
+                                  .abort = tick.abort,
                                   .gyro_bias_rad_s = record.motion.gyro_bias_rad_s.x};
     for (std::size_t i = 0; i < report.limited.size(); ++i) {
       report.limited[i] = record.canards[i].limited;

@@ -104,6 +104,7 @@ std::string sentence(protocol::ArmRefusal refusal) {
     case Refusal::wrong_nonce: return "the confirmation was not for this request";
     case Refusal::not_a_tunnel_plan: return "its plan starts by launch detection, not on command";
     case Refusal::not_armed: return "it is not armed";
+    case Refusal::abort_asked_for: return "the abort input asks to abort: a broken wire, or the button";
     case Refusal::board_fault: return "the board has a fault; `fantail bench watch` shows it";
   }
   return "unknown reason";

@@ -67,6 +67,7 @@ void Target::begin(std::span<const std::byte> payload) {
     return;
   }
   devices_.arm_switch.power_up();
+  devices_.abort_contact.power_up();
   flash_.set_geometry(geometry);
   console_.clear();
   avionics_.reset();
@@ -80,6 +81,7 @@ void Target::begin(std::span<const std::byte> payload) {
                                       .servo = devices_.servo,
                                       .encoder = devices_.encoder,
                                       .arm_switch = devices_.arm_switch,
+                                      .abort_contact = devices_.abort_contact,
                                       .can_bus = *can_bus_,
                                       .flash = flash_,
                                       .console = console_,
@@ -113,6 +115,7 @@ void Target::tick(std::span<const std::byte> payload) {
   }
   ticked_ = true;
   devices_.arm_switch.update();
+  devices_.abort_contact.update();
   stopwatch_.begin();
   const core::TickRecord& record = avionics_->tick();
   const world_link::TickTimes times{

@@ -66,7 +66,8 @@ Hardware::Hardware()
       cycles_{dwt(), core_debug()},
       board_{{.light = pin('B', 2), .buzzer = buzzer_, .battery = battery_, .entropy = entropy_, .cycles = cycles_},
              reset_cause_},
-      arm_switch_{pin('C', 3)},
+      arm_switch_{pin('C', 3), ClosedLevel::high},
+      abort_contact_{pin('C', 1), ClosedLevel::low},
       servo_{tim8(), tree_.frequencies.apb2_timers_hz},
       imu_bus_{spi1(), tree_.frequencies.apb2_hz},
       encoder_bus_{spi2(), tree_.frequencies.apb1_hz},
@@ -90,6 +91,7 @@ avionics::Devices Hardware::devices() {
           .servo = servo_,
           .encoder = encoder_,
           .arm_switch = arm_switch_,
+          .abort_contact = abort_contact_,
           .can_bus = can_bus_,
           .flash = flash_,
           .console = console_,
@@ -124,6 +126,7 @@ void Hardware::wait_for_tick() {
   board_.add_overruns(clock_.wait_for_tick());
   cycles_.begin();
   arm_switch_.update();
+  abort_contact_.update();
   backup_memory_.update();
   battery_.update();
   supply_.update();

@@ -5,7 +5,7 @@
 #include "boards/stm32f405/peripherals.hpp"
 #include "hal/board.hpp"
 #include "hal/stm32f4/accelerometer.hpp"
-#include "hal/stm32f4/arm_switch.hpp"
+#include "hal/stm32f4/contact.hpp"
 #include "hal/stm32f4/backup_memory.hpp"
 #include "hal/stm32f4/battery.hpp"
 #include "hal/stm32f4/board.hpp"
@@ -65,7 +65,8 @@ class Hardware {
   hal::stm32f4::Buzzer buzzer_;
   hal::stm32f4::CycleCounter cycles_;
   hal::stm32f4::Board board_;
-  hal::stm32f4::ArmSwitch arm_switch_;
+  hal::stm32f4::Contact arm_switch_;
+  hal::stm32f4::Contact abort_contact_;
   hal::stm32f4::Servo servo_;
   hal::stm32f4::SpiBus imu_bus_;
   hal::stm32f4::SpiBus encoder_bus_;

@@ -68,6 +68,8 @@ inline constexpr auto pin_map = std::to_array<PinSetup>({
     PinSetup{'C', 2, PinMode::analog, 0, PinPull::none, PinSpeed::slow, false},  // battery divider, ADC1_IN12
     // Closed means high: a wire that has come off is an open switch, and an open switch does not arm.
     PinSetup{'C', 3, PinMode::input, 0, PinPull::down, PinSpeed::slow, false},  // arm switch
+    // Closed means low, to ground: which of the two levels aborts is in the plan.
+    PinSetup{'C', 1, PinMode::input, 0, PinPull::up, PinSpeed::slow, false},  // abort contact
     PinSetup{'B', 2, PinMode::output, 0, PinPull::none, PinSpeed::slow, false},  // status light
     PinSetup{'A', 8, PinMode::alternate, 1, PinPull::down, PinSpeed::slow, false},  // buzzer, TIM1_CH1
 });

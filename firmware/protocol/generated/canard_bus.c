@@ -1883,6 +1883,7 @@ int canard_bus_status_report_pack(
     dst_p[5] |= pack_left_shift_u8(src_p->self_test_running, 4u, 0x10u);
     dst_p[5] |= pack_left_shift_u8(src_p->timing_fault, 5u, 0x20u);
     dst_p[5] |= pack_left_shift_u8(src_p->every_tick, 6u, 0x40u);
+    dst_p[5] |= pack_left_shift_u8(src_p->abort, 7u, 0x80u);
     gyro_bias = (uint16_t)src_p->gyro_bias;
     dst_p[6] |= pack_left_shift_u16(gyro_bias, 0u, 0xffu);
     dst_p[7] |= pack_right_shift_u16(gyro_bias, 8u, 0x0fu);
@@ -1924,6 +1925,7 @@ int canard_bus_status_report_unpack(
     dst_p->self_test_running = unpack_right_shift_u8(src_p[5], 4u, 0x10u);
     dst_p->timing_fault = unpack_right_shift_u8(src_p[5], 5u, 0x20u);
     dst_p->every_tick = unpack_right_shift_u8(src_p[5], 6u, 0x40u);
+    dst_p->abort = unpack_right_shift_u8(src_p[5], 7u, 0x80u);
     gyro_bias = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
     gyro_bias |= unpack_left_shift_u16(src_p[7], 8u, 0x0fu);
 
@@ -1957,12 +1959,12 @@ float canard_bus_status_report_phase_decode(uint8_t value)
 
 bool canard_bus_status_report_phase_is_in_range(uint8_t value)
 {
-    return (value <= 4u);
+    return (value <= 5u);
 }
 
 bool canard_bus_status_report_phase_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 4.0f));
+    return ((value >= 0.0f) && (value <= 5.0f));
 }
 
 uint8_t canard_bus_status_report_reason_encode(float value)
@@ -1977,12 +1979,12 @@ float canard_bus_status_report_reason_decode(uint8_t value)
 
 bool canard_bus_status_report_reason_is_in_range(uint8_t value)
 {
-    return (value <= 18u);
+    return (value <= 22u);
 }
 
 bool canard_bus_status_report_reason_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 18.0f));
+    return ((value >= 0.0f) && (value <= 22.0f));
 }
 
 uint8_t canard_bus_status_report_command_status_encode(float value)
@@ -2241,6 +2243,26 @@ bool canard_bus_status_report_every_tick_is_in_range(uint8_t value)
 }
 
 bool canard_bus_status_report_every_tick_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 1.0f));
+}
+
+uint8_t canard_bus_status_report_abort_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_status_report_abort_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_status_report_abort_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool canard_bus_status_report_abort_is_in_phys_range(float value)
 {
     return ((value >= 0.0f) && (value <= 1.0f));
 }
@@ -2670,12 +2692,12 @@ float canard_bus_arm_reply_refusal_decode(uint8_t value)
 
 bool canard_bus_arm_reply_refusal_is_in_range(uint8_t value)
 {
-    return (value <= 12u);
+    return (value <= 13u);
 }
 
 bool canard_bus_arm_reply_refusal_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 12.0f));
+    return ((value >= 0.0f) && (value <= 13.0f));
 }
 
 uint32_t canard_bus_arm_reply_nonce_encode(float value)

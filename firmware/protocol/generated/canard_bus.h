@@ -159,6 +159,7 @@ extern "C" {
 #define CANARD_BUS_STATUS_REPORT_PHASE_LAUNCHED_CHOICE (2u)
 #define CANARD_BUS_STATUS_REPORT_PHASE_CONTROLLING_CHOICE (3u)
 #define CANARD_BUS_STATUS_REPORT_PHASE_FINISHED_CHOICE (4u)
+#define CANARD_BUS_STATUS_REPORT_PHASE_DORMANT_CHOICE (5u)
 
 #define CANARD_BUS_STATUS_REPORT_REASON_POWER_ON_CHOICE (0u)
 #define CANARD_BUS_STATUS_REPORT_REASON_ARMED_BY_SWITCH_AND_COMMAND_CHOICE (1u)
@@ -179,6 +180,10 @@ extern "C" {
 #define CANARD_BUS_STATUS_REPORT_REASON_MOVED_WITHOUT_LAUNCH_CHOICE (16u)
 #define CANARD_BUS_STATUS_REPORT_REASON_RESTED_CHOICE (17u)
 #define CANARD_BUS_STATUS_REPORT_REASON_FLEW_WITHOUT_LAUNCH_CHOICE (18u)
+#define CANARD_BUS_STATUS_REPORT_REASON_GATE_OPEN_CHOICE (19u)
+#define CANARD_BUS_STATUS_REPORT_REASON_GATE_CLOSED_AGAIN_CHOICE (20u)
+#define CANARD_BUS_STATUS_REPORT_REASON_GATE_NEVER_OPENED_CHOICE (21u)
+#define CANARD_BUS_STATUS_REPORT_REASON_ABORTED_CHOICE (22u)
 
 #define CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_OUTSIDE_CONTROL_CHOICE (0u)
 #define CANARD_BUS_STATUS_REPORT_COMMAND_STATUS_CONTROLLING_CHOICE (1u)
@@ -243,6 +248,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NOT_A_TUNNEL_PLAN_CHOICE (10u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NOT_ARMED_CHOICE (11u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_BOARD_FAULT_CHOICE (12u)
+#define CANARD_BUS_ARM_REPLY_REFUSAL_ABORT_ASKED_FOR_CHOICE (13u)
 
 #define CANARD_BUS_PLAN_REPLY_STATE_IDLE_CHOICE (0u)
 #define CANARD_BUS_PLAN_REPLY_STATE_RECEIVING_CHOICE (1u)
@@ -444,6 +450,7 @@ extern "C" {
 #define CANARD_BUS_STATUS_REPORT_SELF_TEST_RUNNING_NAME "self_test_running"
 #define CANARD_BUS_STATUS_REPORT_TIMING_FAULT_NAME "timing_fault"
 #define CANARD_BUS_STATUS_REPORT_EVERY_TICK_NAME "every_tick"
+#define CANARD_BUS_STATUS_REPORT_ABORT_NAME "abort"
 #define CANARD_BUS_STATUS_REPORT_GYRO_BIAS_NAME "gyro_bias"
 #define CANARD_BUS_MOTION_REPORT_ROLL_ANGLE_NAME "roll_angle"
 #define CANARD_BUS_MOTION_REPORT_ROLL_RATE_NAME "roll_rate"
@@ -992,14 +999,14 @@ struct canard_bus_encoder_report_t {
  */
 struct canard_bus_status_report_t {
     /**
-     * Range: 0..4 (0..4 -)
+     * Range: 0..5 (0..5 -)
      * Scale: 1
      * Offset: 0
      */
     uint8_t phase;
 
     /**
-     * Range: 0..18 (0..18 -)
+     * Range: 0..22 (0..22 -)
      * Scale: 1
      * Offset: 0
      */
@@ -1095,6 +1102,13 @@ struct canard_bus_status_report_t {
      * Offset: 0
      */
     uint8_t every_tick;
+
+    /**
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t abort;
 
     /**
      * Range: -2047..2047 (-20.47..20.47 deg/s)
@@ -1208,7 +1222,7 @@ struct canard_bus_arm_reply_t {
     uint8_t nonce_given;
 
     /**
-     * Range: 0..12 (0..12 -)
+     * Range: 0..13 (0..13 -)
      * Scale: 1
      * Offset: 0
      */
@@ -4904,6 +4918,46 @@ bool canard_bus_status_report_every_tick_is_in_range(uint8_t value);
  * @return true if in range, false otherwise.
  */
 bool canard_bus_status_report_every_tick_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_status_report_abort_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_status_report_abort_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_status_report_abort_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_status_report_abort_is_in_phys_range(float value);
 
 /**
  * Encode given signal by applying scaling and offset.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hal/stm32f4/arm_switch.hpp"
+#include "hal/stm32f4/contact.hpp"
 
 #include "hal/sim/devices.hpp"
 #include "register_world.hpp"
@@ -13,7 +13,7 @@ using test::RegisterWorld;
 
 struct TheArmSwitch : testing::Test {
   registers::Gpio port{};
-  ArmSwitch arm_switch{Pin{port, 3}};
+  Contact arm_switch{Pin{port, 3}, ClosedLevel::high};
   void ticks(int count, bool level) {
     for (int tick = 0; tick < count; ++tick) {
       RegisterWorld::poke(port.idr, level ? 1U << 3U : 0);
@@ -75,7 +75,7 @@ TEST_F(TheArmSwitch, ThatIsClosedAtPowerUpIsNeverOpen) {
 TEST_F(TheArmSwitch, ChangesInTheSameTickAsTheSimulatedOne) {
   std::mt19937 random{fantail::test::seed(8)};
   sim::WorldSide world;
-  sim::ArmSwitch simulated{world};
+  sim::Contact simulated{world.arm_switch_closed};
   int changes = 0;
   for (int stretch = 0; stretch < 2'000; ++stretch) {
     const bool level = random() % 2 == 0;

@@ -50,6 +50,7 @@
     safe: ["SAFE", "not armed; canards at trim, except in a bench session or self-test"],
     armed: ["ARMED", "waits for the launch; canards at trim"],
     launched: ["LAUNCHED", "not yet clear of the guide; canards at trim"],
+    dormant: ["DORMANT", "canards at trim until the plan's gate opens"],
     controlling: ["CONTROLLING", "the canards hold the roll"],
     finished: ["FINISHED", "control is over; canards at trim"],
   };

@@ -3,11 +3,11 @@
 
 namespace fantail::hal {
 
-/// The switch that a hand closes at the pad; already debounced. Neither closed nor open until its contacts have settled
-/// after power-up. Never waits.
-class ArmSwitch {
+/// A contact that a hand or a wire closes: the arm switch, the abort input. Already debounced. Neither closed nor open
+/// until it has settled after power-up. Never waits.
+class Contact {
  public:
-  virtual ~ArmSwitch() = default;
+  virtual ~Contact() = default;
   [[nodiscard]] virtual bool closed() const = 0;  ///< false while it is not known
   [[nodiscard]] virtual bool open() const = 0;    ///< likewise
 };

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "core/dormancy_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fantail::core {
+namespace {
+
+// Drag makes the reading negative once the thrust is over; an accelerometer that reads too much must not hide that.
+constexpr float coast_m_s2 = 0.15F * standard_gravity_m_s2;
+// Nothing but a motor pushes with this, before the parachute.
+constexpr float boost_m_s2 = 1.0F * standard_gravity_m_s2;
+constexpr Microseconds hold{100'000};
+
+// Slower, what reads like coasting may be a rocket that somebody carries or lays down.
+constexpr float least_speed_m_s = 15.0F;
+
+// Further down than the errors of speed and density make of a level top.
+constexpr float past_pressure = 0.98F;
+
+// Density over that at the place of lift-off, in the standard atmosphere: (1 - 2.2558e-5 h)^4.2559. The exponent is 4
+// and a quarter, because roots are the same in every C library and powers are not: off by 0.2 % at 10 km.
+float density_ratio(float height_m) {
+  const float temperature_ratio = std::clamp(1.0F - 2.2558e-5F * height_m, 0.1F, 1.2F);
+  const float square = temperature_ratio * temperature_ratio;
+  return square * square * std::sqrt(std::sqrt(temperature_ratio));
+}
+
+}  // namespace
+
+void DormancyGate::update(Microseconds now, const Motion& motion) {
+  if (plan_.until == DormantUntil::guide) {
+    return;
+  }
+  moves_ = moves_ || motion.speed_m_s > least_speed_m_s;
+  is_unsure_ = is_unsure_ || motion.accelerometer == SensorState::failed || motion.rate_is_lower_bound;
+  watch_burn(now, motion);
+  watch_pressure(motion);
+  watch_height(now, motion);
+}
+
+void DormancyGate::watch_burn(Microseconds now, const Motion& motion) {
+  if (motion.accelerometer != SensorState::fresh) {
+    if (motion.accelerometer != SensorState::coasting) {
+      coasts_since_.reset();
+      thrust_since_.reset();
+    }
+    return;
+  }
+  const float axial_m_s2 = axial_.update(now, motion.specific_force_m_s2.x);
+  if (axial_m_s2 < coast_m_s2) {
+    coasts_since_ = coasts_since_.value_or(now);
+    thrust_since_.reset();
+  } else {
+    coasts_since_.reset();
+    thrust_since_ = axial_m_s2 > boost_m_s2 ? std::optional{thrust_since_.value_or(now)} : std::nullopt;
+  }
+  if (thrust_since_ && pause_since_ && now - *thrust_since_ >= hold) {
+    pauses_ += *thrust_since_ - *pause_since_;
+    pause_since_.reset();
+    is_burnt_out_ = false;
+  }
+  if (coasts_since_ && now - *coasts_since_ >= hold) {
+    pause_since_ = pause_since_.value_or(*coasts_since_);
+    const float burnt_s = seconds(now - motion.thrust_since - pauses_);
+    is_burnt_out_ = is_burnt_out_ || (moves_ && burnt_s >= plan_.burn_clock_factor * seconds(plan_.burn_time));
+  }
+}
+
+void DormancyGate::watch_pressure(const Motion& motion) {
+  const Vector3& v = motion.velocity_m_s;
+  const float pressure = density_ratio(motion.height_m) * (v.x * v.x + v.y * v.y + v.z * v.z);
+  // Written so that what is no number counts as no fall.
+  if (!(pressure < largest_pressure_)) {
+    largest_pressure_ = pressure;
+    is_past_pressure_ = false;
+  } else if (moves_ && !is_unsure_ && pressure < past_pressure * largest_pressure_) {
+    is_past_pressure_ = true;
+  }
+}
+
+void DormancyGate::watch_height(Microseconds now, const Motion& motion) {
+  const float flown_s = seconds(now - motion.thrust_since);
+  const float fallen_m = 0.5F * flown_s * flown_s;
+  const float error_m = plan_.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
+                        plan_.bias_error_m_s2 * fallen_m;
+  is_past_height_ = is_past_height_ || (moves_ && !is_unsure_ && motion.height_m - error_m > plan_.height_m);
+}
+
+bool DormancyGate::is_open() const {
+  switch (plan_.until) {
+    case DormantUntil::guide: return true;
+    case DormantUntil::burn_out: return is_burnt_out_;
+    case DormantUntil::max_dynamic_pressure: return is_past_pressure_;
+    case DormantUntil::height: return is_past_height_;
+    case DormantUntil::burn_out_and_height: return is_burnt_out_ && is_past_height_;
+    case DormantUntil::max_dynamic_pressure_and_height: return is_past_pressure_ && is_past_height_;
+  }
+  return false;
+}
+
+}  // namespace fantail::core
