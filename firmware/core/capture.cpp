@@ -30,8 +30,9 @@ Capture::Capture(const FlightPlan& plan)
       has_model_{plan.roll_model.torque_m > 0.0F},
       canard_limit_{plan.controller.canard_limit},
       stop_without_model_s_{plan.controller.derivative_gain_s / plan.controller.proportional_gain},
-      stop_distance_m_{2.0F * plan.roll_model.roll_inertia_kg_m2 /
-                       (plan.roll_model.density_kg_m3 * plan.roll_model.reference_area_m2 * plan.roll_model.damping_m2)},
+      stop_distance_m_{
+          2.0F * plan.roll_model.roll_inertia_kg_m2 /
+          (plan.roll_model.density_kg_m3 * plan.roll_model.reference_area_m2 * plan.roll_model.damping_m2)},
       damping_per_torque_m_{plan.roll_model.damping_m2 / plan.roll_model.torque_m},
       observer_{plan.offset, plan.roll_model} {}
 
@@ -74,8 +75,7 @@ void Capture::begin(const Motion& motion, Angle reference) {
                       : rate_rad_s > 0.0F ? share_without_model
                       : rate_rad_s < 0.0F ? -share_without_model
                                           : 0.0F;
-  const float ahead_rad =
-      motion.roll_angle.radians() + stop_s * rate_rad_s + pi * share - reference.radians();
+  const float ahead_rad = motion.roll_angle.radians() + stop_s * rate_rad_s + pi * share - reference.radians();
   turns_ = Angle::from_radians(turn_rad * nearest_whole(ahead_rad / turn_rad));
   last_rate_rad_s_.reset();
 }

@@ -83,8 +83,8 @@ void DormancyGate::watch_pressure(const Motion& motion) {
 void DormancyGate::watch_height(Microseconds now, const Motion& motion) {
   const float flown_s = seconds(now - motion.thrust_since);
   const float fallen_m = 0.5F * flown_s * flown_s;
-  const float error_m = plan_.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
-                        plan_.bias_error_m_s2 * fallen_m;
+  const float error_m =
+      plan_.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) + plan_.bias_error_m_s2 * fallen_m;
   is_past_height_ = is_past_height_ || (moves_ && !is_unsure_ && motion.height_m - error_m > plan_.height_m);
 }
 

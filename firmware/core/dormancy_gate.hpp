@@ -22,8 +22,8 @@ namespace fantail::core {
 /// lift-off, has fallen 2 % below its largest value; a new largest value closes the gate. The motor may still burn.
 ///
 /// Height. The low end of what the height can be, given the plan's errors of the accelerometer, has been above the
-/// plan's height. It never closes: what has been above it was. Without an accelerometer for longer than the plan's stale
-/// time, or with a gyro at the end of its range, nobody knows height or speed that well: then neither height nor
+/// plan's height. It never closes: what has been above it was. Without an accelerometer for longer than the plan's
+/// stale time, or with a gyro at the end of its range, nobody knows height or speed that well: then neither height nor
 /// dynamic pressure opens in this flight.
 ///
 /// Nothing here opens by time alone: a gate that is never reached stays closed.
@@ -44,8 +44,8 @@ class DormancyGate {
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(axial_, moves_, is_unsure_, coasts_since_, pause_since_, thrust_since_, pauses_, is_burnt_out_, largest_pressure_,
-          is_past_pressure_, is_past_height_);
+    visit(axial_, moves_, is_unsure_, coasts_since_, pause_since_, thrust_since_, pauses_, is_burnt_out_,
+          largest_pressure_, is_past_pressure_, is_past_height_);
   }
 
  private:

@@ -165,7 +165,8 @@ std::optional<PhaseReason> FlightPhase::fault_in_flight(const PhaseInputs& input
 }
 
 // Meets DOR-1.
-std::optional<FlightPhase::Transition> FlightPhase::from_dormant(const PhaseInputs& inputs, const Motion& motion) const {
+std::optional<FlightPhase::Transition> FlightPhase::from_dormant(const PhaseInputs& inputs,
+                                                                 const Motion& motion) const {
   if (const auto fault = fault_in_flight(inputs, motion)) {
     return Transition{Phase::finished, *fault};
   }

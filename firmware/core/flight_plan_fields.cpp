@@ -40,7 +40,8 @@ std::string_view sentence(PlanRule rule) {
     case PlanRule::capture_turns_back:
       return "\"capture\" needs controller.proportional_gain above 0 and controller.rate_reference \"zero\"";
     case PlanRule::capture_model_is_whole:
-      return "\"capture\" needs roll_inertia_kg_m2, reference_area_m2, damping_m2 and torque_m of roll_model, or none of "
+      return "\"capture\" needs roll_inertia_kg_m2, reference_area_m2, damping_m2 and torque_m of roll_model, or none "
+             "of "
              "them";
     case PlanRule::observer_has_model: return "must be above 0 with offset.rejection = \"observer\"";
   }

@@ -103,10 +103,11 @@ enum class PlanRule : std::uint8_t {
   integral_beside_proportional,  ///< integral action needs a proportional gain above zero
   observer_has_model,            ///< an observer needs inertia, area, damping and torque above zero
   axes_differ,                   ///< of a sensor's mounting, not only in sign
-  gate_is_measured,      ///< dormancy beyond the guide needs a start by launch, and a height that does not begin at detection
-  burn_out_has_time,     ///< a gate by burn-out needs the motor's burn time
-  height_beyond_guide,   ///< a gate by height lies above the end of the guide and its clearance
-  capture_turns_back,    ///< capture needs a proportional gain above zero and a rate reference of zero
+  gate_is_measured,        ///< dormancy beyond the guide needs a start by launch, and a height that does not begin at
+                           ///< detection
+  burn_out_has_time,       ///< a gate by burn-out needs the motor's burn time
+  height_beyond_guide,     ///< a gate by height lies above the end of the guide and its clearance
+  capture_turns_back,      ///< capture needs a proportional gain above zero and a rate reference of zero
   capture_model_is_whole,  ///< of inertia, area, damping and torque all or none are above zero
 };
 

@@ -16,8 +16,9 @@ namespace fantail::core {
 /// reference: by integral action or by a disturbance observer, as the plan says. Never beyond the plan limit, because
 /// what is more no canard can hold against. Only under control does it change, and only from measured rates: it stands
 /// still while the gyro is silent or at the end of its range. An observer also does while the speed is too small to
-/// tell an offset by, or only known to be at least what it is. With entry by capture it begins with what the spin before
-/// control told, and an integral stands still while the angle's part of the command alone is beyond the plan limit.
+/// tell an offset by, or only known to be at least what it is. With entry by capture it begins with what the spin
+/// before control told, and an integral stands still while the angle's part of the command alone is beyond the plan
+/// limit.
 class OffsetEstimator {
  public:
   /// `plan` has passed validate().

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "hal/accelerometer.hpp"
-#include "hal/contact.hpp"
 #include "hal/board.hpp"
 #include "hal/clock.hpp"
+#include "hal/contact.hpp"
 #include "hal/debounced_contact.hpp"
 #include "hal/encoder.hpp"
 #include "hal/imu.hpp"

@@ -51,10 +51,10 @@ struct SetEntropy final : hal::Entropy {
 
 /// Without bounces, and so without a debouncer.
 struct DirectSwitch final : hal::Contact {
-  explicit DirectSwitch(const hal::sim::WorldSide& side) : world{side} {}
-  const hal::sim::WorldSide& world;
-  [[nodiscard]] bool closed() const override { return world.arm_switch_closed; }
-  [[nodiscard]] bool open() const override { return !world.arm_switch_closed; }
+  explicit DirectSwitch(const bool& closed_now) : closed_now_{closed_now} {}
+  const bool& closed_now_;
+  [[nodiscard]] bool closed() const override { return closed_now_; }
+  [[nodiscard]] bool open() const override { return !closed_now_; }
 };
 
 /// The avionics on a table: still, upright, with canards that stand where their pulses send them after a first-order
@@ -80,10 +80,10 @@ class BoardRig {
   void reset_processor() {
     avionics_.reset();
     servo.written = {};
-    avionics_.emplace(
-        Devices{devices_.clock, devices_.imu, devices_.accelerometer, servo, devices_.encoder, arm_switch_, board_bus_,
-                flash, console, watchdog, entropy, devices_.board, backup_memory, &devices_.second_imu},
-        plan_);
+    avionics_.emplace(Devices{devices_.clock, devices_.imu, devices_.accelerometer, servo, devices_.encoder,
+                              arm_switch_, abort_contact_, board_bus_, flash, console, watchdog, entropy,
+                              devices_.board, backup_memory, &devices_.second_imu},
+                      plan_);
   }
 
   const core::TickRecord& tick() {
@@ -177,7 +177,8 @@ class BoardRig {
 
  private:
   hal::sim::CanBus board_bus_{wire};  // of the two nodes the first
-  DirectSwitch arm_switch_{hardware};
+  DirectSwitch arm_switch_{hardware.arm_switch_closed};
+  DirectSwitch abort_contact_{hardware.abort_contact_closed};
 
  public:
   PcOnBus pc{wire};

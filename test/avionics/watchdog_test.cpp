@@ -58,7 +58,7 @@ struct Encoder final : Watched<hal::Encoder, hal::Encoder> {
   using Watched::Watched;
   hal::EncoderReading read() override { return order.called(), device.read(); }
 };
-struct ArmSwitch final : Watched<hal::Contact, hal::Contact> {
+struct Contact final : Watched<hal::Contact, hal::Contact> {
   using Watched::Watched;
   [[nodiscard]] bool closed() const override { return order.called(), device.closed(); }
   [[nodiscard]] bool open() const override { return order.called(), device.open(); }
@@ -125,7 +125,8 @@ TEST(Watchdog, IsFedAfterTheLastCallOfADeviceInEveryTickAndSoByNoneThatHangsInOn
   Accelerometer accelerometer{order, sim.accelerometer};
   Servo servo{order, sim_servo};
   Encoder encoder{order, sim.encoder};
-  ArmSwitch arm_switch{order, sim.arm_switch};
+  Contact arm_switch{order, sim.arm_switch};
+  Contact abort_contact{order, sim.abort_contact};
   CanBus bus{order, sim_bus};
   Flash flash{order, sim_flash};
   Console console{order, sim_console};
@@ -133,9 +134,9 @@ TEST(Watchdog, IsFedAfterTheLastCallOfADeviceInEveryTickAndSoByNoneThatHangsInOn
   Entropy entropy{order, sim_entropy};
   Board board{order, sim.board};
   BackupMemory backup{order, sim_backup};
-  Avionics avionics{
-      {clock, imu, accelerometer, servo, encoder, arm_switch, bus, flash, console, watchdog, entropy, board, backup},
-      core::default_plan()};
+  Avionics avionics{{clock, imu, accelerometer, servo, encoder, arm_switch, abort_contact, bus, flash, console,
+                     watchdog, entropy, board, backup},
+                    core::default_plan()};
   ASSERT_EQ(order.fed, 0) << "nor before the first tick";
 
   // With something to do for each of them: reports, a self-test, an arming command, the boot counter in the flash.

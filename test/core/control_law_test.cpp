@@ -15,8 +15,11 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 ControllerPlan gains(float kp, float kd_s, Angle limit) {
-  return {
-      .proportional_gain = kp, .derivative_gain_s = kd_s, .rate_reference = RateReference::zero, .canard_limit = limit};
+  return {.proportional_gain = kp,
+          .derivative_gain_s = kd_s,
+          .rate_reference = RateReference::zero,
+          .canard_limit = limit,
+          .entry = ControlEntry::as_published};
 }
 
 float rad(float degrees) { return Angle::from_degrees(degrees).radians(); }

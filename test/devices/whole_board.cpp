@@ -35,6 +35,7 @@ void WholeBoard::power_up() {
                                       .servo = servo_,
                                       .encoder = encoder_,
                                       .arm_switch = arm_switch_,
+                                      .abort_contact = abort_contact_,
                                       .can_bus = can_bus_,
                                       .flash = flash_,
                                       .console = console_,
@@ -86,6 +87,7 @@ std::optional<fake::LineEdge> WholeBoard::data_ready_edge() {
 // As the board's wait_for_tick() does.
 void WholeBoard::look_at_faults() {
   arm_switch_.update();
+  abort_contact_.update();
   battery_.update();
   hal::BoardFaults now = imu_.faults();
   now.add(accelerometer_.faults());

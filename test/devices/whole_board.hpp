@@ -18,11 +18,11 @@
 #include "fake_w25q.hpp"
 #include "hal/sim/backup_memory.hpp"
 #include "hal/stm32f4/accelerometer.hpp"
-#include "hal/stm32f4/contact.hpp"
 #include "hal/stm32f4/as5047p.hpp"
 #include "hal/stm32f4/battery.hpp"
 #include "hal/stm32f4/board.hpp"
 #include "hal/stm32f4/buzzer.hpp"
+#include "hal/stm32f4/contact.hpp"
 #include "hal/stm32f4/encoder.hpp"
 #include "hal/stm32f4/entropy.hpp"
 #include "hal/stm32f4/flash.hpp"
@@ -155,6 +155,7 @@ class WholeBoard {
                        .cycles = cycles_},
                       hal::ResetCause::power_on};
   stm32::Contact arm_switch_{stm32::Pin{port_c_.block(), 3}, stm32::ClosedLevel::high};
+  stm32::Contact abort_contact_{stm32::Pin{port_c_.block(), 1}, stm32::ClosedLevel::low};
   stm32::Servo servo_{servo_timer_.registers, timers_hz};
   stm32::Imu imu_{{bus_1_, stm32::Pin{port_a_.block(), 4}, stm32::icm42688::spi},
                   clock_,

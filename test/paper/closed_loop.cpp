@@ -132,7 +132,8 @@ core::ControllerPlan gains(double proportional, double derivative_s, double limi
   return {.proportional_gain = static_cast<float>(proportional),
           .derivative_gain_s = static_cast<float>(derivative_s),
           .rate_reference = core::RateReference::zero,
-          .canard_limit = degrees(limit_deg)};
+          .canard_limit = degrees(limit_deg),
+          .entry = core::ControlEntry::as_published};
 }
 
 core::ReferencePlan hold(double angle_deg) {

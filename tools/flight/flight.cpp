@@ -44,7 +44,8 @@ void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
   }
   if (auto* event = event_of(flight.events, record.phase)) {
     // A gate that closes again does not make another beginning.
-    const bool again = record.reason == core::PhaseReason::gate_closed_again || record.reason == core::PhaseReason::gate_open;
+    const bool again =
+        record.reason == core::PhaseReason::gate_closed_again || record.reason == core::PhaseReason::gate_open;
     *event = again ? event->value_or(time_s) : time_s;
   }
 }

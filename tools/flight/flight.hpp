@@ -84,11 +84,15 @@ struct NamedEvent {
   const char* name;
   std::optional<double> Events::* time_s;
 };
-inline constexpr std::array named_events{
-    NamedEvent{"liftoff_s", &Events::liftoff_s},         NamedEvent{"detected_s", &Events::detected_s},
-    NamedEvent{"guide_clear_s", &Events::guide_clear_s}, NamedEvent{"dormant_s", &Events::dormant_s}, NamedEvent{"control_start_s", &Events::control_start_s},
-    NamedEvent{"burnout_s", &Events::burnout_s},         NamedEvent{"control_end_s", &Events::control_end_s},
-    NamedEvent{"apogee_s", &Events::apogee_s},           NamedEvent{"parachute_s", &Events::parachute_s}};
+inline constexpr std::array named_events{NamedEvent{"liftoff_s", &Events::liftoff_s},
+                                         NamedEvent{"detected_s", &Events::detected_s},
+                                         NamedEvent{"guide_clear_s", &Events::guide_clear_s},
+                                         NamedEvent{"dormant_s", &Events::dormant_s},
+                                         NamedEvent{"control_start_s", &Events::control_start_s},
+                                         NamedEvent{"burnout_s", &Events::burnout_s},
+                                         NamedEvent{"control_end_s", &Events::control_end_s},
+                                         NamedEvent{"apogee_s", &Events::apogee_s},
+                                         NamedEvent{"parachute_s", &Events::parachute_s}};
 
 /// Of those that begin a phase; null for a phase that no event begins.
 [[nodiscard]] std::optional<double>* event_of(Events& events, core::Phase phase);

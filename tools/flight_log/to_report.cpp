@@ -61,7 +61,6 @@ std::optional<core::Microseconds> control_start(const Flight& flight) {
   return std::nullopt;
 }
 
-
 // Of the last detection: one before it was none.
 std::optional<core::Microseconds> lift_off(const Regeneration& regeneration) {
   std::optional<core::Microseconds> result;

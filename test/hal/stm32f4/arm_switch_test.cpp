@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "hal/stm32f4/contact.hpp"
-
 #include "hal/sim/devices.hpp"
+#include "hal/stm32f4/contact.hpp"
 #include "register_world.hpp"
 #include "seed.hpp"
 #include "test.hpp"
