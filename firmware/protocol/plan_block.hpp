@@ -13,14 +13,14 @@ namespace fantail::protocol {
 
 // A flight plan as a board is loaded with it: little-endian,
 //   0  4 bytes  "FTPL"
-//   4  u16      version (2): of this format and of the table of fields, one more with every change of either
+//   4  u16      version (3): of this format and of the table of fields, one more with every change of either
 //   6  u16      length of the payload in bytes
 //   8  u32      schema hash: changes with every name, unit, kind or capacity in the table of fields
 //  12  payload  every field in the order of the table: a list begins with its length (u32); then one u32 a slot
 //               (an IEEE single in inside units, microseconds, or the index of a choice)
 //   n  u32      CRC-32C of everything before it
 
-inline constexpr std::uint16_t plan_block_version = 2;
+inline constexpr std::uint16_t plan_block_version = 3;
 inline constexpr std::size_t plan_block_header_size = 12;
 inline constexpr std::size_t plan_block_size = plan_block_header_size + 4 * core::flight_plan_words + 4;
 /// Room for those of other versions too, so that what is stored or sent can be called by its name.

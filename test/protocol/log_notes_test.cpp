@@ -66,9 +66,9 @@ TEST(LogEvent, OneOfWhichThisVersionKnowsNothingIsRefused) {
   };
   const auto number = [](LogEventKind kind) { return static_cast<std::uint8_t>(kind); };
   EXPECT_FALSE(accepts(log_event_kinds, 0, 0, 0));
-  EXPECT_TRUE(accepts(number(LogEventKind::phase), 4, 18, 0));
-  EXPECT_FALSE(accepts(number(LogEventKind::phase), 5, 0, 0));
-  EXPECT_FALSE(accepts(number(LogEventKind::phase), 0, 19, 0));
+  EXPECT_TRUE(accepts(number(LogEventKind::phase), 5, 22, 0));
+  EXPECT_FALSE(accepts(number(LogEventKind::phase), 6, 0, 0));
+  EXPECT_FALSE(accepts(number(LogEventKind::phase), 0, 23, 0));
   EXPECT_TRUE(accepts(number(LogEventKind::canard_verdict), 4, 0, 3));
   EXPECT_FALSE(accepts(number(LogEventKind::canard_verdict), 4, 0, 4));
   EXPECT_TRUE(accepts(number(LogEventKind::recording_ended), 3, 0, 0));

@@ -73,6 +73,7 @@ TEST(LogTickLayout, EachFlagIsItsOwnBit) {
   EXPECT_EQ(flags_of({.imu_status = ok, .accelerometer_status = ok, .start_command = true}), 0x0800U);
   EXPECT_EQ(flags_of({.imu_status = ok, .accelerometer_status = ok, .saturated = true}), 0x1000U);
   EXPECT_EQ(flags_of({.imu_status = ok, .accelerometer_status = ok, .timing_fault = true}), 0x2000U);
+  EXPECT_EQ(flags_of({.imu_status = ok, .accelerometer_status = ok, .abort = true}), 0x4000U);
 }
 
 // Bit by bit, so that none of them answers for another one.
@@ -88,6 +89,7 @@ TEST(LogTickLayout, EachFlagIsReadFromItsOwnBit) {
     EXPECT_EQ(tick->start_command, bit == 11) << bit;
     EXPECT_EQ(tick->saturated, bit == 12) << bit;
     EXPECT_EQ(tick->timing_fault, bit == 13) << bit;
+    EXPECT_EQ(tick->abort, bit == 14) << bit;
   }
 }
 
@@ -171,7 +173,7 @@ TEST(LogTickLayout, WhatLiesBehindATickIsNoneOfItsBusiness) {
 
 TEST(LogTickLayout, ATickOfWhichNothingIsSaidClaimsNothing) {
   const LogTick tick;
-  EXPECT_FALSE(tick.arm_switch_closed || tick.arm_command || tick.start_command);
+  EXPECT_FALSE(tick.arm_switch_closed || tick.arm_command || tick.start_command || tick.abort);
   EXPECT_FALSE(tick.saturated || tick.timing_fault || tick.second_gyro);
   EXPECT_EQ(tick.digest, 0U);
 }

@@ -26,6 +26,7 @@ LogTick some_tick() {
           .arm_switch_closed = true,
           .arm_command = false,
           .start_command = true,
+          .abort = true,
           .phase = core::Phase::controlling,
           .command_status = core::CommandStatus::controlling,
           .saturated = true,
@@ -56,6 +57,7 @@ TEST(LogTick, ComesBackWithEverythingInIt) {
   EXPECT_EQ(back->arm_switch_closed, tick.arm_switch_closed);
   EXPECT_EQ(back->arm_command, tick.arm_command);
   EXPECT_EQ(back->start_command, tick.start_command);
+  EXPECT_EQ(back->abort, tick.abort);
   EXPECT_EQ(back->phase, tick.phase);
   EXPECT_EQ(back->command_status, tick.command_status);
   EXPECT_EQ(back->saturated, tick.saturated);
@@ -185,8 +187,8 @@ TEST(LogTick, ValuesThatNoTickHasAreRefused) {
   };
   constexpr std::integral_constant<std::size_t, 2> two;
   constexpr std::integral_constant<std::size_t, 4> four;
-  EXPECT_TRUE(accepts(0, 0x0004, two));   // Finished
-  EXPECT_FALSE(accepts(0, 0x0005, two));  // there are five phases
+  EXPECT_TRUE(accepts(0, 0x0005, two));   // Dormant
+  EXPECT_FALSE(accepts(0, 0x0006, two));  // there are six phases
   EXPECT_FALSE(accepts(0, 0x0060, two));  // and three states of a device
   EXPECT_FALSE(accepts(24, 0xC000, two));
   EXPECT_TRUE(accepts(32, 0x3F800000, four));
@@ -203,7 +205,7 @@ RC_GTEST_PROP(LogTick, WhatUnpacksPacksToTheSameBytes, ()) {
   const auto tick = unpack_tick(tick_time, bytes, unpacking);
   RC_PRE(tick.has_value());
   const PackedTick again = pack(*tick, packing);
-  put<2>(bytes, 0, get<2>(bytes, 0) & 0x3FFFU);  // the two bits that mean nothing
+  put<2>(bytes, 0, get<2>(bytes, 0) & 0x7FFFU);  // the bit that means nothing
   RC_ASSERT(again == bytes);
 }
 

@@ -275,8 +275,8 @@ TEST(StateBlock, ANumberThatIsNoneAFlagThatIsNeitherAndAnEnumerationBeyondItsEnd
   EXPECT_TRUE(accepts(4, 1));       // the time is there
   EXPECT_FALSE(accepts(4, 2));      // neither there nor not there
   EXPECT_FALSE(accepts(12, 0x7F));  // 290 000 years
-  EXPECT_TRUE(accepts(15, 4));
-  EXPECT_FALSE(accepts(15, 5));  // there are five phases
+  EXPECT_TRUE(accepts(15, 5));
+  EXPECT_FALSE(accepts(15, 6));  // there are six phases
 }
 
 TEST(StateBlock, WhatFindsNoRoomIsCountedAndNotWritten) {
