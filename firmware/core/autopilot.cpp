@@ -34,7 +34,7 @@ Autopilot::Autopilot(const FlightPlan& plan)
       canard_mixer_{plan.canards, plan.controller.canard_limit},
       shares_{plan.run.canard_fault == CanardFaultPolicy::share},
       canard_sharing_{plan.controller.canard_limit},
-      motion_estimator_{plan.motion, plan.sensors} {}
+      motion_estimator_{plan.motion, plan.sensors, plan.run.tilt_from} {}
 
 // Every signal of the record is written in every step: nothing of the last one stays.
 const TickRecord& Autopilot::step(const Inputs& inputs) {
@@ -102,6 +102,8 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
 // Meets MEM-3.
 void Autopilot::resume(const Inputs& first) {
   motion_estimator_.bridge(first);
+  dormancy_gate_.interrupt();
+  capture_.interrupt();
   canard_monitor_.bridge();
   offset_estimator_.interrupt();
   last_time_.reset();
@@ -200,6 +202,7 @@ void Autopilot::begin_control(const Motion& motion, Microseconds time) {
   if (!capture_.is_on()) {
     return;
   }
+  record_.offset_estimate = Angle{};  // what Dormant showed: a law that rejects no offset has none
   capture_.begin(motion, roll_reference(reference_, time - flight_phase_.control_start().value_or(time)));
   if (capture_.offset()) {
     offset_estimator_.begin(*capture_.offset());

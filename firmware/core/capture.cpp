@@ -48,7 +48,7 @@ Angle Capture::kept_up_by(const Motion& motion) const {
 
 void Capture::watch(const Motion& motion) {
   if (!is_on_ || !tells_offset(motion)) {
-    last_rate_rad_s_.reset();
+    interrupt();
     return;
   }
   if (!offset_) {
@@ -77,7 +77,7 @@ void Capture::begin(const Motion& motion, Angle reference) {
                                           : 0.0F;
   const float ahead_rad = motion.roll_angle.radians() + stop_s * rate_rad_s + pi * share - reference.radians();
   turns_ = Angle::from_radians(turn_rad * nearest_whole(ahead_rad / turn_rad));
-  last_rate_rad_s_.reset();
+  interrupt();
 }
 
 }  // namespace fantail::core

@@ -32,6 +32,9 @@ class Capture {
   /// In every tick in which the canards wait, beyond the guide.
   void watch(const Motion& motion);
 
+  /// The cause of rotation since the last tick is unknown: the next rate cannot be compared with the last.
+  void interrupt() { last_rate_rad_s_.reset(); }
+
   /// Control begins, with this reference.
   void begin(const Motion& motion, Angle reference);
 

@@ -43,8 +43,7 @@ void DormancyGate::update(Microseconds now, const Motion& motion) {
 void DormancyGate::watch_burn(Microseconds now, const Motion& motion) {
   if (motion.accelerometer != SensorState::fresh) {
     if (motion.accelerometer != SensorState::coasting) {
-      coasts_since_.reset();
-      thrust_since_.reset();
+      interrupt();
     }
     return;
   }

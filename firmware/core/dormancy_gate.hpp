@@ -38,6 +38,12 @@ class DormancyGate {
   /// As of the last update(); true from the beginning for a plan that waits for the guide alone.
   [[nodiscard]] bool is_open() const;
 
+  /// Nobody saw what the rocket did since the last update: a hold begins anew.
+  void interrupt() {
+    coasts_since_.reset();
+    thrust_since_.reset();
+  }
+
   /// Nothing of the last flight: a launch has been detected.
   void reset() { *this = DormancyGate{plan_}; }
 

@@ -10,6 +10,8 @@ constexpr Angle steepest_guide = Angle::from_degrees(45.0F);
 // Longer than any rocket climbs that this law was made for. Where the speed is only a lower bound nobody sees apogee.
 constexpr Microseconds longest_dormancy{120'000'000};
 
+bool falls(const Motion& motion) { return motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound; }
+
 }  // namespace
 
 FlightPhase::FlightPhase(const RunPlan& run, const GuidePlan& guide, const MotionPlan& motion)
@@ -157,9 +159,22 @@ std::optional<PhaseReason> FlightPhase::fault_in_flight(const PhaseInputs& input
     return PhaseReason::canard_fault;
   }
   // Canards deflected on a rocket that lies across the wind steer it: past this tilt they can only do harm.
-  const Angle tilt = run_.tilt_from == TiltOrigin::guide ? motion.tilt_from_guide : motion.tilt;
-  if (run_.start == Start::launch && tilt > run_.tilt_limit) {
+  if (run_.start == Start::launch && motion.tilt_from_guide.value_or(motion.tilt) > run_.tilt_limit) {
     return PhaseReason::tilted_too_far;
+  }
+  return std::nullopt;
+}
+
+// Meets PHS-4.
+// What ends control that has begun, also while the gate is closed again.
+std::optional<PhaseReason> FlightPhase::end_of_control(const PhaseInputs& inputs, const Motion& motion) const {
+  // Near apogee there is no flow over the canards, and after it the recovery system works.
+  // A speed that is a lower bound comes to zero too early: then time and tilt end control.
+  if (run_.start == Start::launch && falls(motion)) {
+    return PhaseReason::apogee;
+  }
+  if (inputs.time - control_start_.value_or(entered_) >= run_.control_time) {
+    return PhaseReason::control_time_over;
   }
   return std::nullopt;
 }
@@ -167,13 +182,15 @@ std::optional<PhaseReason> FlightPhase::fault_in_flight(const PhaseInputs& input
 // Meets DOR-1.
 std::optional<FlightPhase::Transition> FlightPhase::from_dormant(const PhaseInputs& inputs,
                                                                  const Motion& motion) const {
-  if (const auto fault = fault_in_flight(inputs, motion)) {
-    return Transition{Phase::finished, *fault};
+  std::optional<PhaseReason> end = fault_in_flight(inputs, motion);
+  if (!end && control_start_) {
+    end = end_of_control(inputs, motion);
+  } else if (!end && (falls(motion) || inputs.time - entered_ >= longest_dormancy)) {
+    // Time opens no gate: what the plan waits for has not come in this flight, and the canards have stood at trim.
+    end = PhaseReason::gate_never_opened;
   }
-  // Never opened by time: what the plan waits for may not come in this flight, and then the canards have stood at trim.
-  const bool is_over = motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound;
-  if (is_over || inputs.time - entered_ >= longest_dormancy) {
-    return Transition{Phase::finished, PhaseReason::gate_never_opened};
+  if (end) {
+    return Transition{Phase::finished, *end};
   }
   if (inputs.gate_is_open && motion.gyro != SensorState::lost) {
     return Transition{Phase::controlling, PhaseReason::gate_open};
@@ -181,19 +198,13 @@ std::optional<FlightPhase::Transition> FlightPhase::from_dormant(const PhaseInpu
   return std::nullopt;
 }
 
-// Meets PHS-4.
 std::optional<FlightPhase::Transition> FlightPhase::from_controlling(const PhaseInputs& inputs,
                                                                      const Motion& motion) const {
   if (const auto fault = fault_in_flight(inputs, motion)) {
     return Transition{Phase::finished, *fault};
   }
-  // Near apogee there is no flow over the canards, and after it the recovery system works.
-  // A speed that is a lower bound comes to zero too early: then time and tilt end control.
-  if (run_.start == Start::launch && motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound) {
-    return Transition{Phase::finished, PhaseReason::apogee};
-  }
-  if (inputs.time - control_start_.value_or(entered_) >= run_.control_time) {
-    return Transition{Phase::finished, PhaseReason::control_time_over};
+  if (const auto end = end_of_control(inputs, motion)) {
+    return Transition{Phase::finished, *end};
   }
   if (!inputs.gate_is_open) {
     return Transition{Phase::dormant, PhaseReason::gate_closed_again};

@@ -56,9 +56,10 @@ Quaternionf upright(const Vector3f& up) {
 
 }  // namespace
 
-MotionEstimator::MotionEstimator(const MotionPlan& plan, const SensorsPlan& sensors)
+MotionEstimator::MotionEstimator(const MotionPlan& plan, const SensorsPlan& sensors, TiltOrigin tilt_from)
     : plan_{plan},
       votes_{sensors.gyros == GyroRule::two_agree},
+      tilts_from_guide_{tilt_from == TiltOrigin::guide},
       gyro_gate_{plan},
       pad_window_{plan},
       gyro_pair_{sensors, plan} {
@@ -249,13 +250,6 @@ void MotionEstimator::begin_flight(Microseconds now) {
   }
 }
 
-void MotionEstimator::leave_guide() { place_ = Place::free; }
-
-void MotionEstimator::begin_tunnel_run(Microseconds now) {
-  place_ = Place::free;
-  zero_roll(now);
-}
-
 void MotionEstimator::return_to_pad() {
   place_ = Place::pad;
   pad_window_.require_rest();
@@ -286,8 +280,10 @@ Motion MotionEstimator::motion(Microseconds now) const {
   result.vertical_speed_m_s = trajectory_.velocity_m_s.z;
   result.velocity_m_s = trajectory_.velocity_m_s;
   result.tilt = atan2(std::sqrt(axis.x() * axis.x() + axis.y() * axis.y()), axis.z());
-  const Vector3f guide = eigen(trajectory_.guide_axis);
-  result.tilt_from_guide = atan2(axis.cross(guide).norm(), axis.dot(guide));
+  if (tilts_from_guide_) {
+    const Vector3f guide = eigen(trajectory_.guide_axis);
+    result.tilt_from_guide = atan2(axis.cross(guide).norm(), axis.dot(guide));
+  }
   result.gyro = gyro_;
   result.accelerometer = accelerometer_;
   result.rate_is_lower_bound = rate_is_lower_bound_;

@@ -28,7 +28,8 @@ struct Motion {
   float vertical_speed_m_s = 0.0F;      ///< earth frame, positive up
   Vector3 velocity_m_s;                 ///< earth frame, z up
   Angle tilt;                           ///< of the rocket's axis from the vertical
-  Angle tilt_from_guide;                ///< of the same from where it pointed at rest on the pad
+  /// Of the same from where it pointed at rest on the pad; empty where the plan counts from the vertical.
+  std::optional<Angle> tilt_from_guide;
   SensorState gyro = SensorState::failed;
   SensorState accelerometer = SensorState::failed;
   /// The gyro stood at the end of its range: the rocket turns faster than this, in this sense.
@@ -74,7 +75,8 @@ struct Motion {
 class MotionEstimator {
  public:
   /// Parts of a plan that has passed validate(); copied. Without `sensors` it follows one gyro.
-  [[gnu::cold]] explicit MotionEstimator(const MotionPlan& plan, const SensorsPlan& sensors = {});
+  [[gnu::cold]] explicit MotionEstimator(const MotionPlan& plan, const SensorsPlan& sensors = {},
+                                         TiltOrigin tilt_from = TiltOrigin::vertical);
 
   /// One tick. Sensors may be late, repeated or missing.
   void update(const Inputs& inputs) {
@@ -85,10 +87,13 @@ class MotionEstimator {
   void begin_flight(Microseconds now);
 
   /// The guide is clear: from here on nothing can bring the rocket to a stand.
-  void leave_guide();
+  void leave_guide() { place_ = Place::free; }
 
   /// Control start in the tunnel: the roll angle is zero now, the bias is frozen.
-  void begin_tunnel_run(Microseconds now);
+  void begin_tunnel_run(Microseconds now) {
+    place_ = Place::free;
+    zero_roll(now);
+  }
 
   /// A detection that turned out to be none: wait on the pad again.
   void return_to_pad();
@@ -168,7 +173,8 @@ class MotionEstimator {
   [[nodiscard]] Vector3 without_bias(const Vector3& rate_rad_s) const;
 
   MotionPlan plan_;
-  bool votes_;  ///< between two gyros
+  bool votes_;             ///< between two gyros
+  bool tilts_from_guide_;  ///< by the plan
   LowPass axial_{16.0F};
   std::optional<Microseconds> supported_since_;
   Place place_ = Place::pad;

@@ -110,7 +110,8 @@ core::Inputs inputs_from(const RawSamples& raw, const core::CanardsPlan& canards
           .encoders = encoder_angles(raw.encoders, canards),
           .arm_switch_closed = true,
           .arm_command = false,
-          .start_command = true};
+          .start_command = true,
+          .abort = true};
 }
 
 void expect_equal(const core::Vector3& a, const core::Vector3& b) {
@@ -133,6 +134,7 @@ void expect_equal(const core::Inputs& a, const core::Inputs& b) {
   EXPECT_EQ(a.arm_switch_closed, b.arm_switch_closed);
   EXPECT_EQ(a.arm_command, b.arm_command);
   EXPECT_EQ(a.start_command, b.start_command);
+  EXPECT_EQ(a.abort, b.abort);
 }
 
 TEST(LogTickOf, TheInputsThatComeOutAreThoseThatWentIn) {

@@ -2,6 +2,7 @@
 #include "core/flight_plan.hpp"
 
 #include "core/flight_plan_fields.hpp"
+#include "expect_fault.hpp"
 #include "known_roll_model.hpp"
 #include "plan_generator.hpp"
 #include "properties.hpp"
@@ -17,15 +18,6 @@ bool out_of_range(const FlightPlan& plan, const PlanField& of, std::size_t slot)
   const std::optional<PlanFault> fault = validate(plan);
   return fault && &flight_plan_fields()[fault->field] == &of && fault->slot == slot &&
          (fault->rule == PlanRule::in_range || fault->rule == PlanRule::finite);
-}
-
-void expect_fault(const FlightPlan& plan, std::string_view section, std::string_view key, std::size_t slot = 0) {
-  const std::optional<PlanFault> fault = validate(plan);
-  ASSERT_TRUE(fault.has_value()) << section << "." << key;
-  const PlanField& field = flight_plan_fields()[fault->field];
-  EXPECT_EQ(std::string{field.section} + "." + std::string{field.key}, std::string{section} + "." + std::string{key});
-  EXPECT_EQ(fault->slot, slot);
-  EXPECT_FALSE(sentence(fault->rule).empty());
 }
 
 TEST(FlightPlan, TheDefaultsFly) { EXPECT_FALSE(validate(default_plan()).has_value()); }
@@ -271,12 +263,12 @@ TEST(FlightPlan, AListLongerThanItsRoomIsRefused) {
 
 TEST(FlightPlan, EveryRuleHasASentenceOfItsOwn) {
   std::set<std::string_view> sentences;
-  for (int rule = 0; rule <= static_cast<int>(PlanRule::axes_differ); ++rule) {
+  for (int rule = 0; rule <= static_cast<int>(PlanRule::capture_model_is_whole); ++rule) {
     const std::string_view text = sentence(static_cast<PlanRule>(rule));
     EXPECT_TRUE(text != "" && text != "unknown rule") << rule;
     EXPECT_TRUE(sentences.insert(text).second) << text;
   }
-  EXPECT_EQ(sentence(static_cast<PlanRule>(static_cast<int>(PlanRule::axes_differ) + 1)), "unknown rule");
+  EXPECT_EQ(sentence(static_cast<PlanRule>(static_cast<int>(PlanRule::capture_model_is_whole) + 1)), "unknown rule");
 }
 
 RC_GTEST_PROP(FlightPlan, TheGeneratorOfTheseTestsMakesPlansThatFly, ()) { RC_ASSERT(!validate(arbitrary_plan())); }

@@ -43,6 +43,7 @@ class Loop {
     }
   }
   void interrupt() { estimator_.interrupt(); }
+  void begin(Angle offset) { estimator_.begin(offset); }
 
   [[nodiscard]] double estimate_deg() const { return static_cast<double>(estimator_.estimate().degrees()); }
   [[nodiscard]] Angle command() const { return roll_.command; }
@@ -56,6 +57,7 @@ class Loop {
 
 TEST(OffsetEstimator, APlanWithoutItEstimatesNothing) {
   Loop loop{plan_with(OffsetRejection::none)};
+  loop.begin(5_deg);
   loop.run(1000, measured(1.0F), 10_deg);
   EXPECT_EQ(loop.estimate_deg(), 0.0);
 }
@@ -100,22 +102,27 @@ TEST(Integral, IsNotMovedByAnExcitationThatMeetsTheLimit) {
   EXPECT_EQ(loop.estimate_deg(), 0.0);
 }
 
-/// Euler's steps of the roll equation in double precision, much finer than a tick.
-struct Rocket {
-  double rate_rad_s = 0.0;
-  void turn(double canard_rad, double offset_rad, double speed_m_s) {
-    const double common = 1.2 * 5e-5 * speed_m_s / (2.0 * 0.004);
-    for (int i = 0; i < 100; ++i) {
-      rate_rad_s += 1e-5 * (common * speed_m_s * 9.0 * (canard_rad + offset_rad) - common * 23.0 * rate_rad_s);
-    }
+// A captured rocket is turned back by up to half a turn, and 18 degrees of it are all that the limit of 9 allows kp.
+TEST(Integral, WithCaptureWaitsWhileTheAngleAloneAsksForMoreThanTheLimit) {
+  FlightPlan plan = plan_with(OffsetRejection::integral);
+  plan.controller.entry = ControlEntry::capture;
+  Loop loop{plan};
+  loop.begin(3_deg);
+  for (const Angle error : {18.1_deg, -18.1_deg, 180_deg}) {
+    loop.run(500, measured(), error);
+    EXPECT_NEAR(loop.estimate_deg(), 3.0, 1e-6);
   }
-};
+  loop.run(500, measured(), 18.1_deg, {}, 1.5F);
+  EXPECT_NEAR(loop.estimate_deg(), 3.0, 1e-6) << "with the factor of the schedule";
+  loop.run(1, measured(), 17.9_deg, {}, 0.9F);
+  EXPECT_NE(loop.estimate_deg(), 3.0);
+}
 
 double rad(double degrees) { return degrees * static_cast<double>(pi) / 180.0; }
 
 TEST(Observer, FindsTheOffsetByItsBandwidthWhateverTheCanardsDo) {
   Loop loop{plan_with(OffsetRejection::observer)};
-  Rocket rocket;
+  RollingRocket rocket;
   for (int i = 0; i <= 300; ++i) {
     loop.tick_with(measured(static_cast<float>(rocket.rate_rad_s)), Angle::from_degrees(i % 100 < 50 ? 8.0F : -5.0F));
     if (i < 300) {
@@ -127,7 +134,7 @@ TEST(Observer, FindsTheOffsetByItsBandwidthWhateverTheCanardsDo) {
 
 TEST(Observer, GoesByTheSpeed) {
   Loop loop{plan_with(OffsetRejection::observer)};
-  Rocket rocket;
+  RollingRocket rocket;
   for (int i = 0; i <= 2000; ++i) {
     const double speed_m_s = 80.0 - 0.02 * i;
     loop.tick_with(measured(static_cast<float>(rocket.rate_rad_s), static_cast<float>(speed_m_s)), 0_deg);
@@ -139,7 +146,7 @@ TEST(Observer, GoesByTheSpeed) {
 // As from an IMU whose own oscillator is 2 % slow. What the rate did meanwhile is seen with the next sample.
 TEST(Observer, LosesNothingOfARateWhoseSampleComesATickLate) {
   Loop loop{plan_with(OffsetRejection::observer)};
-  Rocket rocket;
+  RollingRocket rocket;
   for (int i = 0; i <= 300; ++i) {
     Motion motion = measured(static_cast<float>(rocket.rate_rad_s));
     motion.gyro = i % 50 == 1 || i % 50 == 3 ? SensorState::coasting : SensorState::fresh;
@@ -173,6 +180,14 @@ class Either : public testing::TestWithParam<OffsetRejection> {
  protected:
   Loop loop{plan_with(GetParam())};
 };
+
+TEST_P(Either, BeginsWithWhatIsKnownOfTheOffsetWithinThePlanLimit) {
+  for (const auto& [known, estimate_deg] :
+       {std::pair{-4_deg, -4.0}, std::pair{30_deg, 9.0}, std::pair{-30_deg, -9.0}}) {
+    loop.begin(known);
+    EXPECT_NEAR(loop.estimate_deg(), estimate_deg, 1e-5);
+  }
+}
 
 TEST_P(Either, StandsStillWhileNoRateIsMeasured) {
   loop.run(200, measured(), 2_deg);

@@ -21,16 +21,11 @@ class Rocket {
   void inputs_changed_by(std::function<void(Inputs&)> change) { change_ = std::move(change); }
 
   const TickRecord& tick(double acceleration_m_s2 = 0.0, double roll_rate_rad_s = 0.0) {
-    rig.advance(ms(1), acceleration_m_s2, roll_rate_rad_s);
-    Inputs inputs = rig.inputs();
-    inputs.arm_switch_closed = true;
-    for (std::size_t i = 0; i < canard_count; ++i) {
-      inputs.encoders[i] = record_.canards[i].angle;
-    }
-    change_(inputs);
-    record_ = autopilot_.step(inputs);
-    EXPECT_TRUE(record_.phase == Phase::controlling || record_.command == Angle{});
-    return record_;
+    return step(ms(1), acceleration_m_s2, roll_rate_rad_s, false);
+  }
+  /// The first tick after a reset, in flight, that took so long.
+  const TickRecord& resume(Microseconds gap, double acceleration_m_s2 = 0.0, double roll_rate_rad_s = 0.0) {
+    return step(gap, acceleration_m_s2, roll_rate_rad_s, true);
   }
   const TickRecord& run(Microseconds length, double acceleration_m_s2 = 0.0, double roll_rate_rad_s = 0.0) {
     for (const Microseconds end = rig.time() + length; rig.time() < end;) {
@@ -80,6 +75,22 @@ class Rocket {
   MotionRig rig;
 
  private:
+  const TickRecord& step(Microseconds time, double acceleration_m_s2, double roll_rate_rad_s, bool resumes) {
+    rig.advance(time, acceleration_m_s2, roll_rate_rad_s);
+    Inputs inputs = rig.inputs();
+    inputs.arm_switch_closed = true;
+    for (std::size_t i = 0; i < canard_count; ++i) {
+      inputs.encoders[i] = record_.canards[i].angle;
+    }
+    change_(inputs);
+    if (resumes) {
+      autopilot_.resume(inputs);
+    }
+    record_ = autopilot_.step(inputs);
+    EXPECT_TRUE(record_.phase == Phase::controlling || record_.command == Angle{});
+    return record_;
+  }
+
   Autopilot autopilot_;
   std::function<void(Inputs&)> change_;
   TickRecord record_;

@@ -123,6 +123,7 @@ TEST(InitialValues, OfInputsAskForNothing) {
   EXPECT_FALSE(inputs.arm_switch_closed);
   EXPECT_FALSE(inputs.arm_command);
   EXPECT_FALSE(inputs.start_command);
+  EXPECT_FALSE(inputs.abort);
   EXPECT_FALSE(inputs.canard_request);
   EXPECT_FALSE(inputs.second_gyro);
   EXPECT_EQ(inputs.gyro.quality, SampleQuality::absent);
@@ -150,6 +151,7 @@ TEST(InitialValues, OfAMotionAreThoseOfRestWithoutASensor) {
   EXPECT_EQ(motion.speed_m_s, 0.0F);
   EXPECT_EQ(motion.vertical_speed_m_s, 0.0F);
   EXPECT_EQ(motion.tilt, Angle{});
+  EXPECT_FALSE(motion.tilt_from_guide);
   EXPECT_EQ(motion.gyro, SensorState::failed);
   EXPECT_EQ(motion.accelerometer, SensorState::failed);
   EXPECT_FALSE(motion.rate_is_lower_bound);

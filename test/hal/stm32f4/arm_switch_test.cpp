@@ -70,6 +70,20 @@ TEST_F(TheArmSwitch, ThatIsClosedAtPowerUpIsNeverOpen) {
   }
 }
 
+// The abort contact: the pin is pulled up, and a wire that is off leaves it open.
+TEST(ContactToGround, IsClosedWhileThePinIsLow) {
+  registers::Gpio port{};
+  Contact contact{Pin{port, 1}, ClosedLevel::low};
+  for (const bool low : {true, false, true}) {
+    RegisterWorld::poke(port.idr, low ? 0 : 1U << 1U);
+    for (int tick = 0; tick < 50; ++tick) {
+      contact.update();
+    }
+    EXPECT_EQ(contact.closed(), low);
+    EXPECT_EQ(contact.open(), !low);
+  }
+}
+
 // That of a node, of a simulated flight and of the emulator, from power-up on, at the same contacts.
 TEST_F(TheArmSwitch, ChangesInTheSameTickAsTheSimulatedOne) {
   std::mt19937 random{fantail::test::seed(8)};
