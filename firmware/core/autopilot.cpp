@@ -80,7 +80,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
     // Always there, except in a state that a damaged log made up.
     asked_of_each = control(inputs.time - flight_phase_.control_start().value_or(inputs.time));
   } else {
-    // Meets PHS-1.
+    // Meets PHS-1, DOR-1.
     record.reference = record.excitation = record.offset_estimate = Angle{};
     if (record.phase == Phase::dormant) {
       capture_.watch(record.motion);

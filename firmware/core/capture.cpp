@@ -61,6 +61,7 @@ void Capture::watch(const Motion& motion) {
   last_rate_rad_s_ = motion.roll_rate_rad_s;
 }
 
+// Meets CAP-1.
 void Capture::begin(const Motion& motion, Angle reference) {
   if (!is_on_) {
     return;

@@ -40,6 +40,7 @@ void DormancyGate::update(Microseconds now, const Motion& motion) {
   watch_height(now, motion);
 }
 
+// Meets DOR-2.
 void DormancyGate::watch_burn(Microseconds now, const Motion& motion) {
   if (motion.accelerometer != SensorState::fresh) {
     if (motion.accelerometer != SensorState::coasting) {
@@ -79,6 +80,7 @@ void DormancyGate::watch_pressure(const Motion& motion) {
   }
 }
 
+// Meets DOR-2.
 void DormancyGate::watch_height(Microseconds now, const Motion& motion) {
   const float flown_s = seconds(now - motion.thrust_since);
   const float fallen_m = 0.5F * flown_s * flown_s;

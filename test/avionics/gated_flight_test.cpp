@@ -22,7 +22,7 @@ constexpr double opening_s = 3.3;
 
 double since_lit_s(const FlyingRig& rig) { return 1e-6 * static_cast<double>((rig.true_time - *rig.lit).count()); }
 
-TEST(GatedFlight, OnTheBoardTheCanardsGetThePulsesOfTheirTrimUntilTheMotorHasBurnt) {
+TEST(BoardBehindAGate, GivesThePulsesOfTrimUntilTheMotorHasBurnt) {
   FlyingRig rig{plan_until_burn_out()};
   rig.launch();
   ASSERT_EQ(rig.fly_to(Phase::dormant)->phase, Phase::dormant);
@@ -34,7 +34,7 @@ TEST(GatedFlight, OnTheBoardTheCanardsGetThePulsesOfTheirTrimUntilTheMotorHasBur
   EXPECT_NE(rig.console.text.find("phase: controlling, gate_open\n"), std::string::npos) << rig.console.text;
 }
 
-TEST(GatedFlight, AResetWhileDormantIsResumedDormantAndTheGateOpensInItsTime) {
+TEST(BoardBehindAGate, AResetWhileDormantIsResumedDormantAndTheGateOpensInItsTime) {
   for (const int after_ms : {1, 500, 2'000, 2'600}) {
     FlyingRig rig{plan_until_burn_out()};
     rig.launch();
@@ -50,7 +50,7 @@ TEST(GatedFlight, AResetWhileDormantIsResumedDormantAndTheGateOpensInItsTime) {
   }
 }
 
-TEST(GatedFlight, AGateThatWasOpenBeforeAResetIsOpenAfterIt) {
+TEST(BoardBehindAGate, AGateThatWasOpenBeforeAResetIsOpenAfterIt) {
   FlyingRig rig{plan_until_burn_out()};
   rig.launch_to_control();
   rig.fly_for(50 * millisecond);
@@ -60,7 +60,7 @@ TEST(GatedFlight, AGateThatWasOpenBeforeAResetIsOpenAfterIt) {
   EXPECT_EQ(rig.fly().phase, Phase::controlling);
 }
 
-TEST(GatedFlight, DamageOfADormantLawEndsTheFlightAtTrim) {
+TEST(BoardBehindAGate, DamageOfADormantLawEndsTheFlightAtTrim) {
   FlyingRig rig{plan_until_burn_out()};
   rig.launch();
   ASSERT_EQ(rig.fly_to(Phase::dormant)->phase, Phase::dormant);

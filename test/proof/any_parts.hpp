@@ -24,6 +24,9 @@ struct Asked {
 };
 inline Asked asked;
 
+/// What the gate answered last; open where the plan waits for the guide alone.
+inline bool gate_is_open = true;
+
 }  // namespace fantail::proof
 
 namespace fantail::core {
@@ -55,6 +58,20 @@ void CanardMixer::mix(Microseconds, Angle roll_command, const std::optional<std:
 std::optional<Angle> CanardMixer::canard_angle(const EncoderAngles&) const { return proof::any_contribution(); }
 std::optional<Angle> CanardMixer::contribution(std::size_t, const std::optional<Angle>&) const {
   return proof::any_contribution();
+}
+
+void DormancyGate::update(Microseconds, const Motion&) {}
+bool DormancyGate::is_open() const {
+  proof::gate_is_open = plan_.until == DormantUntil::guide || nondet_bool();
+  return proof::gate_is_open;
+}
+
+Capture::Capture(const FlightPlan& plan)
+    : is_on_{plan.controller.entry == ControlEntry::capture}, observer_{plan.offset, plan.roll_model} {}
+void Capture::watch(const Motion&) { offset_ = proof::any_contribution(); }
+void Capture::begin(const Motion&, Angle) {
+  offset_ = proof::any_contribution();
+  turns_ = proof::any_angle();
 }
 
 Chirp::Chirp(const ExcitationPlan& plan) : plan_{plan} {}

@@ -7,6 +7,7 @@ MIXER = "core/canard_mixer.cpp"
 PHASE = "core/flight_phase.cpp"
 DETECTOR = "core/launch_detector.cpp"
 AUTOPILOT = "core/autopilot.cpp"
+GATE = "core/dormancy_gate.cpp"
 
 NO_CLAMP = Bug(
     "the clamp of the first motion is gone",
@@ -74,9 +75,10 @@ PROOFS = [
     Proof(
         "flight_phase",
         "Safe becomes Controlling only by way of switch and command; the switch disarms; no command starts a "
-        "launch plan; what has moved must rest before a launch; Finished is final",
+        "launch plan; behind a closed gate nothing is Controlling, and an abort ends a flight; what has moved must rest "
+        "before a launch; Finished is final",
         "flight_phase.cpp",
-        6,
+        9,
         (
             Bug(
                 "the switch alone arms", PHASE, "inputs.arm_switch_closed && inputs.arm_command", "inputs.arm_switch_closed"
@@ -91,6 +93,21 @@ PROOFS = [
             Bug("control begins inside the guide", PHASE, "beyond_guide && motion.speed_m_s", "motion.speed_m_s"),
             Bug("control begins by one of two", PHASE, " && inputs.accelerometers_agree", ""),
             Bug("control begins with a silent gyro", PHASE, "clear && motion.gyro != SensorState::lost", "clear"),
+            Bug(
+                "control begins behind a closed gate",
+                PHASE,
+                "inputs.gate_is_open ? Phase::controlling : Phase::dormant",
+                "Phase::controlling",
+            ),
+            Bug("Dormant is left by a closed gate", PHASE, "inputs.gate_is_open && motion.gyro", "motion.gyro"),
+            Bug("a gate that closes again closes nothing", PHASE, "if (!inputs.gate_is_open) {", "if (false) {"),
+            Bug("a rocket is armed against an abort", PHASE, "inputs.arm_command && !inputs.abort", "inputs.arm_command"),
+            Bug(
+                "an abort ends no control",
+                PHASE,
+                "if (inputs.abort) {\n    return PhaseReason::aborted;",
+                "if (false) {\n    return PhaseReason::aborted;",
+            ),
             Bug("movement asks for no rest", PHASE, "|| (waits && motion.has_moved)", ""),
             Bug("rest while it moves is enough", PHASE, " && !motion.has_moved && motion.tilt", " && motion.tilt"),
             Bug("a flight without detection goes on", PHASE, "Start::launch && motion.has_fallen", "Start::tunnel && motion.has_fallen"),
@@ -102,6 +119,30 @@ PROOFS = [
             ),
         ),
         quick=True,
+    ),
+    Proof(
+        "dormancy_gate",
+        "A gate opens by burn-out not before its clock, by height not before its margin, by two of them only with both, "
+        "and never for a rocket that was not fast; one by the guide is always open",
+        "dormancy_gate.cpp",
+        5,
+        (
+            Bug(
+                "there is no clock",
+                GATE,
+                "moves_ && burnt_s >= plan_.burn_clock_factor * seconds(plan_.burn_time)",
+                "moves_",
+            ),
+            Bug("a pause is added to the clock", GATE, "seconds(now - motion.thrust_since - pauses_)", "seconds(now - motion.thrust_since)"),
+            Bug("thrust again does not close it", GATE, "    is_burnt_out_ = false;\n", ""),
+            Bug("the margin is left out", GATE, "motion.height_m - error_m > plan_.height_m", "motion.height_m > plan_.height_m"),
+            Bug("a height that nobody measured", GATE, "moves_ && !is_unsure_ && motion.height_m", "moves_ && motion.height_m"),
+            Bug("one of two is enough", GATE, "is_burnt_out_ && is_past_height_", "is_burnt_out_ || is_past_height_"),
+            Bug("a rocket that is carried", GATE, "motion.speed_m_s > least_speed_m_s", "true"),
+            Bug("the guide alone is not enough", GATE, "case DormantUntil::guide: return true;", "case DormantUntil::guide: return is_burnt_out_;"),
+        ),
+        options=INSIDE,
+        stubs=("any_filter",),
     ),
     Proof(
         "launch_detector",
@@ -167,9 +208,10 @@ PROOFS = [
     ),
     Proof(
         "autopilot",
-        "A step asks the mixer for a request in Safe only and for a roll command in Controlling only",
+        "A step asks the mixer for a request in Safe only and for a roll command in Controlling only, never behind a "
+        "closed gate",
         "autopilot.cpp",
-        3,
+        5,
         (
             Bug(
                 "a request is obeyed in Armed",
@@ -183,6 +225,14 @@ PROOFS = [
                 "if (record.phase == Phase::controlling) {",
                 "if (record.phase >= Phase::launched) {",
             ),
+            Bug(
+                "the law acts in Dormant, too",
+                AUTOPILOT,
+                "if (record.phase == Phase::controlling) {",
+                "if (record.phase == Phase::controlling || record.phase == Phase::dormant) {",
+            ),
+            Bug("nobody asks the gate", AUTOPILOT, ".gate_is_open = dormancy_gate_.is_open()", ".gate_is_open = true"),
+            Bug("nobody asks for an abort", AUTOPILOT, ".abort = inputs.abort", ".abort = false"),
             Bug(
                 "the record has the command before the limit",
                 AUTOPILOT,

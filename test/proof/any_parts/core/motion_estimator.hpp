@@ -23,7 +23,9 @@ struct Motion {
   float distance_along_guide_m = 0.0F;
   float speed_m_s = 0.0F;           ///< along the guide
   float vertical_speed_m_s = 0.0F;  ///< earth frame, positive up
+  Vector3 velocity_m_s;             ///< earth frame, z up
   Angle tilt;                       ///< of the rocket's axis from the vertical
+  std::optional<Angle> tilt_from_guide;
   SensorState gyro = SensorState::failed;
   SensorState accelerometer = SensorState::failed;
   /// The gyro stood at the end of its range: the rocket turns faster than this, in this sense.
@@ -44,7 +46,7 @@ struct Motion {
 /// In the place of the estimator, which uses Eigen, and which the prover cannot read: any motion at all, in every tick.
 class MotionEstimator {
  public:
-  explicit MotionEstimator(const MotionPlan&, const SensorsPlan&) {}
+  explicit MotionEstimator(const MotionPlan&, const SensorsPlan&, TiltOrigin) {}
   void update(const Inputs&) {}
   void begin_flight(Microseconds) {}
   void leave_guide() {}
@@ -59,6 +61,7 @@ class MotionEstimator {
     motion.speed_m_s = nondet_float();
     motion.vertical_speed_m_s = nondet_float();
     motion.tilt = proof::any_angle();
+    motion.tilt_from_guide = proof::any_optional_angle();
     motion.gyro = proof::any_of<SensorState>(sensor_states);
     motion.rate_is_lower_bound = nondet_bool();
     motion.speed_is_lower_bound = nondet_bool();

@@ -14,6 +14,7 @@ class OffsetEstimator {
   [[nodiscard]] Angle estimate() const { return proof::any_angle(); }
   void update(const Motion&, Angle, float, const AngleRange&) {}
   void interrupt() {}
+  void begin(Angle) {}
   void remember(const RollCommand&) {}
 };
 
