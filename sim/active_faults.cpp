@@ -120,6 +120,8 @@ void ActiveFaults::follow(const One& one, const Places& at) {
     }
   } else if (fault.device == Device::arm_switch && one.there) {
     hardware.arm_switch_closed = is(fault, Behaviour::stuck) && switch_stood_closed_;
+  } else if (fault.device == Device::abort_input && one.there) {
+    hardware.abort_contact_closed = is(fault, Behaviour::pressed) && at.abort_input == core::AbortInput::closed_aborts;
   } else if (fault.device == Device::processor && is(fault, Behaviour::dead)) {
     processor_stands_ = processor_stands_ || one.there;
   }

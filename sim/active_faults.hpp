@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/flight_plan.hpp"
 #include "core/time.hpp"
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/flash.hpp"
@@ -42,6 +43,7 @@ class ActiveFaults {
   struct Places {
     hal::sim::WorldSide& hardware;
     FlightComputer& board;
+    core::AbortInput abort_input;
     hal::sim::CanWire* wire;
     hal::sim::Flash* flash;
   };

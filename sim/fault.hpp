@@ -24,10 +24,11 @@ enum class Device : std::uint8_t {
   flash,
   supply,
   arm_switch,
+  abort_input,
   memory,
   processor,
 };
-inline constexpr std::size_t devices = 11;
+inline constexpr std::size_t devices = 12;
 
 /// Each canard has one of its own.
 [[nodiscard]] constexpr bool is_of_canard(Device device) {
@@ -47,6 +48,7 @@ enum class Behaviour : std::uint8_t {
   hangs,            ///< nothing is measured, and the last sample comes again
   gyro_frozen,      ///< the gyro's last counts come again, as if they were new
   sagging,          ///< below what the board allows
+  pressed,          ///< stands as asks to abort, by the sense of the plan
   law_bit_flipped,  ///< once
   plan_bit_flipped,
 };

@@ -132,6 +132,7 @@ const core::TickRecord& World::tick() {
   if (pad_) {
     let_crew_act();
   }
+  hardware_.abort_contact_closed = abort_contact_is_closed();
   if (faults_) {
     spoil_hardware();
   }
@@ -221,6 +222,15 @@ double World::disturbance_now_rad() const {
   return disturbance_.at(time_s) + environment_.swirl_rad();
 }
 
+bool World::abort_contact_is_closed() const {
+  switch (scenario_.plan.run.abort_input) {
+    case core::AbortInput::none: break;
+    case core::AbortInput::open_aborts: return !abort_is_pressed_;
+    case core::AbortInput::closed_aborts: return abort_is_pressed_;
+  }
+  return false;
+}
+
 void World::impose_roll() {
   if (roll_is_imposed_ || !scenario_.imposed_roll || !events_.liftoff ||
       now_ < *events_.liftoff + imposed_roll_after_liftoff_) {
@@ -247,6 +257,7 @@ void World::begin_faults() {
 void World::spoil_hardware() {
   faults_->spoil({.hardware = hardware_,
                   .board = *board_,
+                  .abort_input = scenario_.plan.run.abort_input,
                   .wire = pad_ ? &pad_->wire : nullptr,
                   .flash = pad_ ? &pad_->flash : nullptr});
 }

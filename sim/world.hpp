@@ -101,6 +101,9 @@ class World {
 
   void set_arm_switch(bool closed) { hardware_.arm_switch_closed = closed; }
 
+  /// Of the abort input that is wired as the scenario's plan says; one that is not fitted stays open.
+  void press_abort(bool pressed) { abort_is_pressed_ = pressed; }
+
   /// Milliseconds by which this world fell behind a clock outside of it, since power-up: the board tells them on the
   /// bus.
   void set_ticks_left_out(std::uint32_t ticks) { hardware_.board.ticks_left_out = ticks; }
@@ -160,6 +163,7 @@ class World {
   void follow_flight();
   void impose_roll();
   [[nodiscard]] double disturbance_now_rad() const;
+  [[nodiscard]] bool abort_contact_is_closed() const;
   [[nodiscard]] bool motor_burns() const {
     return scenario_.surroundings == Surroundings::flight && now_ > ignition_ && !events_.burnout;
   }
@@ -192,6 +196,7 @@ class World {
   AccelerometerModel accelerometer_model_;
   SensorFaults sensor_faults_;
   bool roll_is_imposed_ = false;
+  bool abort_is_pressed_ = false;
   std::optional<core::Microseconds> down_until_{};
   Reset reset_{};                                  ///< the last one
   const core::TickRecord* last_record_ = nullptr;  ///< of the board, which has it until its next tick

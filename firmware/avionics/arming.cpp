@@ -5,6 +5,7 @@
 
 namespace fantail::avionics {
 
+using protocol::AbortState;
 using protocol::ArmAction;
 using protocol::ArmRefusal;
 
@@ -100,8 +101,8 @@ ArmRefusal Arming::objection(const Situation& now, const Permission& permission)
     return ArmRefusal::switch_open;
   }
   // Meets ABT-1.
-  if (now.abort) {
-    return ArmRefusal::abort_asked_for;
+  if (now.abort == AbortState::asks_to_abort || now.abort == AbortState::unsettled) {
+    return ArmRefusal::abort_not_ready;
   }
   // Meets ARM-6.
   // A switch that was closed before power-up is nobody's decision: this may be a reset on the pad.

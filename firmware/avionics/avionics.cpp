@@ -11,14 +11,16 @@ namespace {
 
 constexpr std::array<std::optional<hal::Pulse>, hal::canards> no_pulses{};
 
-// Of a contact that has not settled yet nobody knows: a reset in flight is no abort.
-bool asks_to_abort(core::AbortInput input, const hal::Contact& contact) {
-  switch (input) {
-    case core::AbortInput::none: return false;
-    case core::AbortInput::open_aborts: return contact.open();
-    case core::AbortInput::closed_aborts: return contact.closed();
+// A contact that has not settled does not abort, so that a reset in flight is none; but it keeps from arming.
+protocol::AbortState abort_state(core::AbortInput input, const hal::Contact& contact) {
+  using enum protocol::AbortState;
+  if (input == core::AbortInput::none) {
+    return none_fitted;
   }
-  return true;
+  if (!contact.open() && !contact.closed()) {
+    return unsettled;
+  }
+  return contact.open() == (input == core::AbortInput::open_aborts) ? asks_to_abort : ready;
 }
 
 }  // namespace
@@ -55,7 +57,7 @@ const core::TickRecord& Avionics::tick() {
                 .moves = record.motion.at_rest_for == core::Microseconds{0},
                 .arm_switch_closed = inputs.arm_switch_closed,
                 .arm_switch_open = devices_.arm_switch.open(),
-                .abort = inputs.abort};
+                .abort = abort_state(plan_.run.abort_input, devices_.abort_contact)};
   watch_board(record, flash);
   arming_.update(situation_);
   self_test_.update(inputs, record, flash, situation_.board_faulty);
@@ -233,7 +235,7 @@ core::Inputs Avionics::read_devices(core::Microseconds now) {
       .arm_switch_closed = devices_.arm_switch.closed(),
       .arm_command = arm_command,
       .start_command = start_command,
-      .abort = asks_to_abort(plan_.run.abort_input, devices_.abort_contact),
+      .abort = abort_state(plan_.run.abort_input, devices_.abort_contact) == protocol::AbortState::asks_to_abort,
       .canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request(),
   };
 }
@@ -264,7 +266,8 @@ void Avionics::report(const core::TickRecord& record, const core::Inputs& inputs
                            .failure = self_test_.failure(),
                            .canard = self_test_.canard(),
                            .refusal = arming_.refusal(),
-                           .nonce = arming_.nonce()},
+                           .nonce = arming_.nonce(),
+                           .abort_input = situation_.abort},
                 .plan = flash_.transfer().reply(),
                 .plan_crc = plan_crc_,
                 .tick_duration = tick_duration_};

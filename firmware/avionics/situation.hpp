@@ -3,6 +3,7 @@
 
 #include "core/flight_phase.hpp"
 #include "core/time.hpp"
+#include "protocol/bus_messages.hpp"
 
 namespace fantail::avionics {
 
@@ -15,7 +16,7 @@ struct Situation {
   bool moves = false;    ///< not at rest at all
   bool arm_switch_closed = false;
   bool arm_switch_open = false;  ///< neither of the two: not known yet
-  bool abort = false;            ///< the abort contact stands as ends control
+  protocol::AbortState abort = protocol::AbortState::none_fitted;
   bool board_faulty = false;
 };
 

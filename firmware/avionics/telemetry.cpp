@@ -44,7 +44,7 @@ protocol::StatusReport status(const core::TickRecord& record, const Report& repo
                                 .self_test_running = report.self_test_running,
                                 .timing_fault = record.timing_fault,
                                 .every_tick = every_tick,
-                                .abort = report.situation.abort,
+                                .abort = report.situation.abort == protocol::AbortState::asks_to_abort,
                                 .gyro_bias_rad_s = record.motion.gyro_bias_rad_s.x};
   for (std::size_t i = 0; i < status.limited.size(); ++i) {
     status.limited[i] = record.canards[i].limited;

@@ -112,7 +112,18 @@ constexpr unsigned choice(ArmRefusal value) {
     case not_a_tunnel_plan: return CANARD_BUS_ARM_REPLY_REFUSAL_NOT_A_TUNNEL_PLAN_CHOICE;
     case not_armed: return CANARD_BUS_ARM_REPLY_REFUSAL_NOT_ARMED_CHOICE;
     case board_fault: return CANARD_BUS_ARM_REPLY_REFUSAL_BOARD_FAULT_CHOICE;
-    case abort_asked_for: return CANARD_BUS_ARM_REPLY_REFUSAL_ABORT_ASKED_FOR_CHOICE;
+    case abort_not_ready: return CANARD_BUS_ARM_REPLY_REFUSAL_ABORT_NOT_READY_CHOICE;
+  }
+  return no_choice;
+}
+
+constexpr unsigned choice(AbortState value) {
+  switch (value) {
+    using enum AbortState;
+    case none_fitted: return CANARD_BUS_ARM_REPLY_ABORT_INPUT_NONE_FITTED_CHOICE;
+    case ready: return CANARD_BUS_ARM_REPLY_ABORT_INPUT_READY_CHOICE;
+    case asks_to_abort: return CANARD_BUS_ARM_REPLY_ABORT_INPUT_ASKS_TO_ABORT_CHOICE;
+    case unsettled: return CANARD_BUS_ARM_REPLY_ABORT_INPUT_UNSETTLED_CHOICE;
   }
   return no_choice;
 }

@@ -74,10 +74,11 @@ std::optional<ArmReply> read_arm(const ArmReplyFrame::Raw& raw) {
   const auto self_test = known<SelfTestState>(raw.self_test);
   const auto failure = known<SelfTestFailure>(raw.failure);
   const auto refusal = known<ArmRefusal>(raw.refusal);
-  if (!self_test || !failure || !refusal || !canard_bus_arm_reply_canard_is_in_range(raw.canard)) {
+  const auto abort_input = known<AbortState>(raw.abort_input);
+  if (!self_test || !failure || !refusal || !abort_input || !canard_bus_arm_reply_canard_is_in_range(raw.canard)) {
     return std::nullopt;
   }
-  ArmReply message{.self_test = *self_test, .failure = *failure, .refusal = *refusal};
+  ArmReply message{.self_test = *self_test, .failure = *failure, .refusal = *refusal, .abort_input = *abort_input};
   if (raw.canard != CANARD_BUS_ARM_REPLY_CANARD_NONE_CHOICE) {
     message.canard = raw.canard - CANARD_BUS_ARM_REPLY_CANARD_CANARD_1_CHOICE;
   }

@@ -98,6 +98,7 @@ BusFrame encode(const ArmReply& message) {
   raw.nonce_given = message.nonce.has_value();
   raw.refusal = raw_of(message.refusal);
   raw.nonce = message.nonce.value_or(0);
+  raw.abort_input = raw_of(message.abort_input);
   if (message.canard) {
     raw.canard = static_cast<std::uint8_t>(std::min(*message.canard, core::canard_count - 1) +
                                            CANARD_BUS_ARM_REPLY_CANARD_CANARD_1_CHOICE);

@@ -117,7 +117,15 @@ enum class ArmRefusal : std::uint8_t {
   not_a_tunnel_plan,  ///< start
   not_armed,          ///< start
   board_fault,        ///< BoardReport names it
-  abort_asked_for,    ///< the abort contact stands as ends control
+  abort_not_ready,    ///< the abort input asks to abort, or has not settled
+};
+
+/// How the abort contact stands, by the plan's sense of it.
+enum class AbortState : std::uint8_t {
+  none_fitted,    ///< by the plan
+  ready,          ///< fitted, and does not ask
+  asks_to_abort,  ///< ends control, and keeps from arming
+  unsettled,      ///< chatters, or power-up was less than 50 ms ago: keeps from arming alone
 };
 
 struct ArmReply {
@@ -126,6 +134,7 @@ struct ArmReply {
   std::optional<std::size_t> canard{};  ///< 0 to 3: where the self-test failed, or which one it moves
   ArmRefusal refusal = ArmRefusal::none;
   std::optional<std::uint32_t> nonce{};  ///< to be confirmed within 5 s
+  AbortState abort_input = AbortState::none_fitted;
   friend bool operator==(const ArmReply&, const ArmReply&) = default;
 };
 

@@ -73,7 +73,8 @@ TEST(ArmingAlone, EachObjectionStopsBothSteps) {
   refused([](Armed& r) { r.permission.self_test_passed = false; }, ArmRefusal::self_test_not_passed);
   refused([](Armed& r) { r.now.at_rest = false; }, ArmRefusal::not_at_rest);
   refused([](Armed& r) { r.now.arm_switch_closed = false; }, ArmRefusal::switch_open);
-  refused([](Armed& r) { r.now.abort = true; }, ArmRefusal::abort_asked_for);
+  refused([](Armed& r) { r.now.abort = protocol::AbortState::asks_to_abort; }, ArmRefusal::abort_not_ready);
+  refused([](Armed& r) { r.now.abort = protocol::AbortState::unsettled; }, ArmRefusal::abort_not_ready);
 }
 
 TEST(ArmingAlone, ASwitchThatWasNeverSeenOpenDoesNotArm) {

@@ -81,6 +81,22 @@ TEST_F(WatchTest, ADeadImuAndASilentEncoderAreSeen) {
   EXPECT_EQ(object["accelerometer_state"], "fresh");
 }
 
+TEST_F(WatchTest, TheAbortInputIsNamedAsItStands) {
+  watch.look(now);
+  EXPECT_EQ(json::parse(watch.json())["abort_input"], nullptr);
+  using enum protocol::AbortState;
+  for (const auto& [state, words, key] : {std::tuple{none_fitted, "none fitted", "none_fitted"},
+                                          {ready, "ready", "ready"},
+                                          {asks_to_abort, "asks to abort", "asks_to_abort"},
+                                          {unsettled, "its contact chatters", "unsettled"}}) {
+    (void)board.send(avionics::can_frame(encode(protocol::ArmReply{.abort_input = state})));
+    hear({});
+    EXPECT_TRUE(table_says(std::string{"abort input: "} + words + "\n")) << watch.table();
+    EXPECT_NE(watch.line().find(std::string{"abort input: "} + words + ";"), std::string::npos) << watch.line();
+    EXPECT_EQ(json::parse(watch.json())["abort_input"], key);
+  }
+}
+
 TEST_F(WatchTest, CountersThatWrapHaveTheirModulusBesideThem) {
   hear({});
   const Json object = json::parse(watch.json());

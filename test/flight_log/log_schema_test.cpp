@@ -142,17 +142,16 @@ TEST(LogSchema, FindsEveryValueOfATick) {
                         {"arm_command", 0},
                         {"start_command", 0},
                         {"saturated", 0},
-                        {"timing_fault", 0}};
+                        {"timing_fault", 0},
+                        {"abort", 0}};
   EXPECT_EQ(values("tick", protocol::pack(tick, times)), expected);
 }
 
 TEST(LogSchema, FindsEveryFlagOfATickByItself) {
   const std::map<std::string, bool protocol::LogTick::*> flags{
-      {"arm_switch_closed", &protocol::LogTick::arm_switch_closed},
-      {"arm_command", &protocol::LogTick::arm_command},
-      {"start_command", &protocol::LogTick::start_command},
-      {"saturated", &protocol::LogTick::saturated},
-      {"timing_fault", &protocol::LogTick::timing_fault}};
+      {"arm_switch_closed", &protocol::LogTick::arm_switch_closed}, {"arm_command", &protocol::LogTick::arm_command},
+      {"start_command", &protocol::LogTick::start_command},         {"saturated", &protocol::LogTick::saturated},
+      {"timing_fault", &protocol::LogTick::timing_fault},           {"abort", &protocol::LogTick::abort}};
   protocol::SampleTimes times;
   const Values plain = values("tick", protocol::pack(protocol::LogTick{}, times));
   for (const auto& [name, member] : flags) {

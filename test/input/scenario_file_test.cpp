@@ -102,7 +102,11 @@ INSTANTIATE_TEST_SUITE_P(
             "DeviceUnknown",
             "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"radio\"\nbehaviour = \"dead\"\n",
             ":7: faults.device = 'radio'; allowed: imu, second_imu, accelerometer, encoder, servo, bus, flash, supply, "
-            "arm_switch, memory, processor"},
+            "arm_switch, abort_input, memory, processor"},
+        Rule{"AbortInputThatIsNotFitted",
+             "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"abort_input\"\nbehaviour = "
+             "\"pressed\"\n",
+             ":7: faults.device = abort_input, and the plan has none (run.abort_input)"},
         Rule{"DeviceThatIsNotFitted",
              "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"second_imu\"\nbehaviour = "
              "\"dead\"\n",

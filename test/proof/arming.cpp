@@ -2,7 +2,8 @@
 // From any state of Arming, one request or one tick:
 //   - an arm command is made only by a confirm that brings back the nonce which is waiting, at most 5 s after that was
 //     issued, in Safe, at rest, on a board without a fault, outside a bench session, with the arm switch closed and
-//     seen open since power-up, and with a self-test that passed at most 60 s ago;
+//     seen open since power-up, an abort input that is ready or not fitted, and a self-test that passed at most 60 s
+//     ago;
 //   - a nonce is issued only to a begin under the same conditions, and only when the power-up has a number;
 //   - after any confirm, right or wrong, no nonce waits: it was good for one attempt;
 //   - a tick, an answer, or taking a command never makes one, and each command is taken once;
@@ -39,11 +40,12 @@ int main() {
   self_test.ended_ = any_instant();
 
   const Situation now{.time = any_instant(),
-                      .phase = any_of<core::Phase>(5),
+                      .phase = any_of<core::Phase>(6),
                       .at_rest = nondet_bool(),
                       .moves = nondet_bool(),
                       .arm_switch_closed = nondet_bool(),
                       .arm_switch_open = nondet_bool(),
+                      .abort = any_of<protocol::AbortState>(4),
                       .board_faulty = nondet_bool()};
   Arming::Permission permission{.self_test_passed = self_test.passed(now.time),
                                 .session_open = nondet_bool(),
@@ -57,7 +59,8 @@ int main() {
   const bool tested = self_test.state_ == protocol::SelfTestState::passed &&
                       now.time - self_test.ended_ <= core::Microseconds{60'000'000};
   const bool may = now.phase == core::Phase::safe && now.at_rest && !now.board_faulty && !permission.session_open &&
-                   now.arm_switch_closed && arming.switch_was_open_ && tested;
+                   now.arm_switch_closed && arming.switch_was_open_ && tested &&
+                   now.abort != protocol::AbortState::asks_to_abort && now.abort != protocol::AbortState::unsettled;
   const bool waits = arming.issued_ && now.time - arming.issued_->time <= core::Microseconds{5'000'000};
   const bool right = waits && arming.issued_->nonce == request.nonce;
   const bool armed_with_it = arming.armed_with_ && *arming.armed_with_ == request.nonce;

@@ -27,6 +27,12 @@ PROOFS = [
                 "return true ? ArmRefusal::none",
             ),
             Bug("a self-test is good for ever", "avionics/self_test.hpp", "&& now - ended_ <= validity", ""),
+            Bug(
+                "the abort input may chatter",
+                ARMING,
+                "now.abort == AbortState::asks_to_abort || now.abort == AbortState::unsettled",
+                "now.abort == AbortState::asks_to_abort",
+            ),
             Bug("start with another nonce", ARMING, "if (nonce != *armed_with_) {", "if (false) {"),
         ),
         options=INSIDE,

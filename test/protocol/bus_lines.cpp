@@ -108,6 +108,7 @@ void print_signals(const ArmReply& m) {
   print("refusal", m.refusal);
   print("nonce_given", m.nonce.has_value());
   print("nonce", m.nonce.value_or(0));
+  print("abort_input", m.abort_input);
 }
 void print_signals(const PlanReply& m) {
   print("state", m.state);

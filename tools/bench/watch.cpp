@@ -155,6 +155,9 @@ std::string Watch::table() const {
   if (health) {
     text += sensors_text(*health) + "\n";
   }
+  if (const auto arming = known<protocol::ArmReply>()) {
+    text += fmt::format("abort input: {}\n", replies::sentence(arming->abort_input));
+  }
   text += "canard  command   encoder  difference   limit  verdict\n";
   const auto canards = rows(link_, now_);
   for (std::size_t i = 0; i < canards.size(); ++i) {
@@ -179,6 +182,9 @@ std::string Watch::line() const {
   }
   if (const auto health = known<protocol::HealthReport>()) {
     text += " " + sensors_text(*health) + ";";
+  }
+  if (const auto arming = known<protocol::ArmReply>()) {
+    text += fmt::format(" abort input: {};", replies::sentence(arming->abort_input));
   }
   const auto board = known<protocol::BoardReport>();
   if (board && board->faults != 0) {
@@ -209,6 +215,7 @@ std::string Watch::json() const {
   json["phase"] = status ? Json(core::name(status->phase)) : Json{};
   json["reason"] = status ? Json(core::name(status->reason)) : Json{};
   json["arm_switch_closed"] = status ? Json(status->arm_switch_closed) : Json{};
+  json["abort_input"] = arming ? Json(replies::name(arming->abort_input)) : Json{};
   json["at_rest"] = status ? Json(status->at_rest) : Json{};
   json["session_open"] = status ? Json(status->session_open) : Json{};
   json["gyro_bias_deg_s"] = status ? Json(text::degrees(static_cast<double>(status->gyro_bias_rad_s))) : Json{};

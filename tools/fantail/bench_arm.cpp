@@ -77,6 +77,7 @@ void test(const ArmOptions& options, const link::AvionicsLink& link, link::ArmSt
   }
   tell(options, fmt::format("  passed; at rest the gyro reads {} deg/s about the long axis, which is subtracted",
                             text::fixed(gyro_zero_deg_s(link), 2)));
+  tell(options, fmt::format("  abort input: {}", replies::sentence(reply.abort_input)));
 }
 
 // The first action belongs to the hand at the rocket; this program can only wait for it.
@@ -136,8 +137,10 @@ void arm(const ArmOptions& options) {
     tell(options, "Control has started.");
   }
   if (options.bench.json) {
-    json::Value all{
-        {"armed", true}, {"control_started", options.start}, {"gyro_bias_deg_s", json::rounded(gyro_zero_deg_s(link))}};
+    json::Value all{{"armed", true},
+                    {"control_started", options.start},
+                    {"abort_input", replies::name(link.reported<protocol::ArmReply>("answer to arming").abort_input)},
+                    {"gyro_bias_deg_s", json::rounded(gyro_zero_deg_s(link))}};
     result::put_answer(all, result::Answer::yes, options.start ? "Armed, and control has started." : "Armed.",
                        made_with({}));
     fmt::print("{}\n", all.dump());

@@ -19,9 +19,11 @@ struct PadCommandEntry {
   PadCommand command;
   std::string_view meaning;
 };
-constexpr std::array<PadCommandEntry, 7> pad_commands{{
+constexpr std::array<PadCommandEntry, 9> pad_commands{{
     {"switch close", PadCommand::close_switch, "close the arm switch"},
     {"switch open", PadCommand::open_switch, "open the arm switch"},
+    {"abort press", PadCommand::press_abort, "ask to abort at the abort input, if the plan has one"},
+    {"abort release", PadCommand::release_abort, "no longer ask to abort"},
     {"ignite", PadCommand::ignite, "ignite the motor"},
     {"wait session", PadCommand::await_session, "read on when a bench session is open"},
     {"wait self-test", PadCommand::await_self_test, "read on when the self-test has passed"},

@@ -28,7 +28,17 @@ class PadEar final : public hal::CanBus {
   bool self_test_passed_ = false;
 };
 
-enum class PadCommand : std::uint8_t { close_switch, open_switch, ignite, await_session, await_self_test, help, quit };
+enum class PadCommand : std::uint8_t {
+  close_switch,
+  open_switch,
+  press_abort,
+  release_abort,
+  ignite,
+  await_session,
+  await_self_test,
+  help,
+  quit
+};
 
 [[nodiscard]] std::string pad_commands_help();
 

@@ -113,6 +113,8 @@ class Node {
       switch (*command) {
         case PadCommand::close_switch: world_.set_arm_switch(true); break;
         case PadCommand::open_switch: world_.set_arm_switch(false); break;
+        case PadCommand::press_abort: world_.press_abort(true); break;
+        case PadCommand::release_abort: world_.press_abort(false); break;
         case PadCommand::ignite: world_.ignite(); break;
         case PadCommand::help: say(pad_commands_help()); break;
         case PadCommand::quit: return false;

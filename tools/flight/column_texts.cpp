@@ -18,7 +18,7 @@ constexpr auto texts = std::to_array<Text>({
   // The clock, and what the avionics knew and did.
   {"time_s", "s", "time since lift-off (tunnel: since control start)"},
   {"time_us", "us", "the avionics' own clock, since power-up"},
-  {"phase", "-", "phase of the flight: safe, armed, launched, controlling, finished"},
+  {"phase", "-", "phase of the flight: safe, armed, launched, dormant, controlling, finished"},
   {"reason", "-", "why this phase began"},
   {"detection", "-", "state of the launch detector"},
   {"command_status", "-", "reason for the roll command"},
@@ -69,6 +69,7 @@ constexpr auto texts = std::to_array<Text>({
   // What a flight log holds of a tick beside these.
   {"sequence", "-", "number of the record in the log"},
   {"arm_switch_closed", "-", "1: the arm switch is closed"},
+  {"abort", "-", "1: the abort input asks to abort"},
   {"arm_command", "-", "1: the arm command came in this tick"},
   {"start_command", "-", "1: the tunnel's start command came in this tick"},
   {"imu_status", "-", "of the IMU's sample: ok, error or no_reading"},

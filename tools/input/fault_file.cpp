@@ -42,12 +42,16 @@ void check_angle(Section& section, const sim::GearFault& gear, double servo_stop
   }
 }
 
-void check(Section& section, const sim::Fault& fault, const FaultWords& words, const sim::Vehicle& vehicle) {
+void check(Section& section, const sim::Fault& fault, const FaultWords& words, const sim::Vehicle& vehicle,
+           const core::FlightPlan& plan) {
   if (fault.device == sim::Device::second_imu && !vehicle.second_imu_is_fitted) {
     const bool by_device = section.has("device");
     section.refuse(by_device ? "device" : "kind",
                    fmt::format("= {}, and the vehicle has no second IMU (second_imu.fitted)",
                                by_device ? name(fault.device) : words.kind));
+  }
+  if (fault.device == sim::Device::abort_input && plan.run.abort_input == core::AbortInput::none) {
+    section.refuse("device", "= abort_input, and the plan has none (run.abort_input)");
   }
   if (fault.until_s && *fault.until_s <= fault.from_s) {
     section.refuse("until_s", fmt::format("= {} is out of range; allowed: later than from_s = {}, up to 3600",
@@ -67,7 +71,7 @@ void check(Section& section, const sim::Fault& fault, const FaultWords& words, c
   }
 }
 
-sim::Fault read_fault(Section& section, const sim::Vehicle& vehicle) {
+sim::Fault read_fault(Section& section, const sim::Vehicle& vehicle, const core::FlightPlan& plan) {
   const Field<sim::Fault>& kind = fault_fields().front().field;
   const FaultWords& words = fault_kinds()[section.choice(kind.key, kind.allowed.words)];
   sim::Fault fault = words.fault;
@@ -82,13 +86,14 @@ sim::Fault read_fault(Section& section, const sim::Vehicle& vehicle) {
     }
   }
   section.finish();
-  check(section, fault, words, vehicle);
+  check(section, fault, words, vehicle, plan);
   return fault;
 }
 
 }  // namespace
 
-std::vector<sim::Fault> read_faults(const Document& document, const sim::Vehicle& vehicle) {
+std::vector<sim::Fault> read_faults(const Document& document, const sim::Vehicle& vehicle,
+                                    const core::FlightPlan& plan) {
   std::vector<sim::Fault> faults;
   const TomlNode node = document.root()["faults"];
   if (!node) {
@@ -101,7 +106,7 @@ std::vector<sim::Fault> read_faults(const Document& document, const sim::Vehicle
   }
   for (const TomlNode element : *elements) {
     Section section{document, "faults", element};
-    faults.push_back(read_fault(section, vehicle));
+    faults.push_back(read_fault(section, vehicle, plan));
   }
   return faults;
 }

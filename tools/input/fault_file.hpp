@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/flight_plan.hpp"
 #include "input/field.hpp"
 #include "sim/fault.hpp"
 #include "sim/vehicle.hpp"
@@ -37,7 +38,8 @@ struct FaultField {
 /// Everything that one of the [[faults]] may say. A key may stand here twice, for different kinds.
 [[nodiscard]] std::span<const FaultField> fault_fields();
 
-/// The [[faults]] of a scenario file, for this vehicle. Throws text::Error.
-[[nodiscard]] std::vector<sim::Fault> read_faults(const Document& document, const sim::Vehicle& vehicle);
+/// The [[faults]] of a scenario file, for this vehicle and plan. Throws text::Error.
+[[nodiscard]] std::vector<sim::Fault> read_faults(const Document& document, const sim::Vehicle& vehicle,
+                                                  const core::FlightPlan& plan);
 
 }  // namespace fantail::input

@@ -91,6 +91,8 @@ constexpr auto of_devices = std::to_array<FaultWords>({
   by_device(Device::supply, "sagging", "the board finds the supply of its processor too low", Behaviour::sagging),
   by_device(Device::arm_switch, "dead", "is open", Behaviour::dead),
   by_device(Device::arm_switch, "stuck", "stays as it stands", Behaviour::stuck),
+  by_device(Device::abort_input, "dead", "its wire is broken: the contact is open", Behaviour::dead),
+  by_device(Device::abort_input, "pressed", "asks to abort: its contact opens or closes, as `run.abort_input` says", Behaviour::pressed),
   by_device(Device::memory, "law_bit_flipped", "one random bit of the flight law flips, once", Behaviour::law_bit_flipped),
   by_device(Device::memory, "plan_bit_flipped", "one random bit of the plan flips, once", Behaviour::plan_bit_flipped),
   by_device(Device::processor, "dead", "has no ticks; nothing resets it, and the servos receive the last pulses", Behaviour::dead),
@@ -112,11 +114,11 @@ constexpr auto cause_names = [] {
 constexpr auto memory_names = std::to_array<std::string_view>({"kept", "lost"});
 
 constexpr std::array<std::string_view, sim::devices> device_names{
-    "imu",   "second_imu", "accelerometer", "encoder", "servo",    "bus",
-    "flash", "supply",     "arm_switch",    "memory",  "processor"};
+    "imu",   "second_imu", "accelerometer", "encoder",     "servo",  "bus",
+    "flash", "supply",     "arm_switch",    "abort_input", "memory", "processor"};
 constexpr auto behaviour_names =
     std::to_array<std::string_view>({"dead", "stuck", "repeated", "saturated", "garbage", "nan", "delayed", "slow",
-                                     "cut", "sagging", "law_bit_flipped", "plan_bit_flipped"});
+                                     "cut", "sagging", "pressed", "law_bit_flipped", "plan_bit_flipped"});
 
 constexpr Unit number_from_one{.first = 1};
 

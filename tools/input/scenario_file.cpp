@@ -215,7 +215,7 @@ sim::Scenario ScenarioFiles::read() const {
   check_points(scenario_, "tunnel", "fan_times_s", "fan_rpms", scenario.fan_programme);
   check_points(scenario_, "disturbance", "times_s", "angles_deg", scenario.disturbance);
   check_timing(scenario_, scenario);
-  scenario.faults = read_faults(scenario_, scenario.vehicle);
+  scenario.faults = read_faults(scenario_, scenario.vehicle, scenario.plan);
   check_surroundings(scenario_, scenario);
   check_motion(scenario_, vehicle_, scenario);
   check_pin(scenario_, scenario);

@@ -18,9 +18,7 @@ using telemetry::in_seconds;
 
 Json angle(const std::optional<double>& radians) { return json::printed(degrees(radians), 2); }
 
-bool is_flying(core::Phase phase) {
-  return phase == core::Phase::launched || phase == core::Phase::controlling || phase == core::Phase::finished;
-}
+bool is_flying(core::Phase phase) { return core::is_flight(phase) || phase == core::Phase::finished; }
 
 std::string in_words(std::string_view name) {
   std::string words{name};

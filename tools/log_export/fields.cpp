@@ -102,6 +102,7 @@ void visit_logged(const flight_log::LoggedTick& logged, double time_s, bool repl
   visit("arm_switch_closed", "", tick.arm_switch_closed);
   visit("arm_command", "", tick.arm_command);
   visit("start_command", "", tick.start_command);
+  visit("abort", "", tick.abort);
   visit("imu_status", "", tick.imu_status);
   visit("imu_age", "us", tick.time - tick.imu_time);
   visit("accelerometer_status", "", tick.accelerometer_status);

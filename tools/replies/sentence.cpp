@@ -104,7 +104,7 @@ std::string sentence(protocol::ArmRefusal refusal) {
     case Refusal::wrong_nonce: return "the confirmation was not for this request";
     case Refusal::not_a_tunnel_plan: return "its plan starts by launch detection, not on command";
     case Refusal::not_armed: return "it is not armed";
-    case Refusal::abort_asked_for: return "the abort input asks to abort: a broken wire, or the button";
+    case Refusal::abort_not_ready: return "the abort input asks to abort, or its contact chatters";
     case Refusal::board_fault: return "the board has a fault; `fantail bench watch` shows it";
   }
   return "unknown reason";
@@ -142,6 +142,26 @@ std::string sentence(const protocol::PlanReply& reply) {
     return std::string{field.section} + "." + std::string{field.key} + " is out of range";
   }
   return reply.block_fault ? sentence(*reply.block_fault) : "unknown reason";
+}
+
+std::string_view sentence(protocol::AbortState state) {
+  switch (state) {
+    case protocol::AbortState::none_fitted: return "none fitted";
+    case protocol::AbortState::ready: return "ready";
+    case protocol::AbortState::asks_to_abort: return "asks to abort";
+    case protocol::AbortState::unsettled: return "its contact chatters";
+  }
+  return "unknown";
+}
+
+std::string_view name(protocol::AbortState state) {
+  switch (state) {
+    case protocol::AbortState::none_fitted: return "none_fitted";
+    case protocol::AbortState::ready: return "ready";
+    case protocol::AbortState::asks_to_abort: return "asks_to_abort";
+    case protocol::AbortState::unsettled: return "unsettled";
+  }
+  return "unknown";
 }
 
 std::string_view name(protocol::PlanSource source) {

@@ -2560,6 +2560,7 @@ int canard_bus_arm_reply_pack(
     dst_p[1] |= pack_left_shift_u8(src_p->failure, 0u, 0xffu);
     dst_p[2] |= pack_left_shift_u8(src_p->canard, 0u, 0x0fu);
     dst_p[2] |= pack_left_shift_u8(src_p->nonce_given, 4u, 0x10u);
+    dst_p[2] |= pack_left_shift_u8(src_p->abort_input, 5u, 0x60u);
     dst_p[3] |= pack_left_shift_u8(src_p->refusal, 0u, 0xffu);
     dst_p[4] |= pack_left_shift_u32(src_p->nonce, 0u, 0xffu);
     dst_p[5] |= pack_right_shift_u32(src_p->nonce, 8u, 0xffu);
@@ -2582,6 +2583,7 @@ int canard_bus_arm_reply_unpack(
     dst_p->failure = unpack_right_shift_u8(src_p[1], 0u, 0xffu);
     dst_p->canard = unpack_right_shift_u8(src_p[2], 0u, 0x0fu);
     dst_p->nonce_given = unpack_right_shift_u8(src_p[2], 4u, 0x10u);
+    dst_p->abort_input = unpack_right_shift_u8(src_p[2], 5u, 0x60u);
     dst_p->refusal = unpack_right_shift_u8(src_p[3], 0u, 0xffu);
     dst_p->nonce = unpack_right_shift_u32(src_p[4], 0u, 0xffu);
     dst_p->nonce |= unpack_left_shift_u32(src_p[5], 8u, 0xffu);
@@ -2678,6 +2680,26 @@ bool canard_bus_arm_reply_nonce_given_is_in_range(uint8_t value)
 bool canard_bus_arm_reply_nonce_given_is_in_phys_range(float value)
 {
     return ((value >= 0.0f) && (value <= 1.0f));
+}
+
+uint8_t canard_bus_arm_reply_abort_input_encode(float value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(value));
+}
+
+float canard_bus_arm_reply_abort_input_decode(uint8_t value)
+{
+    return ((float)value);
+}
+
+bool canard_bus_arm_reply_abort_input_is_in_range(uint8_t value)
+{
+    return (value <= 3u);
+}
+
+bool canard_bus_arm_reply_abort_input_is_in_phys_range(float value)
+{
+    return ((value >= 0.0f) && (value <= 3.0f));
 }
 
 uint8_t canard_bus_arm_reply_refusal_encode(float value)

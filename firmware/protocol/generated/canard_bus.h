@@ -235,6 +235,11 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_CANARD_CANARD_3_CHOICE (3u)
 #define CANARD_BUS_ARM_REPLY_CANARD_CANARD_4_CHOICE (4u)
 
+#define CANARD_BUS_ARM_REPLY_ABORT_INPUT_NONE_FITTED_CHOICE (0u)
+#define CANARD_BUS_ARM_REPLY_ABORT_INPUT_READY_CHOICE (1u)
+#define CANARD_BUS_ARM_REPLY_ABORT_INPUT_ASKS_TO_ABORT_CHOICE (2u)
+#define CANARD_BUS_ARM_REPLY_ABORT_INPUT_UNSETTLED_CHOICE (3u)
+
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NONE_CHOICE (0u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NOT_SAFE_CHOICE (1u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_SESSION_OPEN_CHOICE (2u)
@@ -248,7 +253,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NOT_A_TUNNEL_PLAN_CHOICE (10u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NOT_ARMED_CHOICE (11u)
 #define CANARD_BUS_ARM_REPLY_REFUSAL_BOARD_FAULT_CHOICE (12u)
-#define CANARD_BUS_ARM_REPLY_REFUSAL_ABORT_ASKED_FOR_CHOICE (13u)
+#define CANARD_BUS_ARM_REPLY_REFUSAL_ABORT_NOT_READY_CHOICE (13u)
 
 #define CANARD_BUS_PLAN_REPLY_STATE_IDLE_CHOICE (0u)
 #define CANARD_BUS_PLAN_REPLY_STATE_RECEIVING_CHOICE (1u)
@@ -463,6 +468,7 @@ extern "C" {
 #define CANARD_BUS_ARM_REPLY_FAILURE_NAME "failure"
 #define CANARD_BUS_ARM_REPLY_CANARD_NAME "canard"
 #define CANARD_BUS_ARM_REPLY_NONCE_GIVEN_NAME "nonce_given"
+#define CANARD_BUS_ARM_REPLY_ABORT_INPUT_NAME "abort_input"
 #define CANARD_BUS_ARM_REPLY_REFUSAL_NAME "refusal"
 #define CANARD_BUS_ARM_REPLY_NONCE_NAME "nonce"
 #define CANARD_BUS_PLAN_REPLY_STATE_NAME "state"
@@ -1220,6 +1226,13 @@ struct canard_bus_arm_reply_t {
      * Offset: 0
      */
     uint8_t nonce_given;
+
+    /**
+     * Range: 0..3 (0..3 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t abort_input;
 
     /**
      * Range: 0..13 (0..13 -)
@@ -5549,6 +5562,46 @@ bool canard_bus_arm_reply_nonce_given_is_in_range(uint8_t value);
  * @return true if in range, false otherwise.
  */
 bool canard_bus_arm_reply_nonce_given_is_in_phys_range(float value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t canard_bus_arm_reply_abort_input_encode(float value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+float canard_bus_arm_reply_abort_input_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_arm_reply_abort_input_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool canard_bus_arm_reply_abort_input_is_in_phys_range(float value);
 
 /**
  * Encode given signal by applying scaling and offset.

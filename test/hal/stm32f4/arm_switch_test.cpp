@@ -106,6 +106,26 @@ TEST_F(TheArmSwitch, ChangesInTheSameTickAsTheSimulatedOne) {
   EXPECT_GT(changes, 100);
 }
 
+// A button or a wire to ground, with a resistor inside that pulls up.
+TEST(TheAbortContact, IsClosedWhileItsPinIsLowAndOpenWhenTheWireIsOff) {
+  registers::Gpio port{};
+  Contact contact{Pin{port, 1}, ClosedLevel::low};
+  const auto ticks = [&](bool high) {
+    RegisterWorld::poke(port.idr, high ? 1U << 1U : 0);
+    for (int tick = 0; tick < 50; ++tick) {
+      EXPECT_TRUE(!contact.open() || !contact.closed());
+      contact.update();
+    }
+  };
+  EXPECT_FALSE(contact.open() || contact.closed()) << "not known yet";
+  ticks(true);
+  EXPECT_TRUE(contact.open() && !contact.closed());
+  ticks(false);
+  EXPECT_TRUE(contact.closed() && !contact.open());
+  ticks(true);
+  EXPECT_TRUE(contact.open() && !contact.closed());
+}
+
 TEST_F(TheArmSwitch, ABouncingContactIsNeitherClosedNorOpened) {
   std::mt19937 random{fantail::test::seed(7)};
   const auto bounce = [&] {
