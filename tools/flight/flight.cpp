@@ -42,12 +42,7 @@ void note_phase(Flight& flight, const core::TickRecord& record, double time_s) {
   if (before == core::Phase::controlling && record.phase == core::Phase::safe) {
     flight.events.control_end_s = time_s;  // a reset after which nothing was resumed
   }
-  if (auto* event = event_of(flight.events, record.phase)) {
-    // A gate that closes again does not make another beginning.
-    const bool again =
-        record.reason == core::PhaseReason::gate_closed_again || record.reason == core::PhaseReason::gate_open;
-    *event = again ? event->value_or(time_s) : time_s;
-  }
+  note_phase_event(flight.events, before, record.phase, time_s);
 }
 
 void note_canards(Flight& flight, const core::TickRecord& record, double time_s) {
@@ -97,6 +92,23 @@ std::optional<double>* event_of(Events& events, core::Phase phase) {
     case core::Phase::armed: break;
   }
   return nullptr;
+}
+
+// A gate that closes again ends control until it opens; only the first time is a beginning.
+void note_phase_event(Events& events, core::Phase from, core::Phase to, double time_s) {
+  using enum core::Phase;
+  std::optional<double>* const event = event_of(events, to);
+  if (event == nullptr) {
+    return;
+  }
+  const bool goes_on = events.control_start_s && (from == controlling || from == dormant);
+  if (goes_on && to == dormant) {
+    events.control_end_s = time_s;
+  } else if (goes_on && to == controlling) {
+    events.control_end_s.reset();
+  } else if (to != finished || from != dormant || !events.control_end_s) {
+    *event = time_s;
+  }
 }
 
 namespace {

@@ -97,6 +97,9 @@ inline constexpr std::array named_events{NamedEvent{"liftoff_s", &Events::liftof
 /// Of those that begin a phase; null for a phase that no event begins.
 [[nodiscard]] std::optional<double>* event_of(Events& events, core::Phase phase);
 
+/// Notes the event that a change of phase is. Control that a gate interrupts has ended, unless it goes on.
+void note_phase_event(Events& events, core::Phase from, core::Phase to, double time_s);
+
 /// A roll state that the scenario set by hand, because no model explains it.
 struct ImposedRoll {
   double time_s = 0.0;

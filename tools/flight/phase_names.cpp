@@ -37,7 +37,7 @@ std::string_view display_name(core::PhaseReason reason) {
     case PhaseReason::rested: return "at rest again";
     case PhaseReason::flew_without_launch: return "flew without a detected launch";
     case PhaseReason::gate_open: return "the plan's gate opened";
-    case PhaseReason::gate_closed_again: return "the motor pushes again";
+    case PhaseReason::gate_closed_again: return "the plan's gate closed again";
     case PhaseReason::gate_never_opened: return "the plan's gate did not open";
     case PhaseReason::aborted: return "aborted by the abort input";
   }

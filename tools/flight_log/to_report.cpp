@@ -31,12 +31,21 @@ void set_events(flight::Flight& result, const Flight& flight, const std::vector<
   }
   // The rest of a flight begins with the phase in which it was resumed.
   const auto rest = resumed(flight);
+  flight::Events recorded;
+  core::Phase before = core::Phase::safe;
   for (const protocol::LogEvent& event : flight.events) {
-    if (event.kind != LogEventKind::phase || (rest && event.time == rest->time)) {
+    if (event.kind != LogEventKind::phase) {
       continue;
     }
-    if (auto* known = flight::event_of(result.events, static_cast<core::Phase>(event.value))) {
-      *known = in_seconds(event.time);
+    const auto phase = static_cast<core::Phase>(event.value);
+    if (!rest || event.time != rest->time) {
+      flight::note_phase_event(recorded, before, phase, in_seconds(event.time));
+    }
+    before = phase;
+  }
+  for (const flight::NamedEvent& event : flight::named_events) {
+    if (recorded.*event.time_s) {
+      result.events.*event.time_s = recorded.*event.time_s;
     }
   }
 }

@@ -84,9 +84,7 @@ void note_phases(flight::Flight& flight, const std::string& name) {
     }
     flight.phase_changes.push_back({time_s, phase, {}});
     if (i > 0 && time_s - flight.rows[i - 1].time_s <= longest_step_s) {  // one in the first row began before it
-      if (auto* event = flight::event_of(flight.events, phase)) {
-        *event = time_s;
-      }
+      flight::note_phase_event(flight.events, before, phase, time_s);
     }
   }
 }
