@@ -142,7 +142,7 @@ void Rehearsal::follow(std::size_t rule, std::size_t step, const core::TickRecor
       motion_->thrust_m_s2[step] >= plan.launch_detection.threshold_m_s2) {
     answer.crossing = step;
   }
-  const bool believes = record.phase == core::Phase::launched || record.phase == core::Phase::controlling;
+  const bool believes = core::is_flight(record.phase);
   if (motion_->flight_end > 0) {
     is_in_flight_[rule] = believes && (is_in_flight_[rule] || step < motion_->flight_end);
     if (is_in_flight_[rule]) {
@@ -158,7 +158,7 @@ void Rehearsal::follow(std::size_t rule, std::size_t step, const core::TickRecor
     answer.tilt_error_rad = record.motion.tilt.radians() - true_tilt;
   }
   answer.detected = answer.detected.value_or(step);
-  if (record.phase == core::Phase::launched) {
+  if (record.phase != core::Phase::controlling) {
     answer.nearness = std::max(answer.nearness, std::min(Answer::held_back, share_of_gate(plan.guide, record.motion)));
   } else if (!answer.controlling) {
     answer.controlling = step;

@@ -129,8 +129,8 @@ std::vector<std::string> how() {
       "A cell is a device, a fault and the phase in which the fault begins. Its flights differ in the start of the "
       "fault and in the seed.",
       "These rules hold for every flight. No command exceeds the smallest of plan limit, hard limit and mechanical "
-      "stop. No command is off trim in Armed, Launched or Finished. No command moves away from trim in Safe after "
-      "ignition. Every tick completes. Controlling follows only Launched, or a resumed flight.",
+      "stop. No command is off trim in Armed, Launched, Dormant or Finished. No command moves away from trim in Safe "
+      "after ignition. Every tick completes. Controlling follows only Launched or Dormant, or a resumed flight.",
       "The same rules hold for the true shaft angles, with allowance for the play, spread and travel time of the "
       "servos. The permitted angles of a failed servo's shaft are stated with its fault, below. All other shafts must "
       "keep every rule.",

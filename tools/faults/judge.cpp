@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "flight/phase_names.hpp"
+
 namespace fantail::faults {
 namespace {
 
@@ -18,13 +20,7 @@ constexpr double encoder_rad = 0.3 * degree;
 constexpr double early_s = 0.1;
 constexpr double same_tick_s = 0.0005;
 
-bool is_at_rest(core::Phase phase) {
-  return phase == core::Phase::armed || phase == core::Phase::launched || phase == core::Phase::finished;
-}
-
-const char* word(core::Phase phase) {
-  return phase == core::Phase::armed ? "Armed" : phase == core::Phase::launched ? "Launched" : "Finished";
-}
+bool is_at_rest(core::Phase phase) { return phase != core::Phase::safe && phase != core::Phase::controlling; }
 
 }  // namespace
 
@@ -84,7 +80,7 @@ void Judge::look_at_commands(const Moment& moment) {
     const double off_rad = std::abs(*commanded - limits_.trim_rad[i]);
     if (moment.ticked && rests && off_rad > rounding_rad) {
       breach(moment, fmt::format("canard {} commanded {:.3f} deg off its trim in {}", i + 1, off_rad / degree,
-                                 word(moment.phase)));
+                                 flight::display_name(moment.phase)));
     }
     const bool in_safe = moment.ticked && last_ticked_ && moment.phase == core::Phase::safe &&
                          phase_ == core::Phase::safe && moment.time_s > 0.0;
@@ -125,7 +121,7 @@ void Judge::look_at_shafts(const Moment& moment) {
     const double travel_s = own.travel_s * (shaft == Shaft::late ? late_times : 1.0);
     if (rests_from_s_ && moment.time_s > *rests_from_s_ + travel_s && !(off_rad <= allowed_rad)) {
       breach(moment, fmt::format("canard {} is truly {:.3f} deg off its trim in {}", i + 1, off_rad / degree,
-                                 word(moment.phase)));
+                                 flight::display_name(moment.phase)));
     }
     if (in_safe && !(off_rad <= least_rad[i] + 2.0 * allowed_rad + encoder_rad)) {
       breach(moment, fmt::format("canard {} truly moves away from its trim in Safe, after ignition", i + 1));
@@ -145,10 +141,8 @@ void Judge::look_at_phase(const Moment& moment) {
   }
   const core::Phase from = after_gap_ ? before_gap_ : phase_;
   if (moment.phase == core::Phase::controlling) {
-    const bool may =
-        from == core::Phase::controlling || from == core::Phase::launched || (tunnel_ && from == core::Phase::armed);
-    if (!may) {
-      breach(moment, "Controlling without Launched before");
+    if (!core::is_flight(from) && !(tunnel_ && from == core::Phase::armed)) {
+      breach(moment, "Controlling without Launched or Dormant before");
     }
     control_end_ = moments_;
   }

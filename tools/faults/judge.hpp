@@ -82,11 +82,13 @@ struct Findings {
 
 /// Is given a flight, moment after moment. The breaches it looks for:
 ///   - a command beyond its limit, or one that is no angle;
-///   - a command off trim in Armed, Launched or Finished, or, after ignition, one in Safe that moves away from trim;
-///   - a shaft that truly stands beyond its limit, stands off trim in Armed, Launched or Finished for longer than it
+///   - a command off trim in Armed, Launched, Dormant or Finished, or, after ignition, one in Safe that moves away from
+///   trim;
+///   - a shaft that truly stands beyond its limit, stands off trim in Armed, Launched, Dormant or Finished for longer
+///   than it
 ///     takes to get there, or, in Safe after ignition, moves away from trim; what a failed servo may do is Shaft's;
 ///   - a tick that did not come to its end;
-///   - Controlling that came from another phase than Launched, or after a reset, from another than Launched or
+///   - Controlling that came from another phase than Launched or Dormant, or after a reset, from another than those or
 ///     Controlling; anything but a reset after Finished.
 class Judge {
  public:

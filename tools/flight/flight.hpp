@@ -51,6 +51,11 @@ struct Row {
   bool replayed = true;  ///< false: of a logged tick to which no replay leads; only what the log itself holds is known
 };
 
+/// The truth where it is known.
+[[nodiscard]] inline double best_known(const Row& row, double Truth::* truth, double estimate) {
+  return row.truth && std::isfinite((*row.truth).*truth) ? (*row.truth).*truth : estimate;
+}
+
 /// From the clock on which a flight was flown to that of its rows: lift-off is known only after the pad rows.
 struct Clock {
   std::optional<double> zero_s{};  ///< what becomes 0, to the microsecond; empty: the two are one

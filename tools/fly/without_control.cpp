@@ -17,6 +17,7 @@ sim::Scenario uncontrolled(const sim::Scenario& scenario) {
   sim::Scenario free = scenario;
   free.plan.controller.proportional_gain = 0.0F;
   free.plan.controller.derivative_gain_s = 0.0F;
+  free.plan.controller.entry = core::ControlEntry::as_published;  // capture needs a gain
   free.plan.offset.rejection = core::OffsetRejection::none;
   free.plan.excitation.form = core::ExcitationForm::none;
   return free;

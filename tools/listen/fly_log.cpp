@@ -39,14 +39,15 @@ Event event_of(double time_s, const core::TickRecord& record) {
           .tilt_rad = static_cast<double>(record.motion.tilt.radians())};
 }
 
-// The last event is Controlling, and the one before it the Launched that led there.
+// The last event is Controlling, and the last Launched before it led there, with or without a wait for a gate.
 void follow_control(Heard& heard, bool early) {
   if (early) {
     heard.early_control_s = heard.events.back().time_s;
     return;
   }
   if (!heard.detected_s) {
-    heard.detected_s = heard.events[heard.events.size() - 2].time_s;
+    heard.detected_s =
+        std::ranges::find(heard.events.rbegin(), heard.events.rend(), core::Phase::launched, &Event::to)->time_s;
   }
   heard.control = heard.events.back();
 }

@@ -16,7 +16,7 @@ enum class Mark : std::uint8_t { line, step, points, line_and_points, ring, cros
 [[nodiscard]] constexpr bool has_line(Mark mark) { return mark != Mark::points && !is_landmark(mark); }
 
 /// What a colour says, the same on every page. A target is what finer lines are held against: the truth, a command.
-enum class Role : std::uint8_t { measured, model, second_model, target, reference, limit, neutral };
+enum class Role : std::uint8_t { measured, model, second_model, target, reference, limit, neutral, waiting };
 
 struct Series {
   std::string name{};

@@ -202,6 +202,7 @@ std::string_view class_of(Role role) {
     case Role::target: return "target";
     case Role::reference: return "reference";
     case Role::limit: return "limit";
+    case Role::waiting: return "waiting";
     case Role::neutral: break;
   }
   return "neutral";

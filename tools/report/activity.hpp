@@ -30,6 +30,9 @@ class OscillationWatch {
   /// Each row under control, in order.
   void add(const flight::Row& row);
 
+  /// Control pauses, and begins anew with the next row.
+  void pause() { reference_rad_.reset(); }
+
   /// Up to now. `clock`: that of the oscillation, from the rows' own.
   [[nodiscard]] std::optional<Oscillation> found(const flight::Clock& clock = {}) const;
 

@@ -6,8 +6,7 @@
 namespace fantail::report {
 
 void CameraRollWatch::add(const flight::Row& row) {
-  const bool counts = row.phase == core::Phase::launched || row.phase == core::Phase::controlling;
-  if (!counts || !row.truth || !row.truth->geometric_roll_rad) {
+  if (!core::is_flight(row.phase) || !row.truth || !row.truth->geometric_roll_rad) {
     return;
   }
   const double apart_rad = *row.truth->geometric_roll_rad - row.truth->roll_angle_rad;

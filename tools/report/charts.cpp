@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "flight/gate.hpp"
 #include "report/chart_drawer.hpp"
 #include "report/hold.hpp"
 #include "report/phase_colors.hpp"
@@ -31,13 +32,17 @@ constexpr std::size_t most_step_labels = 3;
 std::vector<page::Level> reference_steps(const flight::Flight& flight) {
   std::vector<page::Level> steps;
   const flight::Row* before = nullptr;
+  double turns = 0.0;  // that capture put on the plan's angles
   for (const flight::Row& row : flight.rows) {
     if (row.phase != core::Phase::controlling || !std::isfinite(row.reference_rad)) {
       continue;
     }
-    if (before != nullptr && row.reference_rad != before->reference_rad) {
-      const std::string sign = row.reference_rad > 0.0 ? "+" : "";
-      const std::string angle = text::with_minus(text::brief(text::degrees(row.reference_rad), 1));
+    if (before == nullptr) {
+      turns = flight::chosen_turn(flight, row).value_or(0.0);
+    } else if (row.reference_rad != before->reference_rad) {
+      const double planned_deg = text::degrees(row.reference_rad) - 360.0 * turns;
+      const std::string sign = planned_deg > 0.0 ? "+" : "";
+      const std::string angle = text::with_minus(text::brief(planned_deg, 1));
       steps.push_back({.value = row.time_s, .label = fmt::format("step to {}{}\u00b0", sign, angle), .upright = true});
     }
     before = &row;
@@ -64,7 +69,8 @@ std::vector<page::Level> event_marks(const flight::Flight& flight) {
   mark(e.liftoff_s, "lift-off");
   mark(e.detected_s, "detected");
   mark(e.guide_clear_s, "off the guide");
-  mark(e.control_start_s, "control");
+  mark(e.dormant_s, "dormant");
+  mark(e.control_start_s, e.dormant_s ? "gate opens" : "control");
   mark(e.burnout_s, "burn-out");
   mark(e.apogee_s, "apogee");
   mark(e.parachute_s, "parachute");
@@ -91,6 +97,16 @@ Chart disturbance(const flight::Flight& flight, const ChartDrawer& drawer) {
       {truth, drawer.line("estimate", Role::measured, drawer.in_control(column("offset_estimate_deg")))});
 }
 
+/// "reference R, on turn -1": what the plan's angles are counted from.
+std::string reference_name(const flight::Flight& flight) {
+  const auto first = std::ranges::find(flight.rows, core::Phase::controlling, &flight::Row::phase);
+  const auto turn = first == flight.rows.end() ? std::nullopt : flight::chosen_turn(flight, *first);
+  return turn.value_or(0.0) == 0.0
+             ? "reference R"
+             : fmt::format("reference R, from turn {} ({} deg)", text::with_minus(text::fixed(*turn, 0)),
+                           text::with_minus(text::fixed(360.0 * *turn, 0)));
+}
+
 Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
   const RowValue settle = [&flight](const flight::Row& row) {
     const bool in_still_air = flight.tunnel && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s;
@@ -99,13 +115,13 @@ Chart roll_angle(const flight::Flight& flight, const ChartDrawer& drawer) {
     }
     return text::in_degrees(flight::settle_point_rad(row, flight)).value_or(unknown_value);
   };
-  Chart chart =
-      drawer.chart("Roll angle", "deg", page::full_page, tall_chart,
-                   {drawer.line("reference R", Role::reference, drawer.in_control(column("reference_deg")), Mark::step),
-                    drawer.line("settles at " + settle_point_name(flight), Role::second_model,
-                                drawer.in_control(settle), Mark::step),
-                    drawer.line("true", Role::target, column("true_roll_angle_deg")),
-                    drawer.line("estimate", Role::measured, column("roll_angle_deg"))});
+  Chart chart = drawer.chart(
+      "Roll angle", "deg", page::full_page, tall_chart,
+      {drawer.line(reference_name(flight), Role::reference, drawer.in_control(column("reference_deg")), Mark::step),
+       drawer.line("settles at " + settle_point_name(flight), Role::second_model, drawer.in_control(settle),
+                   Mark::step),
+       drawer.line("true", Role::target, column("true_roll_angle_deg")),
+       drawer.line("estimate", Role::measured, column("roll_angle_deg"))});
   chart.shaded_ranges = phase_ranges(flight);
   chart.levels = event_marks(flight);
   return chart;
@@ -174,6 +190,9 @@ std::vector<page::LiveCharts::View> views(const flight::Flight& flight) {
   std::vector<page::LiveCharts::View> all{{flight.tunnel ? "Run" : "Flight", window.begin_s, window.end_s}};
   if (!flight.tunnel && e.liftoff_s && e.control_start_s) {
     all.push_back({"Launch", *e.liftoff_s - 0.2, *e.control_start_s + 1.5});
+  }
+  if (e.dormant_s && e.control_start_s) {
+    all.push_back({"Capture", *e.control_start_s - 0.5, *e.control_start_s + 2.0});
   }
   if (!flight.tunnel && e.control_start_s && e.control_end_s) {
     all.push_back({"Control", *e.control_start_s - 0.1, *e.control_end_s + 0.1});

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "flight/gate.hpp"
 #include "flight/phase_names.hpp"
 #include "report/verdict_parts.hpp"
 #include "text/degrees.hpp"
@@ -80,6 +81,17 @@ std::string why_guide_not_cleared(const flight::Flight& flight, const flight::Ph
   return "launch was detected, but the conditions for control were not all met at once " + within;
 }
 
+/// Of a flight whose gate did not open: the height that it would have needed, where that is why.
+std::string gate_never_opened(const flight::Flight& flight, const Figures& f, const flight::PhaseChange& change) {
+  const auto gate_m = flight::gate_height_m(flight);
+  if (gate_m && f.apogee_m && *f.apogee_m <= *gate_m) {
+    return fmt::format("apogee at {} m, the gate opens at {} m", text::fixed(*f.apogee_m, 0), text::brief(*gate_m, 1));
+  }
+  const std::string low_end = gate_m ? "; it counts the low end of the height's error" : "";
+  return fmt::format("the plan waits for {}, and that did not come before {} s{}", flight::gate_name(flight),
+                     text::fixed(change.time_s, 2), low_end);
+}
+
 /// Of a flight that came no farther than this change.
 std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange& change) {
   const std::string when = at(change);
@@ -102,6 +114,15 @@ std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange
   }
 }
 
+/// What ended it, if the canards still waited for their gate.
+std::string why_not_from_dormant(const flight::Flight& flight, const flight::PhaseChange& last) {
+  const std::string waited = "while the canards waited for " + flight::gate_name(flight);
+  return last.phase == core::Phase::dormant
+             ? fmt::format("the record ends {}, from {} on", waited, at(last))
+             : fmt::format("{} (at {}), {}", last.reason ? flight::display_name(*last.reason) : "control was over",
+                           at(last), waited);
+}
+
 std::string why_no_control(const flight::Flight& flight) {
   if (flight.phase_changes.empty()) {
     return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
@@ -112,14 +133,27 @@ std::string why_no_control(const flight::Flight& flight) {
                ? fmt::format("the processor stopped at {} s", text::fixed(flight.outages.back().from_s, 2))
                : fmt::format("the processor was reset before it, and the flight was not resumed (at {})", at(last));
   }
+  const std::size_t changes = flight.phase_changes.size();
+  const bool was_dormant = changes > 1 && flight.phase_changes[changes - 2].phase == core::Phase::dormant;
+  if (last.phase == core::Phase::dormant || (last.phase == core::Phase::finished && was_dormant)) {
+    return why_not_from_dormant(flight, last);
+  }
   if (last.reason != core::PhaseReason::flew_without_launch) {
     return why_not_from(flight, last);
   }
   // That it flew ends what began before: what it was armed or had to rest for says why the launch was not detected.
-  const std::size_t count = flight.phase_changes.size();
   return fmt::format("{}; at {} the rocket reported that it had flown",
-                     count > 1 ? why_not_from(flight, flight.phase_changes[count - 2]) : "no launch was detected",
+                     changes > 1 ? why_not_from(flight, flight.phase_changes[changes - 2]) : "no launch was detected",
                      at(last));
+}
+
+/// Control was over before whatever ended the flight: the gate had closed.
+bool closed_for_good(const flight::Flight& flight) {
+  const std::size_t changes = flight.phase_changes.size();
+  return flight.events.control_start_s && changes > 1 &&
+         (flight.phase_changes[changes - 1].phase == core::Phase::dormant ||
+          flight.phase_changes[changes - 2].phase == core::Phase::dormant) &&
+         flight.phase_changes[changes - 1].phase != core::Phase::controlling;
 }
 
 std::string plan_time(const flight::Flight& flight) {
@@ -130,7 +164,16 @@ std::string plan_time(const flight::Flight& flight) {
 
 }  // namespace
 
-std::string no_control(const flight::Flight& flight) {
+bool gate_stayed_closed(const flight::Flight& flight) {
+  return !flight.phase_changes.empty() && !flight.events.control_start_s &&
+         flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;
+}
+
+std::string no_control(const flight::Flight& flight, const Figures& f) {
+  if (gate_stayed_closed(flight)) {
+    return fmt::format("Control never began: {}. The canards stayed at trim, as the plan demands.",
+                       gate_never_opened(flight, f, flight.phase_changes.back()));
+  }
   const bool is_table =
       flight.phase_changes.empty() ? !flight.seed && flight.why_not_armed.empty() : !flight.phase_changes.back().reason;
   return is_table && !flight.rows.empty() ? no_control_in_rows(flight)
@@ -155,7 +198,8 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
   if (was_lost(flight)) {
     return f.ended_before_apogee_s.value_or(2.0 * near_apogee_s) > near_apogee_s;
   }
-  if (flight.phase_changes.empty() || flight.phase_changes.back().phase != core::Phase::finished) {
+  if (flight.phase_changes.empty() ||
+      (flight.phase_changes.back().phase != core::Phase::finished && !closed_for_good(flight))) {
     return false;
   }
   // The highest point of a rocket whose ascent failed is none at which the air hardly flows.
@@ -182,6 +226,9 @@ std::string late_end(const flight::Flight& flight, const Figures& f) {
   }
   const std::string before = text::fixed(before_s, 2);
   const flight::PhaseChange& end = flight.phase_changes.back();
+  if (closed_for_good(flight)) {
+    return fmt::format(" Control ended {} s before apogee: {}.", before, flight::gate_has_closed(flight));
+  }
   if (end.phase != core::Phase::finished || !end.reason || end.reason == core::PhaseReason::apogee) {
     return {};
   }
@@ -204,6 +251,8 @@ std::string early_end(const flight::Flight& flight, const Figures& f) {
   if (was_lost(flight)) {
     text += flight.outages.back().cause.empty() ? ": the processor stopped then."
                                                 : ": the processor was reset, and the flight was not resumed.";
+  } else if (closed_for_good(flight)) {
+    text += fmt::format(": {}, and the plan's gate did not open again.", flight::gate_has_closed(flight));
   } else if (!end.reason) {
     text += "; the log does not say why.";
   } else if (end.reason == core::PhaseReason::apogee) {

@@ -16,14 +16,16 @@ namespace fantail::report::fields {
 
 namespace u = result::units;
 using result::Cell;
-inline constexpr result::Unit turns{"", "turns"}, hertz{"_hz", "Hz"}, calibres{"_calibres", "calibres"};
+inline constexpr result::Unit turns{"", "turns"}, turns_of{"_turns", "turns"}, hertz{"_hz", "Hz"},
+    calibres{"_calibres", "calibres"};
 
 using F = Figures;
 inline constexpr auto figures = result::fields<F>({
     {"apogee", "apogee", u::m, 1, &F::apogee_m, "greatest height above the site: true where the truth is known"},
     {"max_speed", "top speed", u::m_s, 1, &F::max_speed_m_s, "likewise; over ground where the flight has a path"},
     {"control_start_height", "height at control start", u::m, 2, &F::control_start_height_m, "likewise"},
-    {"control_time", "time under control", u::s, 2, &F::control_time_s, "from its first tick to its last"},
+    {"control_time", "time under control", u::s, 2, &F::control_time_s,
+     "from its first tick to its last, without the time in which the plan's gate had closed again"},
     {"saturated_fraction", "canards at their limit", u::percent, 1, &F::saturated_fraction,
      "share of the time under control with the command at its limit"},
     {"largest_hold_error", "largest hold error", u::deg, 1, &F::largest_hold_error_rad,
@@ -61,6 +63,7 @@ inline constexpr auto events = result::fields<E>({
     {"liftoff", "lift-off", u::s, 3, &E::liftoff_s, "first net upward acceleration"},
     {"detected", "launch detected", u::s, 3, &E::detected_s, "roll angle is zero here"},
     {"guide_clear", "off the guide", u::s, 3, &E::guide_clear_s, "true time, not known on board"},
+    {"dormant", "dormant", u::s, 3, &E::dormant_s, "off the guide, canards at trim until the plan's gate opens"},
     {"control_start", "control starts", u::s, 3, &E::control_start_s, "canards leave trim"},
     {"burnout", "burn-out", u::s, 3, &E::burnout_s, "thrust is over"},
     {"control_end", "control ends", u::s, 3, &E::control_end_s, "canards return to trim"},
@@ -76,6 +79,38 @@ inline constexpr auto margins = result::fields<flight::LoopMargin>({
      "factor on the gain at which it oscillates", result::Worse::neither, nullptr, "any"},
     {"crossover", "crossover", u::rad_s, 1, &flight::LoopMargin::crossover_rad_s,
      "crossover frequency: the highest frequency that the loop can follow"},
+});
+
+using N = Neutral;
+inline constexpr auto neutral = result::fields<N>({
+    {"from", "canards at trim from", u::s, 3, &N::from_s, "first row of the wait, from the last arming on"},
+    {"until", "until", u::s, 3, &N::until_s, "last row before control, or before the end of a flight without control"},
+    {"largest_command", "largest command before control", u::deg, 2, &N::command_rad,
+     "largest distance of a canard's command from its trim in that time"},
+    {"largest_encoder", "largest canard angle before control", u::deg, 2, &N::encoder_rad,
+     "the same, of a canard's angle by its encoder"},
+    {"unread", "an encoder was not read for", u::s, 3, &N::unread_s, "in that time, in all"},
+});
+
+using O = Opening;
+inline constexpr auto opening = result::fields<O>({
+    {"speed", "speed at control start", u::m_s, 1, &O::speed_m_s, "true where the truth is known"},
+    {"roll_angle", "roll angle at control start", u::deg, 1, &O::roll_angle_rad, "likewise, from launch detection"},
+    {"roll_rate", "roll rate at control start", u::deg_s, 1, &O::roll_rate_rad_s, "likewise"},
+    {"dormant", "net roll while dormant", turns_of, 2, &O::dormant_turns, "while the canards waited for the gate"},
+    {"closings", "gate closed again", u::times, 0, &O::closings, "how often, under control"},
+});
+
+using C = Capture;
+inline constexpr auto capture = result::fields<C>({
+    {"turn", "turn that capture chose", u::none, 0, &C::turn,
+     "whole turns on the plan's reference; none where the plan does not capture"},
+    {"after", "captured after", u::s, 2, &C::after_s,
+     "from control start until the roll stayed within 10 deg of where the law settles, or of where it came to rest "
+     "where the fin offset is not known"},
+    {"watched", "looked at for", u::s, 2, &C::watched_s, "until it had stayed for a second, or the reference changed"},
+    {"saturated_fraction", "canards at their limit in it", u::percent, 1, &C::saturated_fraction,
+     "share of that time with the command at its limit"},
 });
 
 using S = SideDeflection;

@@ -2,6 +2,7 @@
 #include "report/figures.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <span>
 
@@ -10,10 +11,15 @@
 namespace fantail::report {
 namespace {
 
+/// With the times in which the gate had closed again.
 std::span<const flight::Row> under_control(const flight::Flight& flight) {
   const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
   const auto first = std::ranges::find_if(flight.rows, is_control);
-  return {first, std::find_if_not(first, flight.rows.end(), is_control)};
+  const auto end = std::find_if(first, flight.rows.end(), [&](const flight::Row& row) {
+    return !is_control(row) && row.phase != core::Phase::dormant;
+  });
+  const auto last = std::find_if(std::reverse_iterator{end}, std::reverse_iterator{first}, is_control);
+  return {first, last.base()};
 }
 
 }  // namespace
@@ -39,6 +45,11 @@ Figures figures(const flight::Flight& flight) {
     running.add(row, flight);
   }
   Figures f = running.figures(flight);
+  if (f.control_time_s && !f.capture.watched_s) {
+    const std::optional<double> turn = f.capture.turn;
+    f.capture = measured_capture(flight);
+    f.capture.turn = turn;
+  }
   if (const auto control = under_control(flight); !control.empty()) {
     f.side_deflection = side_deflection(flight, control);
     const auto begin_rad = flight::free_roll_angle_rad(flight.without_control, control.front().time_s);

@@ -7,6 +7,7 @@
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
+#include "report/beginning.hpp"
 #include "report/extent.hpp"
 #include "report/hold.hpp"
 
@@ -57,21 +58,20 @@ struct SideDeflection {
 /// The numbers of one flight. Empty: the flight has no such figure (no control, no truth, a tunnel run, ...).
 ///
 /// A proportional-derivative loop comes to rest at R + u_d / kp, not at R, so that is what the hold error is measured
-/// against, over the settled part of control: without the first second and the second after each change of R (in the
-/// slow air of the tunnel two seconds).
+/// against, over the settled part of control: without first_settling_time_s() and step_settling_time_s().
 struct Figures {
   static constexpr double still_air_m_s = 0.5;  ///< in a tunnel, air that is slower than this stands still
 
   std::optional<double> apogee_m;       ///< true height where truth exists, else the estimate; empty, too, where the
                                         ///< rows of apogee are missing
   std::optional<double> max_speed_m_s;  ///< likewise; over ground where the flight has a path
-  std::optional<double> control_start_height_m;    ///< likewise
-  std::optional<double> control_time_s;            ///< first to last tick under control
-  std::optional<double> saturated_fraction;        ///< of the ticks under control, all of which know it
-  std::optional<double> largest_hold_error_rad;    ///< largest |true roll angle - (R + u_d / kp)| over the settled part
-  std::optional<double> mean_hold_error_rad;       ///< mean of the same
-  std::optional<double> judged_time_s;             ///< how long that was; empty where the next is
-  std::optional<double> rest_error_rad;            ///< how far from R the roll rests: RunningRest
+  std::optional<double> control_start_height_m;  ///< likewise
+  std::optional<double> control_time_s;          ///< first to last tick under control, without what a gate interrupted
+  std::optional<double> saturated_fraction;      ///< of the ticks under control, all of which know it
+  std::optional<double> largest_hold_error_rad;  ///< largest |true roll angle - (R + u_d / kp)| over the settled part
+  std::optional<double> mean_hold_error_rad;     ///< mean of the same
+  std::optional<double> judged_time_s;           ///< how long that was; empty where the next is
+  std::optional<double> rest_error_rad;          ///< how far from R the roll rests: RunningRest
   std::optional<double> mean_reference_error_rad;  ///< mean |phi - R| of all time under control
   std::optional<double> largest_disturbance_rad;   ///< u_d of largest magnitude under control, with its sign
   std::optional<double> authority_margin_rad;  ///< how much farther the canards could go, or come back, than u_d needs;
@@ -89,6 +89,9 @@ struct Figures {
   std::optional<Oscillation> oscillation;
   std::optional<SideDeflection> side_deflection;
   std::optional<CameraRoll> camera_roll;
+  Neutral neutral{};
+  Opening opening{};
+  Capture capture{};
   Extent roll{};                      ///< when the roll angle is known
   HoldRecord hold{};                  ///< when, under control, its distance from the settle point is
   bool begins_under_control = false;  ///< the first row is, so nobody knows since when

@@ -4,20 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/gate.hpp"
+
 namespace fantail::report {
-namespace {
 
-// Rows are a millisecond apart and their times are rounded to the microsecond.
-constexpr double time_rounding_s = 1e-6;
+// A clamped step of 45 deg takes longer than a second to arrive at the tunnel's 22 m/s (peak at 1.7 s).
+double step_settling_time_s(const flight::Flight& flight) { return flight.tunnel ? 2.0 : 1.0; }
 
-}  // namespace
+double first_settling_time_s(const flight::Flight& flight) {
+  constexpr double longest_capture_s = 1.2;
+  return flight::captures(flight) ? std::max(longest_capture_s, step_settling_time_s(flight))
+                                  : step_settling_time_s(flight);
+}
 
 void RunningHold::add(const flight::Row& row, double roll_rad, const flight::Flight& flight) {
   if (!has_begun_) {
     has_begun_ = true;
     record_.control_from_s = row.time_s;
+  }
+  if (begins_) {
+    begins_ = false;
     reference_rad_ = row.reference_rad;
-    settles_at_s_ = row.time_s + settling_time_s_;
+    settles_at_s_ = row.time_s + first_settling_time_s(flight);
+    last_known_s_ = row.time_s;
   }
   record_.control_to_s = row.time_s;
   const std::optional<double> settle_point_rad = flight::settle_point_rad(row, flight);
@@ -26,14 +35,15 @@ void RunningHold::add(const flight::Row& row, double roll_rad, const flight::Fli
     return;
   }
   // In a hole the reference may have changed, and back.
-  const double since_s = row.time_s - last_known_s_.value_or(record_.control_from_s);
+  const double since_s = row.time_s - last_known_s_;
   if (row.reference_rad != reference_rad_ || since_s > RunningExtent::longest_step_s) {
     reference_rad_ = row.reference_rad;
-    settles_at_s_ = row.time_s + settling_time_s_;
+    settles_at_s_ = row.time_s + step_settling_time_s(flight);
   }
   known_.add(row.time_s);
   last_known_s_ = row.time_s;
-  if (row.time_s < settles_at_s_ - time_rounding_s) {
+  record_.is_ever_known = true;
+  if (row.time_s < settles_at_s_ - row_time_rounding_s) {
     last_settled_s_.reset();
     return;
   }
@@ -62,7 +72,6 @@ double RunningHold::judged_time_s() const {
 
 HoldRecord RunningHold::record(const flight::Clock& clock, double usual_step_s) const {
   HoldRecord result = record_;
-  result.is_ever_known = last_known_s_.has_value();
   if (result.is_ever_known) {
     result.known = known_.extent(clock, usual_step_s);
   }

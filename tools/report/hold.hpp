@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -9,6 +10,21 @@
 #include "report/extent.hpp"
 
 namespace fantail::report {
+
+/// Rows are a millisecond apart and their times are rounded to the microsecond.
+inline constexpr double row_time_rounding_s = 1e-6;
+/// Over less time than this the mean of a wobble is not where it rests.
+inline constexpr double shortest_rest_s = 0.5;
+
+[[nodiscard]] inline std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional{value} : std::nullopt;
+}
+
+/// What the hold error leaves out after control start: a second, in the slow air of the tunnel two, and with capture
+/// the 1.2 s that it may take from any angle.
+[[nodiscard]] double first_settling_time_s(const flight::Flight& flight);
+/// And after each change of the reference.
+[[nodiscard]] double step_settling_time_s(const flight::Flight& flight);
 
 /// When it is known under control how far the roll is from where the law should settle, and what that lacks elsewhere.
 struct HoldRecord {
@@ -27,10 +43,10 @@ struct HoldRecord {
 /// Hold errors, row by row.
 class RunningHold {
  public:
-  explicit RunningHold(double settling_time_s) : settling_time_s_{settling_time_s} {}
-
   /// Each row under control, in order. `roll_rad`: from where the reference counts.
   void add(const flight::Row& row, double roll_rad, const flight::Flight& flight);
+  /// Control pauses, and begins anew with the next row.
+  void pause() { begins_ = true; }
 
   /// Of the settled part; empty: there is none.
   [[nodiscard]] std::optional<double> largest_error_rad() const { return largest_error_rad_; }
@@ -44,11 +60,11 @@ class RunningHold {
  private:
   void note_what_is_missing(const flight::Row& row, double roll_rad, const flight::Flight& flight);
 
-  double settling_time_s_;
   RunningExtent known_{};
   HoldRecord record_{};
   bool has_begun_ = false;
-  std::optional<double> last_known_s_{};
+  bool begins_ = true;
+  double last_known_s_ = 0.0;
   double reference_rad_ = 0.0;
   double settles_at_s_ = 0.0;
   std::optional<double> largest_error_rad_{};
@@ -62,10 +78,10 @@ class RunningHold {
 /// measured; where it is known, its settle point counts as well.
 class RunningRest {
  public:
-  explicit RunningRest(double settling_time_s) : settling_time_s_{settling_time_s} {}
-
   /// Each row under control, in order. `roll_rad`: from where the reference counts.
   void add(const flight::Row& row, double roll_rad, const flight::Flight& flight);
+  /// Control pauses, and begins anew with the next row.
+  void pause() { begins_ = true; }
 
   /// Its size, the farthest of: the mean of phi - R over each settled stretch of one reference, and the settle
   /// points in them. A stretch is half a second or longer where there is one. Empty: nothing settled, or R is not
@@ -84,8 +100,8 @@ class RunningRest {
   };
   [[nodiscard]] std::optional<double> farthest_with(const Stretch& stretch) const;
 
-  double settling_time_s_;
-  std::optional<double> reference_rad_{};
+  bool begins_ = true;
+  double reference_rad_ = 0.0;
   double settles_at_s_ = 0.0;
   Stretch stretch_{};                     ///< the present one
   std::optional<double> farthest_rad_{};  ///< mean of the earlier ones

@@ -2,19 +2,29 @@
 #include "report/phase_colors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "flight/phase_names.hpp"
 
 namespace fantail::report {
 
-page::Role color_of(core::Phase phase) {
-  switch (phase) {
-    case core::Phase::launched: return page::Role::target;
-    case core::Phase::controlling: return page::Role::measured;
-    default: return page::Role::neutral;
-  }
-}
+namespace {
+
+struct PhaseColor {
+  core::Phase phase;
+  page::Role role;
+};
+constexpr std::array<PhaseColor, core::phases> colors{{{core::Phase::safe, page::Role::neutral},
+                                                       {core::Phase::armed, page::Role::neutral},
+                                                       {core::Phase::launched, page::Role::target},
+                                                       {core::Phase::dormant, page::Role::waiting},
+                                                       {core::Phase::controlling, page::Role::measured},
+                                                       {core::Phase::finished, page::Role::neutral}}};
+
+}  // namespace
+
+page::Role color_of(core::Phase phase) { return std::ranges::find(colors, phase, &PhaseColor::phase)->role; }
 
 std::vector<page::ShadedRange> phase_ranges(const flight::Flight& flight) {
   std::vector<page::ShadedRange> stripes;

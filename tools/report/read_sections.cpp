@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "flight/gate.hpp"
 #include "flight/phase_names.hpp"
 #include "report/fields.hpp"
 #include "report/hold.hpp"
@@ -66,8 +67,34 @@ void add(std::vector<Figure>& to, const result::Figures& more) {
   to.insert(to.end(), more.all.begin(), more.all.end());
 }
 
+/// Of a plan with a gate or with capture.
+void add_beginning(std::vector<Figure>& to, const flight::Flight& flight, const Figures& f) {
+  if (!flight::shows_gate(flight)) {
+    return;
+  }
+  result::Figures opening = result::figures("", f.opening, fields::opening);
+  std::erase_if(opening.all, [&](const Figure& one) { return one.key == "closings" && f.opening.closings == 0; });
+  add(to, opening);
+  result::Figures capture = result::figures("", f.capture, fields::capture);
+  if (!flight.seed) {
+    capture["after"].remark = "within 10 deg of where it came to rest";
+  }
+  if (f.capture.watched_s && !f.capture.after_s) {
+    capture["after"].value = fmt::format("not in the first {} s", fixed(*f.capture.watched_s, 2));
+    capture["after"].unit = result::units::none;
+  }
+  std::erase_if(capture.all, [](const Figure& one) { return one.key == "watched"; });
+  add(to, capture);
+  result::Figures neutral = result::figures("", f.neutral, fields::neutral);
+  std::erase_if(neutral.all, [&](const Figure& one) {
+    return one.key == "from" || one.key == "until" || (one.key == "unread" && f.neutral.unread_s == 0.0);
+  });
+  add(to, neutral);
+}
+
 result::Figures shown_figures(const flight::Flight& flight, const Figures& f, bool roll_is_judged) {
   std::vector<Figure> all = read_figures(flight, f, roll_is_judged);
+  add_beginning(all, flight, f);
   if (f.side_deflection) {
     result::Figures side = result::figures("", *f.side_deflection, fields::side_deflection);
     side["largest"].remark = "vector sum of the four canard angles";
@@ -125,7 +152,11 @@ constexpr auto moment_fields = result::fields<Moment>({
 std::string what_control_end_means(const flight::Flight& flight, const Verdict& verdict) {
   if (std::ranges::find(flight.phase_changes, core::Phase::controlling, &flight::PhaseChange::phase) ==
       flight.phase_changes.end()) {
-    return "the rocket reports that it has flown; canards stayed at trim";
+    const auto reason =
+        flight.phase_changes.empty() ? core::PhaseReason::flew_without_launch : flight.phase_changes.back().reason;
+    return reason == core::PhaseReason::flew_without_launch || !reason
+               ? "the rocket reports that it has flown; canards stayed at trim"
+               : fmt::format("{}; canards stayed at trim", flight::display_name(*reason));
   }
   const auto outage = std::ranges::find(flight.outages, flight.events.control_end_s, &flight::Outage::from_s);
   if (outage != flight.outages.end()) {
@@ -137,6 +168,19 @@ std::string what_control_end_means(const flight::Flight& flight, const Verdict& 
   const auto reason = flight.phase_changes.back().reason;
   return fmt::format("canards return to trim: {}",
                      !reason ? "the log does not say why" : flight::display_name(*reason));
+}
+
+/// The gate closed again under control, and opened again.
+void add_gate_events(std::vector<Moment>& to, const flight::Flight& flight) {
+  for (std::size_t i = 1; i < flight.phase_changes.size(); ++i) {
+    const flight::PhaseChange& change = flight.phase_changes[i];
+    const core::Phase before = flight.phase_changes[i - 1].phase;
+    if (change.phase == core::Phase::dormant && before == core::Phase::controlling) {
+      to.push_back({change.time_s, "gate closes", flight::gate_has_closed(flight) + ", canards return to trim"});
+    } else if (change.phase == core::Phase::controlling && change.time_s != flight.events.control_start_s) {
+      to.push_back({change.time_s, "gate reopens", flight::gate_has_opened(flight) + ", control goes on"});
+    }
+  }
 }
 
 /// By time; of two at the same instant the one that stands first.
@@ -152,10 +196,18 @@ result::Table events(const flight::Flight& flight, const Verdict& verdict) {
       one.meaning = "where the specific force left the pad's 1 g";
     } else if (one.what == "control starts" && flight.tunnel) {
       one.meaning = "roll angle is zero here, canards leave trim";
+    } else if (one.what == "control starts" && flight.events.dormant_s) {
+      one.meaning = flight::gate_has_opened(flight);
+    } else if (one.what == "dormant") {
+      one.meaning = "canards at trim, waiting for " + flight::gate_name(flight);
+    } else if (one.what == "control ends" && !flight.events.control_start_s && flight.events.dormant_s) {
+      one.what = "control never began";
+      one.meaning = what_control_end_means(flight, verdict);
     } else if (one.what == "control ends") {
       one.meaning = what_control_end_means(flight, verdict);
     }
   }
+  add_gate_events(all, flight);
   if (const auto jolt = jolt_after_apogee(flight)) {
     all.push_back(
         {jolt->time_s, "jolt",
@@ -201,6 +253,7 @@ std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const 
                               : flight.tunnel ? ": R is its reference, u_d the fin offset with the swirl"
                                               : ": R is its reference, u_d the fin offset"));
   }
+  add_gate_sentences(all, flight, f);
   if (f.roll_turns && f.roll_turns_without_control && !nothing_controls_roll(flight)) {
     all.push_back(fmt::format("Under control it made {} turns; with its canards at trim it would have made {}.",
                               fixed(*f.roll_turns, 2), fixed(*f.roll_turns_without_control, 2)));

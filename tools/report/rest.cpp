@@ -6,11 +6,6 @@
 namespace fantail::report {
 namespace {
 
-// Rows are a millisecond apart and their times are rounded to the microsecond.
-constexpr double row_tolerance_s = 1e-6;
-// Over less time than this the mean of a wobble is not where it rests.
-constexpr double shortest_stretch_s = 0.5;
-
 std::optional<double> farther(const std::optional<double>& one, const std::optional<double>& other) {
   return !one || (other && std::abs(*other) > std::abs(*one)) ? other : one;
 }
@@ -24,13 +19,14 @@ void RunningRest::add(const flight::Row& row, double roll_rad, const flight::Fli
   }
   sum_of_errors_rad_ += std::abs(error_rad);
   rows_ += 1;
-  if (row.reference_rad != reference_rad_) {
+  if (begins_ || row.reference_rad != reference_rad_) {
     farthest_rad_ = farthest_with(stretch_);
     stretch_ = {};
     reference_rad_ = row.reference_rad;
-    settles_at_s_ = row.time_s + settling_time_s_;
+    settles_at_s_ = row.time_s + (begins_ ? first_settling_time_s(flight) : step_settling_time_s(flight));
+    begins_ = false;
   }
-  if (row.time_s < settles_at_s_ - row_tolerance_s) {
+  if (row.time_s < settles_at_s_ - row_time_rounding_s) {
     return;
   }
   stretch_.begin_s = stretch_.rows == 0 ? row.time_s : stretch_.begin_s;
@@ -43,7 +39,7 @@ void RunningRest::add(const flight::Row& row, double roll_rad, const flight::Fli
 }
 
 std::optional<double> RunningRest::farthest_with(const Stretch& stretch) const {
-  if (stretch.rows == 0 || (farthest_rad_ && stretch.end_s - stretch.begin_s < shortest_stretch_s)) {
+  if (stretch.rows == 0 || (farthest_rad_ && stretch.end_s - stretch.begin_s < shortest_rest_s)) {
     return farthest_rad_;
   }
   return farther(farthest_rad_, stretch.sum_rad / static_cast<double>(stretch.rows));

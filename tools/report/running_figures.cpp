@@ -5,27 +5,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "flight/gate.hpp"
+
 namespace fantail::report {
 namespace {
 
-// A clamped step of 45 deg takes longer than a second to arrive at the tunnel's 22 m/s (peak at 1.7 s).
-double settling_time_s(bool tunnel) { return tunnel ? 2.0 : 1.0; }
 // Shorter than this, a saturation at the end of control is the excitation or the thin air near apogee.
 constexpr double lasting_saturation_s = 0.5;
 // More than a float, as a plan has its angles, differs from the number.
 constexpr double same_angle_rad = 1e-6;
 
-// The truth where it is known.
-double better(const flight::Row& row, double flight::Truth::* truth, double estimate) {
-  return row.truth && std::isfinite((*row.truth).*truth) ? (*row.truth).*truth : estimate;
-}
-double height_m(const flight::Row& row) { return better(row, &flight::Truth::height_m, row.height_m); }
-double speed_m_s(const flight::Row& row) { return better(row, &flight::Truth::speed_m_s, row.speed_m_s); }
+double height_m(const flight::Row& row) { return flight::best_known(row, &flight::Truth::height_m, row.height_m); }
+double speed_m_s(const flight::Row& row) { return flight::best_known(row, &flight::Truth::speed_m_s, row.speed_m_s); }
 double roll_angle_rad(const flight::Row& row) {
-  return better(row, &flight::Truth::roll_angle_rad, row.roll_angle_rad);
+  return flight::best_known(row, &flight::Truth::roll_angle_rad, row.roll_angle_rad);
 }
-
-std::optional<double> known(double value) { return std::isfinite(value) ? std::optional{value} : std::nullopt; }
 
 void keep_largest(std::optional<double>& kept, double value) {
   if (std::isfinite(value) && (!kept || value > *kept)) {
@@ -65,11 +59,7 @@ void TrueZero::add(const flight::Row& row) {
   last_s_ = row.time_s;
 }
 
-RunningFigures::RunningFigures(bool tunnel)
-    : zero_{tunnel},
-      hold_{settling_time_s(tunnel)},
-      rest_{settling_time_s(tunnel)},
-      oscillation_{settling_time_s(tunnel)} {}
+RunningFigures::RunningFigures(bool tunnel) : zero_{tunnel}, oscillation_{tunnel ? 2.0 : 1.0} {}
 
 void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   begins_under_control_ = begins_under_control_ || (rows_ == 0 && row.phase == core::Phase::controlling);
@@ -82,21 +72,36 @@ void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   in_still_air_ = in_still_air_ && row.truth && std::abs(row.truth->speed_m_s) < Figures::still_air_m_s;
   zero_.add(row);
   camera_roll_.add(row);
-  const bool is_control = row.phase == core::Phase::controlling;
-  if (stage_ == Stage::before_control && is_control) {
-    begin_control(row);
-  } else if (stage_ == Stage::under_control && !is_control) {
-    stage_ = Stage::after_control;
-  }
+  const bool is_true = zero_.is_known() && row.truth && std::isfinite(row.truth->roll_angle_rad);
+  const double roll_rad = is_true ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad;
+  neutral_.add(row, flight);
+  opening_.add(row, roll_rad);
+  change_stage(row);
   switch (stage_) {
-    case Stage::before_control: break;
-    case Stage::under_control: add_controlled(row, flight); break;
+    case Stage::before_control:
+    case Stage::paused: break;
+    case Stage::under_control: add_controlled(row, roll_rad, flight); break;
     case Stage::after_control: look_after_control(row, flight); break;
   }
 }
 
+void RunningFigures::change_stage(const flight::Row& row) {
+  const bool is_control = row.phase == core::Phase::controlling;
+  const bool waits = row.phase == core::Phase::dormant;
+  if (stage_ == Stage::before_control && is_control) {
+    begin_control(row);
+  } else if (stage_ == Stage::under_control && waits) {
+    pause_control();
+  } else if (stage_ == Stage::paused && is_control) {
+    stage_ = Stage::under_control;
+    paused_s_ += row.time_s - end_.time_s;
+  } else if (stage_ != Stage::before_control && !is_control && !waits) {
+    stage_ = Stage::after_control;
+  }
+}
+
 void RunningFigures::add_motion(const flight::Row& row) {
-  if (const std::optional<double> speed = known(speed_m_s(row))) {
+  if (const std::optional<double> speed = if_finite(speed_m_s(row))) {
     speed_.add(row.time_s);
     last_speed_m_s_ = *speed;
     if (!largest_speed_m_s_ || *speed > *largest_speed_m_s_) {
@@ -115,13 +120,26 @@ void RunningFigures::begin_control(const flight::Row& row) {
   start_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .height_m = height_m(row)};
 }
 
-void RunningFigures::add_controlled(const flight::Row& row, const flight::Flight& flight) {
+void RunningFigures::pause_control() {
+  stage_ = Stage::paused;
+  capture_.end();
+  hold_.pause();
+  rest_.pause();
+  oscillation_.pause();
+  saturation_.reset();
+}
+
+void RunningFigures::add_controlled(const flight::Row& row, double roll_rad, const flight::Flight& flight) {
+  if (controlled_ == 0) {
+    turn_ = flight::chosen_turn(flight, row);
+  }
   controlled_ += 1;
   end_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .command_rad = row.command_rad};
-  const bool is_true = zero_.is_known() && row.truth && std::isfinite(row.truth->roll_angle_rad);
-  const double roll_rad = is_true ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad;
   hold_.add(row, roll_rad, flight);
   rest_.add(row, roll_rad, flight);
+  const auto settles_rad = holds_an_angle(flight) ? flight::settle_point_rad(row, flight) : std::nullopt;
+  const double error_rad = roll_rad - settles_rad.value_or(roll_rad);
+  capture_.add(row, settles_rad && std::isfinite(error_rad) ? std::optional{error_rad} : std::nullopt);
   if (row.truth && std::isfinite(row.truth->disturbance_rad)) {
     const double offset_rad = row.truth->disturbance_rad;
     keep_farthest_from_zero(largest_offset_rad_, offset_rad);
@@ -246,15 +264,19 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
   }
   f.in_still_air = flight.tunnel && in_still_air_;
   f.camera_roll = camera_roll_.found();
+  f.neutral = neutral_.found(clock);
+  f.opening = opening_.found();
   if (controlled_ == 0) {
     return f;
   }
   if (!flight.tunnel) {
-    f.control_start_height_m = known(start_.height_m);
+    f.control_start_height_m = if_finite(start_.height_m);
   }
-  f.control_time_s = clock(end_.time_s) - clock(start_.time_s);
+  f.control_time_s = clock(end_.time_s) - clock(start_.time_s) - paused_s_;
+  f.capture = capture_.found(clock);
+  f.capture.turn = turn_;
   f.command_at_end_rad = end_.command_rad;
-  f.roll_turns = known((end_.roll_angle_rad - start_.roll_angle_rad) / (2.0 * std::numbers::pi));
+  f.roll_turns = if_finite((end_.roll_angle_rad - start_.roll_angle_rad) / (2.0 * std::numbers::pi));
   if (!f.in_still_air) {  // nothing holds anything there
     f.largest_hold_error_rad = hold_.largest_error_rad();
     f.mean_hold_error_rad = hold_.mean_error_rad();

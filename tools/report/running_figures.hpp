@@ -7,6 +7,7 @@
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
+#include "report/beginning.hpp"
 #include "report/extent.hpp"
 #include "report/figures.hpp"
 #include "report/hold.hpp"
@@ -50,7 +51,8 @@ class RunningFigures {
   [[nodiscard]] Figures figures(const flight::Flight& flight, const flight::Clock& clock = {}) const;
 
  private:
-  enum class Stage : std::uint8_t { before_control, under_control, after_control };
+  /// Paused: the plan's gate closed again, and may open.
+  enum class Stage : std::uint8_t { before_control, under_control, paused, after_control };
 
   struct Start {
     double time_s = 0.0;
@@ -72,8 +74,10 @@ class RunningFigures {
   };
 
   void add_motion(const flight::Row& row);
+  void change_stage(const flight::Row& row);
   void begin_control(const flight::Row& row);
-  void add_controlled(const flight::Row& row, const flight::Flight& flight);
+  void pause_control();
+  void add_controlled(const flight::Row& row, double roll_rad, const flight::Flight& flight);
   void judge_saturation(const flight::Row& row);
   void look_after_control(const flight::Row& row, const flight::Flight& flight);
   void tell_authority(Figures& f, const flight::Flight& flight) const;
@@ -96,13 +100,18 @@ class RunningFigures {
   bool in_still_air_ = true;
   TrueZero zero_;
   CameraRollWatch camera_roll_{};
+  NeutralWatch neutral_{};
+  OpeningWatch opening_{};
+  CaptureWatch capture_{};
+  std::optional<double> turn_{};  ///< that capture chose
 
   Stage stage_ = Stage::before_control;
   std::size_t controlled_ = 0;
   Start start_{};
   End end_{};
-  RunningHold hold_;
-  RunningRest rest_;
+  double paused_s_ = 0.0;  ///< in all
+  RunningHold hold_{};
+  RunningRest rest_{};
   std::optional<double> largest_offset_rad_{};
   std::optional<double> least_offset_rad_{};
   std::optional<double> most_offset_rad_{};

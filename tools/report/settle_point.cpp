@@ -50,6 +50,10 @@ std::string once_settled(const flight::Flight& flight) {
   const core::ReferencePlan& reference = flight.plan.reference;
   const bool has_steps = reference.kind == core::ReferenceKind::square_wave ||
                          (reference.kind == core::ReferenceKind::steps && reference.step_times_count > 0);
+  if (first_settling_time_s(flight) != step_settling_time_s(flight)) {
+    return fmt::format("after the first {} s of control{}", text::brief(first_settling_time_s(flight), 1),
+                       has_steps ? " and the first second of each step" : "");
+  }
   return fmt::format("after the first {} of control{}", flight.tunnel ? "two seconds" : "second",
                      has_steps ? " and of each step" : "");
 }
@@ -75,9 +79,15 @@ std::string settle_point_text(const flight::Flight& flight, bool can_settle) {
           : "A proportional-derivative loop settles at R\u00a0+\u00a0u_d/kp, not at the reference R: an angle "
             "error has to balance" +
                 balanced + here;
+  const bool leaves_out_capture = first_settling_time_s(flight) != step_settling_time_s(flight);
   return fmt::format(
-      "{} The hold error is measured from there, without the {} after control start and after each reference step.",
-      why, flight.tunnel ? "two seconds" : "second");
+      "{} The hold error is measured from there, without the {} after control start and {}after each "
+      "reference step.",
+      why,
+      leaves_out_capture ? text::brief(first_settling_time_s(flight), 1) + " s for capture"
+      : flight.tunnel    ? "two seconds"
+                         : "second",
+      leaves_out_capture ? "the second " : "");
 }
 
 }  // namespace fantail::report

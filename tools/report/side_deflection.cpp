@@ -37,13 +37,13 @@ std::optional<SideDeflection> side_deflection(const flight::Flight& flight, std:
   std::size_t count = 0;
   for (const flight::Row& row : control) {
     const std::optional<double> rad = across_rad(flight.plan.canards, row);
-    if (!rad) {
+    if (!rad || row.phase != core::Phase::controlling) {
       continue;
     }
     ++count;
     side.mean_rad += *rad;
     side.largest_rad = std::max(side.largest_rad, *rad);
-    const double speed_m_s = row.truth && std::isfinite(row.truth->speed_m_s) ? row.truth->speed_m_s : row.speed_m_s;
+    const double speed_m_s = flight::best_known(row, &flight::Truth::speed_m_s, row.speed_m_s);
     if (flight.side_moment_m3 && std::isfinite(speed_m_s)) {
       const double moment_n_m = 0.5 * density_kg_m3 * speed_m_s * speed_m_s * *flight.side_moment_m3 * *rad;
       side.largest_moment_n_m = std::max(side.largest_moment_n_m.value_or(0.0), moment_n_m);

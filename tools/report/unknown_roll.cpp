@@ -17,6 +17,13 @@ constexpr double tolerance_s = RunningExtent::shortest_hole_s;
 
 std::string seconds(double time_s) { return text::fixed(time_s, 2) + " s"; }
 
+/// The plan's gate had closed again there: nobody asks for a hold error.
+bool is_pause(const flight::Flight& flight, const Hole& hole) {
+  return std::ranges::any_of(flight.phase_changes, [&](const flight::PhaseChange& change) {
+    return change.phase == core::Phase::dormant && change.time_s > hole.from_s && change.time_s <= hole.to_s;
+  });
+}
+
 std::vector<Hole> unexplained_holes(const flight::Flight& flight, const Extent& extent) {
   std::vector<Hole> holes;
   std::ranges::copy_if(extent.holes, std::back_inserter(holes), [&](const Hole& hole) {
@@ -24,6 +31,7 @@ std::vector<Hole> unexplained_holes(const flight::Flight& flight, const Extent& 
       return hole.from_s < outage.to_s.value_or(hole.to_s) && outage.from_s < hole.to_s;
     });
   });
+  std::erase_if(holes, [&](const Hole& hole) { return is_pause(flight, hole); });
   return holes;
 }
 

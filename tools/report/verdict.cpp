@@ -262,7 +262,9 @@ Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
     return {Outcome::not_judged,
             fmt::format("Roll not judged: no tick under control is on record.{}", unknown_roll(flight, figures))};
   }
-  Verdict v = figures.control_time_s ? judge_flight(flight, figures) : Verdict{Outcome::no_control, no_control(flight)};
+  Verdict v = figures.control_time_s ? judge_flight(flight, figures)
+                                     : Verdict{.outcome = Outcome::no_control, .text = no_control(flight, figures)};
+  v.as_planned = !figures.control_time_s && gate_stayed_closed(flight);
   v.text += begun_on_guide(flight) + outages(flight) + unknown_roll(flight, figures) + unmeasured(flight) +
             canard_faults(flight);
   if (flight.trajectory_end_s) {
@@ -292,6 +294,7 @@ result::Answer answer(const Verdict& verdict) {
     case Outcome::held: return result::Answer::yes;
     case Outcome::outside_model:
     case Outcome::not_judged: return result::Answer::undecided;
+    case Outcome::no_control: return verdict.as_planned ? result::Answer::undecided : result::Answer::no;
     case Outcome::cut_short: return verdict.ended_early ? result::Answer::no : result::Answer::undecided;
     default: return result::Answer::no;
   }

@@ -19,8 +19,8 @@ inline constexpr double held_error_rad = text::radians(10.0);
 inline constexpr double least_judged_s = 1.0;
 
 enum class Outcome : std::uint8_t {
-  held,           ///< the largest hold error is at most 10 deg, from the second after control start to apogee, and the
-                  ///< roll rests within the limit that is stated for it (Flight::rest_limit_rad) of its reference
+  held,  ///< the largest hold error is at most 10 deg, from first_settling_time_s() to apogee, and the roll rests
+         ///< within the limit that is stated for it (Flight::rest_limit_rad) of its reference
   off_command,    ///< as steady, but resting farther from its reference than that
   outside_model,  ///< as steady, but the flight is beyond a flight::ModelEnd
   not_held,       ///< the hold error is more, before or after the end of control, or the canards ended at a limit
@@ -47,6 +47,7 @@ struct Verdict {
   Outcome outcome = Outcome::no_control;
   std::string text;             ///< plain sentences
   bool ended_early = false;     ///< whatever the outcome
+  bool as_planned = false;      ///< no control, because the plan's gate stayed closed: nothing was asked of the roll
   bool roll_is_judged = false;  ///< there is a word about how well the roll was held, whatever became of it then
 };
 

@@ -16,7 +16,10 @@ namespace fantail::report {
 inline constexpr double near_apogee_s = 0.5;
 
 /// Of a flight without control: why it never began, as far as is known.
-[[nodiscard]] std::string no_control(const flight::Flight& flight);
+[[nodiscard]] std::string no_control(const flight::Flight& flight, const Figures& figures);
+
+/// The canards waited at trim for a gate that did not open in this flight: the plan asks for that, and nothing failed.
+[[nodiscard]] bool gate_stayed_closed(const flight::Flight& flight);
 
 /// " Control began 0.12 s before the rocket left the launch guide.", where that is known: canards that move in a guide
 /// can jam the rocket. Empty: it did not.
@@ -24,6 +27,10 @@ inline constexpr double near_apogee_s = 0.5;
 
 /// A plan whose gains are zero: the rocket rolls freely in its phase of control.
 [[nodiscard]] bool nothing_controls_roll(const flight::Flight& flight);
+
+/// What a plan with a gate or with capture did, sentence by sentence: the state at the opening, the motor, the turn and
+/// how soon the roll was held, the canards before it. None of another plan.
+void add_gate_sentences(std::vector<std::string>& to, const flight::Flight& flight, const Figures& f);
 
 /// Did control end before apogee, whatever ended it? In the tunnel, where there is no apogee: for another reason than
 /// the plan's own time.

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "report/beginning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/hold.hpp"
+
+namespace fantail::report {
+
+void NeutralWatch::add(const flight::Row& row, const flight::Flight& flight) {
+  using enum core::Phase;
+  if (row.phase == safe && !is_over_) {
+    neutral_ = {};
+  }
+  is_over_ = is_over_ || row.phase == controlling || row.phase == finished;
+  if (is_over_ || row.phase == safe || !flight.known.plan || !flight.known.phase) {
+    return;
+  }
+  const double since_s = row.time_s - neutral_.until_s.value_or(row.time_s);
+  neutral_.from_s = neutral_.from_s.value_or(row.time_s);
+  neutral_.until_s = row.time_s;
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const auto trim_rad = static_cast<double>(flight.plan.canards.each[i].trim.radians());
+    if (row.commands_rad[i]) {
+      neutral_.command_rad = std::max(neutral_.command_rad.value_or(0.0), std::abs(*row.commands_rad[i] - trim_rad));
+    }
+    if (row.encoders_rad[i]) {
+      neutral_.encoder_rad = std::max(neutral_.encoder_rad.value_or(0.0), std::abs(*row.encoders_rad[i] - trim_rad));
+    }
+  }
+  const bool all_read = std::ranges::all_of(row.encoders_rad, [](const auto& angle) { return angle.has_value(); });
+  neutral_.unread_s += all_read ? 0.0 : since_s;
+}
+
+Neutral NeutralWatch::found(const flight::Clock& clock) const {
+  Neutral result = neutral_;
+  for (std::optional<double>* time_s : {&result.from_s, &result.until_s}) {
+    *time_s = *time_s ? std::optional{clock(**time_s)} : std::nullopt;
+  }
+  result.unread_s = std::round(1e4 * result.unread_s) / 1e4;  // whatever the clock of the rows
+  return result;
+}
+
+void OpeningWatch::add(const flight::Row& row, double roll_rad) {
+  using enum core::Phase;
+  const std::optional<core::Phase> before = before_;
+  before_ = row.phase;
+  if (before == controlling && row.phase == dormant) {
+    ++opening_.closings;
+  }
+  if (is_open_) {
+    return;
+  }
+  if (row.phase == dormant && before && before != dormant) {
+    dormant_from_rad_ = if_finite(roll_rad);
+  }
+  if ((row.phase == dormant || before == dormant) && dormant_from_rad_) {
+    opening_.dormant_turns = if_finite((roll_rad - *dormant_from_rad_) / (2.0 * std::numbers::pi));
+  }
+  if (row.phase == controlling) {
+    is_open_ = true;
+    opening_.speed_m_s = if_finite(flight::best_known(row, &flight::Truth::speed_m_s, row.speed_m_s));
+    opening_.roll_angle_rad = if_finite(roll_rad);
+    opening_.roll_rate_rad_s = if_finite(flight::best_known(row, &flight::Truth::roll_rate_rad_s, row.roll_rate_rad_s));
+  }
+}
+
+void CaptureWatch::add(const flight::Row& row, const std::optional<double>& error_rad) {
+  if (!first_s_) {
+    reference_rad_ = row.reference_rad;
+  }
+  is_over_ = is_over_ || !error_rad || row.reference_rad != reference_rad_;
+  if (is_over_) {
+    return;
+  }
+  first_s_ = first_s_.value_or(row.time_s);
+  last_s_ = row.time_s;
+  knows_saturation_ = knows_saturation_ && row.saturated;
+  all_.ticks += 1;
+  all_.saturated += row.saturated.value_or(false) ? 1 : 0;
+  if (std::abs(*error_rad) > Capture::near_rad) {
+    near_since_s_.reset();
+    before_ = all_;
+    return;
+  }
+  near_since_s_ = near_since_s_.value_or(row.time_s);
+  is_over_ = row.time_s - *near_since_s_ > Capture::stays_s - row_time_rounding_s;
+}
+
+Capture CaptureWatch::found(const flight::Clock& clock) const {
+  Capture result;
+  if (!first_s_) {
+    return result;
+  }
+  result.watched_s = clock(last_s_) - clock(*first_s_);
+  const bool stayed = near_since_s_ && last_s_ - *near_since_s_ > Capture::stays_at_end_s - row_time_rounding_s;
+  if (stayed) {
+    result.after_s = clock(*near_since_s_) - clock(*first_s_);
+  }
+  const Count& until = stayed ? before_ : all_;
+  if (knows_saturation_ && until.ticks > 0) {
+    result.saturated_fraction = static_cast<double>(until.saturated) / static_cast<double>(until.ticks);
+  }
+  return result;
+}
+
+bool holds_an_angle(const flight::Flight& flight) {
+  return !flight.tunnel && flight.why_uncontrollable.empty() &&
+         (!flight.known.plan || flight.plan.controller.proportional_gain > 0.0F);
+}
+
+Capture measured_capture(const flight::Flight& flight) {
+  CaptureWatch watch;
+  const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
+  const auto begin = std::ranges::find_if(flight.rows, is_control);
+  if (!holds_an_angle(flight) || begin == flight.rows.end()) {
+    return {};
+  }
+  const auto end = std::find_if(begin, flight.rows.end(), [&](const flight::Row& row) {
+    return !is_control(row) || row.reference_rad != begin->reference_rad;
+  });
+  const auto settled = std::find_if(begin, end, [&](const flight::Row& row) {
+    return row.time_s - begin->time_s > first_settling_time_s(flight) - row_time_rounding_s;
+  });
+  double sum_rad = 0.0;
+  std::size_t rows = 0;
+  double last_s = begin->time_s;
+  for (auto row = settled; row != end && row->time_s - settled->time_s <= Capture::stays_s; ++row) {
+    sum_rad += row->roll_angle_rad;
+    rows += 1;
+    last_s = row->time_s;
+  }
+  if (rows == 0 || last_s - settled->time_s < shortest_rest_s || !std::isfinite(sum_rad)) {
+    return {};
+  }
+  const double rest_rad = sum_rad / static_cast<double>(rows);
+  std::for_each(begin, end, [&](const flight::Row& row) { watch.add(row, if_finite(row.roll_angle_rad - rest_rad)); });
+  return watch.found({});
+}
+
+}  // namespace fantail::report
