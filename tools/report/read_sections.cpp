@@ -38,7 +38,9 @@ bool rows_are_sparse(const flight::Flight& flight, const Figures& f) {
 std::vector<Figure> read_figures(const flight::Flight& flight, const Figures& f, bool roll_is_judged) {
   result::Figures all = result::figures("", f, fields::figures);
   all["max_speed"].label = top_speed_name(flight);
-  if (rows_are_sparse(flight, f)) {
+  if (f.opening.closings > 0) {
+    all["control_time"].remark = "without the time in which the gate had closed";
+  } else if (rows_are_sparse(flight, f)) {
     all["control_time"].remark = "from its first row to its last";
   }
   if (flight.tunnel) {
