@@ -18,7 +18,7 @@ set(FANTAIL_COMPILED_APART
   "test/core|canard_monitor_test.cpp motion_estimator_test.cpp trig_test.cpp"
   "test/core|autopilot_flight_test.cpp motion_estimator_roll_test.cpp control_law_test.cpp"
   "test/core|autopilot_record_test.cpp pad_window_test.cpp"
-  "test/core|flight_phase_test.cpp gyro_gate_test.cpp"
+  "test/core|flight_phase_test.cpp gyro_gate_test.cpp pad_movement_test.cpp"
   "test/core|state_test.cpp chirp_variation_test.cpp gyro_pair_limits_test.cpp pad_window_limits_test.cpp"
   "test/core|motion_estimator_gyros_test.cpp motion_estimator_limits_test.cpp"
   "test/hal/stm32f4|fake_ism330dhcx.cpp backup_memory_test.cpp servo_test.cpp watchdog_test.cpp spi_bus_test.cpp supply_test.cpp"

@@ -6,6 +6,7 @@
 #include "core/flight_plan_fields.hpp"
 #include "known_roll_model.hpp"
 #include "seed.hpp"
+#include "state_copy.hpp"
 #include "test.hpp"
 
 namespace fantail::core {
@@ -166,6 +167,25 @@ TEST(Capture, WhatTurnedTheRocketWhileNobodyLookedIsNoOffset) {
     capture.watch(spinning(0.0F, 6.0F, 60.0F));
     EXPECT_NE(offset_deg(capture), before_deg);
   }
+}
+
+TEST(Capture, OneThatIsGivenTheStateOfAnotherGoesOnAsTheOtherDoes) {
+  Capture capture{capturing_plan()};
+  for (int i = 0; i < 50; ++i) {
+    capture.watch(spinning(0.0F, 1.0F + 0.01F * static_cast<float>(i), 60.0F));
+  }
+  Capture given{capturing_plan()};
+  copy_state(capture, given);
+  for (Capture* one : {&capture, &given}) {
+    one->watch(spinning(0.0F, 2.0F, 60.0F));
+    one->begin(spinning(20.0F, 2.0F, 60.0F), 30_deg);
+  }
+  EXPECT_EQ(offset_deg(given), offset_deg(capture));
+  EXPECT_EQ(given.turns(), capture.turns());
+  EXPECT_NE(given.turns(), Angle{});
+  Capture resumed{capturing_plan()};
+  copy_state(capture, resumed);
+  EXPECT_EQ(resumed.turns(), capture.turns());
 }
 
 }  // namespace
