@@ -63,8 +63,8 @@ TEST_F(CanSystem, AStrangersArmRepliesPutNoCanardOnTheTerminalThatIsNone) {
   EXPECT_EQ(arm.outcome().out,
             "Self-test: keep the rocket still for three seconds; then each canard moves. Keep hands off.\n  canard 1\n "
             " canard 2\n  canard 3\n  canard 4\n  passed; at rest the gyro reads 0.30 deg/s about the long axis, which "
-            "is subtracted\nClose the arm switch at the rocket.\n  closed\nARMED. Opening the arm switch makes the "
-            "rocket safe again.\n");
+            "is subtracted\n  abort input: none fitted\nClose the arm switch at the rocket.\n  closed\nARMED. Opening "
+            "the arm switch makes the rocket safe again.\n");
 }
 
 TEST_F(AtARocket, AnEnduranceRunWritesItsFiguresAndTellsEveryTenSeconds) {

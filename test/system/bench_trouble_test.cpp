@@ -72,7 +72,7 @@ TEST(BenchOptions, OutOfRangeAreUsageErrors) {
   Refusal({}, {"bench", "hold", "1", "-21", "--can", nowhere}, 64, {"DEG"});
   Refusal({}, {"bench", "arm", "--can", nowhere, "--wait", "-1"}, 64, {"--wait"});
   Refusal({}, {"bench"}, 64,
-          {"a verb is missing; allowed: watch, limits, step, sine, hold, cycle, zero, axes, arm, plan"});
+          {"a verb is missing; allowed: watch, limits, step, sine, hold, cycle, zero, axes, arm, plan, dormancy"});
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ std::string cycle_json(const Cycle& cycle, const result::Made& made) {
               {"vehicle", text_or_null(heading.vehicle)},
               {"plan", text_or_null(heading.plan)},
               {"plan_crc", text_or_null(heading.plan_crc)},
+              {"gate", text_or_null(heading.gate)},
               {"date", text_or_null(heading.date)},
               {"avionics", text_or_null(heading.avionics)},
               {"lap_s", rounded(cycle.lap_s)},

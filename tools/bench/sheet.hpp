@@ -26,6 +26,7 @@ struct Heading {
   std::string vehicle{};
   std::string plan{};      ///< its name; empty: not known
   std::string plan_crc{};  ///< of the plan in force, as text
+  std::string gate{};      ///< gate() of it
   std::string date{};
   std::string avionics{};  ///< the avionics that answered, and where: "can0, protocol 1"
   std::string version{};   ///< of Fantail

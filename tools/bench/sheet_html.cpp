@@ -25,6 +25,7 @@ page::Page heading(const Sheet& sheet) {
           .title = title(h),
           .facts = {{"Plan", h.plan},
                     {"Plan CRC-32C", h.plan_crc},
+                    {"Gate", h.gate},
                     {"Date", h.date},
                     {"Avionics", h.avionics},
                     {"Board", h.board ? board_text(*h.board) : ""}},

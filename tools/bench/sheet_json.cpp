@@ -112,6 +112,7 @@ std::string sheet_json(const Sheet& sheet, const result::Made& made) {
               {"vehicle", text_or_null(heading.vehicle)},
               {"plan", text_or_null(heading.plan)},
               {"plan_crc", text_or_null(heading.plan_crc)},
+              {"gate", text_or_null(heading.gate)},
               {"date", text_or_null(heading.date)},
               {"avionics", text_or_null(heading.avionics)},
               {"hard_limit_deg", rounded(static_cast<double>(core::hard_canard_limit.degrees()))},

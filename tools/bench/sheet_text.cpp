@@ -134,6 +134,7 @@ std::string heading_lines(const Heading& heading) {
   for (const auto& [label, value] : {std::pair{"vehicle", heading.vehicle},
                                      {"plan", heading.plan},
                                      {"plan CRC", heading.plan_crc},
+                                     {"gate", heading.gate},
                                      {"date", heading.date},
                                      {"avionics", heading.avionics},
                                      {"board", heading.board ? board_text(*heading.board) : std::string{}}}) {

@@ -11,6 +11,7 @@
 
 #include "bench/cycle.hpp"
 #include "bench/exercise.hpp"
+#include "bench/gate.hpp"
 #include "fantail/bench_desk.hpp"
 #include "fantail/can_place.hpp"
 #include "fantail/deliver.hpp"
@@ -19,6 +20,7 @@
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
+#include "link/plan_transfer.hpp"
 #include "text/degrees.hpp"
 #include "text/output_folder.hpp"
 
@@ -103,6 +105,7 @@ void cycle(const CycleOptions& options) {
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);
   expect_plan_in_force(on_desk, options.bench, link);
+  on_desk.heading.gate = bench::gate(link::read_plan_in_force(place, link).plan);
   const auto session = open_session(place, link);
   const auto lap = bench::Exercise::limits_together(
       bench::bounds(link.reported<protocol::LimitReport>("canard limits"), session->trims()));

@@ -2,6 +2,7 @@
 #include "fantail/bench_desk.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
+#include "link/plan_transfer.hpp"
 #include "protocol/plan_block.hpp"
 #include "text/local_time.hpp"
 #include "text/output_folder.hpp"
@@ -76,6 +78,19 @@ void complete(bench::Heading& heading, const BenchOptions& options, const link::
       heading.monitor[i] = health->message.verdicts[i];
     }
   }
+}
+
+std::vector<std::byte> block_of(const core::FlightPlan& plan) {
+  std::array<std::byte, protocol::largest_plan_block> block{};
+  const std::size_t size = protocol::write_plan_block(plan, block);
+  return {block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+protocol::PlanReply send_block(link::Place& place, link::AvionicsLink& link, std::span<const std::byte> block,
+                               const std::string& name) {
+  Progress progress{"sending " + name,
+                    {.unit = "bytes", .rate = " a second", .total = static_cast<double>(block.size())}};
+  return link::send_plan(place, link, block, [&](std::size_t done) { progress.show(static_cast<double>(done)); });
 }
 
 void expect_room(const std::filesystem::path& folder, const std::string& for_what) {

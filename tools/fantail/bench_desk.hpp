@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "bench/sheet.hpp"
 #include "fantail/command_line.hpp"
@@ -33,6 +36,12 @@ void add_bench_options(const Verb& verb, BenchOptions& options, const std::strin
 /// `bench plan show`: the plan in force, read back, as a plan file.
 void show_plan_in_force(const BenchOptions& options);
 
+[[nodiscard]] std::vector<std::byte> block_of(const core::FlightPlan& plan);
+
+/// As link::send_plan, with its progress on the terminal. `name`: of the plan.
+[[nodiscard]] protocol::PlanReply send_block(link::Place& place, link::AvionicsLink& link,
+                                             std::span<const std::byte> block, const std::string& name);
+
 // Each verb of the bench in a file of its own.
 void add_bench_watch(const Verb& bench);
 void add_bench_limits(const Verb& bench);
@@ -42,6 +51,7 @@ void add_bench_cycle(const Verb& bench);
 void add_bench_hold(const Verb& bench);
 void add_bench_axes(const Verb& bench);
 void add_bench_arm(const Verb& bench);
+void add_bench_dormancy(const Verb& bench);
 void add_bench_plan(const Verb& bench);
 void add_bench_log(const Verb& bench);
 void add_bench_zero(const Verb& bench);

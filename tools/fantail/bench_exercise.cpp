@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "bench/exercise.hpp"
+#include "bench/gate.hpp"
 #include "bench/perform.hpp"
 #include "bench/sheet.hpp"
 #include "fantail/bench_desk.hpp"
@@ -22,6 +23,7 @@
 #include "fantail/run.hpp"
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
+#include "link/plan_transfer.hpp"
 #include "link/session.hpp"
 #include "text/output_folder.hpp"
 
@@ -155,6 +157,7 @@ void run(const ExerciseOptions& options, const MakeExercise& make) {
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);
   expect_plan_in_force(on_desk, options.bench, link);
+  on_desk.heading.gate = bench::gate(link::read_plan_in_force(place, link).plan);
   BenchPage page{options.page, (on_desk.heading.vehicle.empty() ? "Rocket" : on_desk.heading.vehicle) + " on " +
                                    options.bench.interface};
   try {

@@ -11,7 +11,6 @@
 #include "fantail/can_place.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/offers.hpp"
-#include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
 #include "input/plan_file.hpp"
@@ -34,7 +33,7 @@ struct PlanOptions {
 
 // A block as `plan compile` wrote it goes out as it is, so that what was checked is what is loaded; the avionics
 // judges it. A plan file is compiled here.
-std::vector<std::byte> block_of(const std::string& name) {
+std::vector<std::byte> named_block(const std::string& name) {
   if (std::filesystem::path{name}.extension() == ".ftpl") {
     const std::string text = text::read_input(name, text::InputKind::document);
     if (text.size() < 16 || text.size() > protocol::largest_plan_block) {
@@ -47,23 +46,15 @@ std::vector<std::byte> block_of(const std::string& name) {
     }
     return block;
   }
-  const core::FlightPlan plan = input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, name)));
-  std::array<std::byte, protocol::largest_plan_block> block{};
-  const std::size_t size = protocol::write_plan_block(plan, block);
-  return {block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size)};
+  return block_of(input::read_plan(input::Document::load(input::find_input(input::Shipped::plan, name))));
 }
 
 void send(const PlanOptions& options) {
-  const std::vector<std::byte> block = block_of(options.plan);
+  const std::vector<std::byte> block = named_block(options.plan);
   CanPlace place{options.bench.interface};
   link::AvionicsLink link{place.bus()};
   await_rocket(options.bench, place, link);
-  protocol::PlanReply reply;
-  {
-    Progress progress{"sending " + options.plan,
-                      {.unit = "bytes", .rate = " a second", .total = static_cast<double>(block.size())}};
-    reply = link::send_plan(place, link, block, [&](std::size_t done) { progress.show(static_cast<double>(done)); });
-  }
+  const protocol::PlanReply reply = send_block(place, link, block, options.plan);
   const bool stored = reply.state == protocol::TransferState::stored;
   if (options.bench.json) {
     json::Value json{{"plan", options.plan},

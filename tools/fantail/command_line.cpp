@@ -69,8 +69,12 @@ Option& Option::range(double low, double high) {
 }
 
 Option& Option::one_of(std::initializer_list<const char*> words) {
+  return one_of(std::vector<std::string>{words.begin(), words.end()});
+}
+
+Option& Option::one_of(std::vector<std::string> words) {
   Declared& more = declared(option_);
-  more.words.assign(words.begin(), words.end());
+  more.words = std::move(words);
   more.allowed = CLI::detail::generate_set(more.words);
   option_->check(CLI::IsMember(more.words));
   return *this;

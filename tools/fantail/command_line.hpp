@@ -35,6 +35,7 @@ class Option {
   Option& check(const Objection& objection);
   Option& range(double low, double high);
   Option& one_of(std::initializer_list<const char*> words);
+  Option& one_of(std::vector<std::string> words);
   /// What a shell may offer for the value; the words of one_of() it does without.
   Option& offers(manual::Offering offering);
   /// What stands for the value in the help: KG_M2.

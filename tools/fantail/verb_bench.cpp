@@ -55,6 +55,7 @@ void fill(const Verb& bench) {
   add_bench_axes(bench);
   add_bench_arm(bench);
   add_bench_plan(bench);
+  add_bench_dormancy(bench);
   add_bench_log(bench);
 }
 
