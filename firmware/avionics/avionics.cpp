@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/avionics.hpp"
 
+#include "avionics/abort_input.hpp"
 #include "avionics/sensor_scaling.hpp"
 #include "core/flight_plan_members.hpp"
 #include "core/per_canard.hpp"
@@ -10,18 +11,6 @@ namespace fantail::avionics {
 namespace {
 
 constexpr std::array<std::optional<hal::Pulse>, hal::canards> no_pulses{};
-
-// A contact that has not settled does not abort, so that a reset in flight is none; but it keeps from arming.
-protocol::AbortState abort_state(core::AbortInput input, const hal::Contact& contact) {
-  using enum protocol::AbortState;
-  if (input == core::AbortInput::none) {
-    return none_fitted;
-  }
-  if (!contact.open() && !contact.closed()) {
-    return unsettled;
-  }
-  return contact.open() == (input == core::AbortInput::open_aborts) ? asks_to_abort : ready;
-}
 
 }  // namespace
 

@@ -31,7 +31,6 @@ LogTick some_tick() {
           .command_status = core::CommandStatus::controlling,
           .saturated = true,
           .timing_fault = false,
-          .abort = true,
           .command = Angle::from_radians(0.12345678F),
           .canard_commands = {Angle::from_degrees(1.234F), std::nullopt, Angle::from_degrees(-20.0F), Angle{}},
           .duration_before = Microseconds{321},
