@@ -187,6 +187,20 @@ TEST(PlanCheckOfALoop, WithAScenarioSaysThePhaseMarginAndWarnsOfLittle) {
   EXPECT_NEAR(said["at_speed_m_s"].number(), 97.0, 1.0);
 }
 
+TEST(PlanCheck, NamesTheClauseThatControlWithAFailedCanardDoesNotMeet) {
+  const Folder folder;
+  for (const auto& [run, is_met] : {std::pair{"canard_fault = \"share\"", false},
+                                    {"canard_fault = \"continue\"", false},
+                                    {"canard_fault = \"end_control\"", true},
+                                    {"start = \"tunnel\"", true}}) {
+    const std::string plan = folder.write("p.toml", fmt::format("[run]\n{}\n", run));
+    const Outcome outcome = fantail({"plan", "check", plan});
+    EXPECT_EQ(outcome.out.find("DES.22") == std::string::npos, is_met) << outcome.out << outcome.err;
+    const json::Value said = json::parse(fantail({"plan", "check", plan, "--json"}).out);
+    EXPECT_EQ(said["unmet_clauses"].size(), is_met ? 0U : 1U) << run;
+  }
+}
+
 TEST(PlanCheckOfALoop, RefusesGainsThatTheRocketDoesNotTolerateByName) {
   const Folder folder;
   const std::string plan = folder.write("p.toml", "[controller]\nproportional_gain = 10\nderivative_gain_s = 0.01\n");

@@ -10,6 +10,10 @@ namespace fantail::airframe {
 namespace {
 
 constexpr std::string_view plan_text = R"(
+[run]
+canard_fault = "end_control" # a failed canard ends control, as EuRoC asks (DES.22); with "share" the others go on
+tilt_from = "guide" # the tilt limit counts from the direction of the guide
+
 [launch_detection]
 threshold_g = 2.5
 hold_s = 0.1

@@ -233,6 +233,7 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightC
   for (const std::string& what : weaker_than_shipped(subject.plan)) {
     all["weaker_than_shipped"].push_back(what);
   }
+  all["unmet_clauses"] = unmet_clauses(subject.plan);
   result::put_answer(all, result::Answer::yes,
                      fmt::format("Every field is known and within its range: the firmware accepts this plan; {}.",
                                  text::counted(warnings, "warning")),
@@ -280,6 +281,9 @@ void check_plan(const PlanCheck& asked) {
       show("  {}\n", what);
     }
     show("  measure it: fantail campaign detection --plan {}\n", text::shell_word(found.file));
+  }
+  for (const std::string& clause : unmet_clauses(found.plan)) {
+    show("{}: note: {}\n", file, clause);
   }
   if (!loop.sentence.empty()) {
     show("{}: {}{}\n", file, loop.warns ? "warning: " : "", text::printable(loop.sentence));

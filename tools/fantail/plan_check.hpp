@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/flight_plan.hpp"
 #include "json/value.hpp"
@@ -19,6 +20,9 @@ struct PlanCheck {
 /// Says whether the plan may fly: by the rules on its own numbers, and, where a rocket is known, by the phase margin of
 /// the loop at every speed under control. Throws text::Error for one that may not.
 void check_plan(const PlanCheck& asked);
+
+/// Clauses of ranges that a plan for a launch does not meet; a sentence each, without a full stop.
+[[nodiscard]] std::vector<std::string> unmet_clauses(const core::FlightPlan& plan);
 
 /// Every field of a plan by section and key, in the units of plan files.
 [[nodiscard]] json::Value plan_json(const core::FlightPlan& plan);
