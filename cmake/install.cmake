@@ -18,6 +18,7 @@ install(FILES tools/vcan/guest tools/vcan/native tools/vcan/wide_ptrace.c DESTIN
 set(data ${CMAKE_INSTALL_DATADIR}/fantail)
 install(DIRECTORY sim/scenarios sim/vehicles sim/motors sim/tunnel_results DESTINATION ${data}/sim COMPONENT runtime)
 install(DIRECTORY firmware/plans DESTINATION ${data}/firmware COMPONENT runtime)
+install(DIRECTORY tools/rules/packs DESTINATION ${data}/tools/rules COMPONENT runtime)
 install(DIRECTORY python/fantail/files DESTINATION ${data}/python/fantail COMPONENT runtime PATTERN "__pycache__" EXCLUDE)
 install(FILES firmware/protocol/canard_bus.dbc firmware/protocol/plan_block.csv DESTINATION ${data} COMPONENT runtime)
 install(DIRECTORY tools/telemetry/types/ DESTINATION ${data}/lcm COMPONENT runtime)

@@ -60,7 +60,8 @@ set(FANTAIL_LAYERS
   "tools/detection|core sim text distributions json page result input runs|fmt/"
   "tools/faults|core sim text json page result input flight fly runs campaign|fmt/"
   "tools/playground|core sim text json input flight report fly|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input files flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "tools/rules|core sim text result input flight airframe/model|fmt/"
+  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input files flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults rules|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json manual input flight report flight_log logs fly runs campaign fantail|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.

@@ -11,6 +11,7 @@
 #include "campaign/flown_run.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
+#include "fantail/plan_rules.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
 #include "flight/flight.hpp"
@@ -259,16 +260,7 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightC
   return all;
 }
 
-}  // namespace
-
-void check_plan(const PlanCheck& asked) {
-  const Subject found = subject(asked);
-  const LoopCheck loop = found.scenario ? check_loop(found) : LoopCheck{};
-  const FlightCheck flight = found.scenario ? check_flight(*found.scenario) : FlightCheck{};
-  if (asked.json) {
-    fmt::print("{}\n", json_of(found, loop, flight).dump());
-    return;
-  }
+void show_check(const Subject& found, const LoopCheck& loop, const FlightCheck& flight) {
   const std::string file = text::printable(found.file);
   show("{}: every field is known and within its range: the firmware accepts this plan, checksum {:08x}\n", file,
        protocol::plan_crc(found.plan));
@@ -291,6 +283,21 @@ void check_plan(const PlanCheck& asked) {
   for (const std::string& warning : flight.warnings) {
     show("{}: warning: {}\n", file, text::printable(warning));
   }
+}
+
+}  // namespace
+
+void check_plan(const PlanCheck& asked) {
+  const Subject found = subject(asked);
+  const LoopCheck loop = found.scenario ? check_loop(found) : LoopCheck{};
+  const FlightCheck flight = found.scenario ? check_flight(*found.scenario) : FlightCheck{};
+  const PlanRules rules{asked.rules, found.file, found.plan};
+  if (asked.json) {
+    fmt::print("{}\n", rules.added_to(json_of(found, loop, flight)).dump());
+  } else {
+    show_check(found, loop, flight);
+  }
+  rules.end(!asked.json);
 }
 
 }  // namespace fantail::tool

@@ -27,6 +27,7 @@ namespace {
 struct PlanOptions {
   std::optional<std::string> plan;  ///< `show` goes without, and `check` with a scenario
   std::optional<std::string> scenario;
+  std::optional<std::string> rules;
   std::string out;
   bool json = false;
 };
@@ -42,7 +43,7 @@ NamedPlan load(const PlanOptions& options) {
 }
 
 void check(const PlanOptions& options) {
-  check_plan({.plan = options.plan, .scenario = options.scenario, .json = options.json});
+  check_plan({.plan = options.plan, .scenario = options.scenario, .rules = options.rules, .json = options.json});
 }
 
 void show_plan(const PlanOptions& options) {
@@ -97,13 +98,16 @@ constexpr Action checking{
     false,
     "; left out: that of --scenario",
     check,
-    "Exit code 0: the firmware accepts it, with or without warnings; 78: it does not.\n"
+    "Exit code 0: the firmware accepts it, with or without warnings; 78: it does not; 1: it does, and a clause of "
+    "--rules fails or could not be judged.\n"
     "Examples:\n"
     "  fantail plan check my_plan.toml         may it fly? If not: file, line, value, allowed range\n"
     "  fantail plan check tasha3_launch1       a shipped plan\n"
     "  fantail plan check my_plan.toml --scenario my_rocket/scenario.toml\n"
     "                                          and is its loop stable at every speed under control?\n"
     "  fantail plan check my_rocket/scenario.toml  the same for the scenario's own plan\n"
+    "  fantail plan check my_plan.toml --rules irec\n"
+    "                                          and does it meet the clauses on plans?\n"
     "  fantail plan check my_plan.toml --json  for a script, which also gets the exit code"};
 constexpr Action showing{
     "show",
@@ -146,11 +150,17 @@ void fill(const Verb& plan) {
       "  fantail plan show tasha3_launch2                  every number with its unit, range and meaning\n"
       "  fantail plan compile tasha3_launch2 --out p.ftpl  the block of bytes to load into a board");
   auto options = std::make_shared<PlanOptions>();
-  add(plan, checking, options)
+  const Verb check = add(plan, checking, options);
+  check
       .option("--scenario", options->scenario,
               "A scenario whose rocket is to fly it. The phase margin of the loop is checked from the speed at control "
               "start to top speed. Below 45 degrees is a warning; an unstable loop is refused")
       .offers(shipped(input::Shipped::scenario));
+  check
+      .option("--rules", options->rules,
+              "A rule pack (irec, euroc, launch_canada, nar_tripoli, or a path): its clauses on plans are judged, too. "
+              "The others need a flight: fantail rules")
+      .offers(shipped(input::Shipped::rules));
   add(plan, showing, options);
   add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]").offers(files);
 }

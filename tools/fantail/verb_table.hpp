@@ -22,6 +22,7 @@ inline constexpr std::array verb_table{
     VerbEntry{"Flights", "predict", "Fly a launch over the spread of its tunnel results: go or no-go"},
     VerbEntry{"Flights", "campaign", "Fly a scenario thousands of times over uncertain values, or with failed devices"},
     VerbEntry{"Flights", "report", "Write a page on a logged flight, or on two side by side"},
+    VerbEntry{"Flights", "rules", "Check a scenario or a flown log against the rules of a range or competition"},
     VerbEntry{"Flights", "replay", "Run the inputs of a recorded flight through the flight code again"},
     VerbEntry{"Logs and the roll model", "identify", "Find damping, torque constant and fin offset in a log"},
     VerbEntry{"Logs and the roll model", "tunnel", "Analyse a wind tunnel session: air, swirl, roll model, stability"},

@@ -118,21 +118,6 @@ void read_field(Section& section, const PlanField& field, TomlNode node, core::F
   }
 }
 
-// As a file would have it, value by value: "[section]", then "key = value   # meaning".
-Document document_of(const core::FlightPlan& plan) {
-  Document document;
-  std::istringstream lines{plan_table(plan)};
-  std::string section;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('[')) {
-      section = line.substr(1, line.find(']') - 1);
-    } else if (!line.empty()) {
-      document.apply(parse_override(section + "." + line.substr(0, line.find('#'))));
-    }
-  }
-  return document;
-}
-
 }  // namespace
 
 Limits allowed_in_plan(const PlanField& field) { return {as_written(field.minimum), as_written(field.maximum)}; }
@@ -204,8 +189,22 @@ std::string plan_table(const core::FlightPlan& plan) {
   return text.str();
 }
 
+Document plan_document(const core::FlightPlan& plan) {
+  Document document;
+  std::istringstream lines{plan_table(plan)};
+  std::string section;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('[')) {
+      section = line.substr(1, line.find(']') - 1);
+    } else if (!line.empty()) {
+      document.apply(parse_override(section + "." + line.substr(0, line.find('#'))));
+    }
+  }
+  return document;
+}
+
 core::FlightPlan changed_plan(const core::FlightPlan& plan, std::span<const Override> changes) {
-  Document document = document_of(plan);
+  Document document = plan_document(plan);
   for (const Override& change : changes) {
     document.apply(change);
   }
@@ -228,7 +227,7 @@ core::FlightPlan changed_plan(const core::FlightPlan& plan, std::span<const Over
 }
 
 bool table_says_all(const core::FlightPlan& plan) {
-  const core::FlightPlan read = read_plan(document_of(plan));
+  const core::FlightPlan read = read_plan(plan_document(plan));
   return std::ranges::all_of(core::flight_plan_fields(), [&](const PlanField& field) {
     bool same = field.used_slots(read) == field.used_slots(plan);
     for (std::size_t slot = 0; same && slot < field.used_slots(plan); ++slot) {

@@ -23,6 +23,9 @@ namespace fantail::input {
 /// One line a field: section, key, value in file units, unit, allowed range, meaning.
 [[nodiscard]] std::string plan_table(const core::FlightPlan& plan);
 
+/// What a file that holds plan_table() says, value by value.
+[[nodiscard]] Document plan_document(const core::FlightPlan& plan);
+
 /// Whether a file that holds plan_table() is this plan again, bit for bit. It is for every plan that was made from a
 /// file.
 [[nodiscard]] bool table_says_all(const core::FlightPlan& plan);

@@ -16,7 +16,7 @@ namespace fantail::input {
 [[nodiscard]] std::string name_of_file(const std::filesystem::path& file);
 
 /// What kind of file a name stands for, and so in which folder the shipped ones lie.
-enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_result };
+enum class Shipped : std::uint8_t { scenario, vehicle, motor, plan, tunnel_result, rules };
 
 /// Where the shipped files of a kind lie in the project, and what they are called.
 struct ShippedPlace {
@@ -31,6 +31,7 @@ struct ShippedPlace {
     case Shipped::vehicle: return {"vehicle", "sim/vehicles", ".toml"};
     case Shipped::motor: return {"motor", "sim/motors", ".eng"};
     case Shipped::tunnel_result: return {"tunnel result", "sim/tunnel_results", ".csv"};
+    case Shipped::rules: return {"rule pack", "tools/rules/packs", ".toml"};
     case Shipped::plan: break;
   }
   return {"flight plan", "firmware/plans", ".toml"};

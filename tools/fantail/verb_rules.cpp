@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "fantail/deliver.hpp"
+#include "fantail/log_info.hpp"
+#include "fantail/offers.hpp"
+#include "fantail/progress.hpp"
+#include "fantail/run.hpp"
+#include "fantail/scenario_options.hpp"
+#include "fly/fly_scenario.hpp"
+#include "input/shipped.hpp"
+#include "logs/flight_file.hpp"
+#include "rules/judge.hpp"
+#include "text/number.hpp"
+
+namespace fantail::tool {
+namespace {
+
+struct RulesOptions {
+  std::string pack;
+  std::string subject;
+  std::vector<std::string> changes;
+  std::string out;
+  bool json = false;
+};
+
+/// A folder or a file that is there and no TOML is a log; all else names a scenario.
+bool is_log(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto kind = std::filesystem::status(path, ignored).type();
+  const bool is_shipped = path.extension().empty() && kind != std::filesystem::file_type::directory;
+  return path.extension() != ".toml" && !is_shipped;
+}
+
+void refuse_unless_launch(bool is_launch, const std::string& name) {
+  if (!is_launch) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      name + ": not a launch; allowed: a scenario or a log of a launch"};
+  }
+}
+
+struct Held {
+  rules::Subject subject{};
+  result::Made made{};
+  std::vector<std::filesystem::path> inputs{};
+  std::string name{};  ///< of its results
+};
+
+Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pack) {
+  const ScenarioOptions asked{.scenario = options.subject, .seed = {}, .changes = options.changes};
+  const sim::Scenario scenario = load(asked);
+  refuse_unless_launch(
+      scenario.surroundings == sim::Surroundings::flight && scenario.plan.run.start == core::Start::launch,
+      scenario.name);
+  const std::vector<std::string>& changes = options.changes;
+  Held held{.inputs = files_of(asked), .name = variant_name(scenario.name, changes)};
+  held.inputs.insert(held.inputs.begin(), pack);
+  held.made = made_with(held.inputs, scenario.seed, changes);
+  Progress progress{"flying " + scenario.name, {.unit = "s", .rate = " x real time", .total = {}}};
+  const flight::Flight flight = fly::fly_scenario(scenario, [&progress](double simulated_s) {
+    give_up_if_interrupted();
+    progress.show(simulated_s);
+  });
+  held.subject.what = scenario.name + (changes.empty() ? ", " : " with other values, ") +
+                      "its plan and one simulated flight" +
+                      (scenario.faults.empty() ? "" : " with the faults of the scenario");
+  held.subject.why_missing = "neither plan nor simulation tells it";
+  held.subject.found = rules::of_rocket(scenario, flight);
+  held.subject.found.merge(rules::of_flight(flight, scenario.atmosphere));
+  held.subject.found.merge(rules::of_plan(scenario.plan));
+  held.subject.found.merge(rules::of_law());
+  return held;
+}
+
+Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
+  if (!options.changes.empty()) {
+    throw UsageError{options.subject + " is a log, which --set cannot change"};
+  }
+  Held held{.inputs = {pack, options.subject}, .name = name_of_log(options.subject)};
+  held.made = made_with(held.inputs);
+  const flight::Flight flight = logs::read_flight(options.subject);
+  refuse_unless_launch(!flight.tunnel, options.subject);
+  held.subject.what =
+      fmt::format("{}, as it was recorded{}", options.subject, flight.known.plan ? "" : ", without a flight plan");
+  held.subject.why_missing =
+      flight.known.plan ? "a log does not tell it" : "a table without a flight plan does not tell it";
+  held.subject.found = rules::of_flight(flight, {});
+  if (flight.known.plan) {
+    held.subject.found.merge(rules::of_plan(flight.plan));
+    held.subject.found.merge(rules::of_law());
+  }
+  return held;
+}
+
+void check_rules(const RulesOptions& options) {
+  const rules::Pack pack = rules::load_pack(options.pack);
+  const Held held = is_log(options.subject) ? hold_log(options, pack.file) : hold_scenario(options, pack.file);
+  const std::string name = fmt::format("{}+{}", pack.name, held.name);
+  deliver(rules::answer(pack, held.subject, rules::judge(pack, held.subject), held.made),
+          {.folder = results_folder(options.out, "rules", short_name(name), {}),
+           .name = "rules",
+           .inputs = held.inputs,
+           .json = options.json,
+           .yes_is_required = true});
+}
+
+void fill(const Verb& verb) {
+  auto options = std::make_shared<RulesOptions>();
+  verb.option(
+          "PACK", options->pack,
+          "A rule pack: a shipped name (irec, euroc, launch_canada, nar_tripoli) or a path to a TOML file of your own")
+      .offers(shipped(input::Shipped::rules))
+      .required();
+  verb.option("SCENARIO|LOG", options->subject,
+              "A scenario, which is flown once: a shipped name or a path (.toml). Or a flight log (.ftl), a table with "
+              "the columns of flight.csv, or a flight folder")
+      .offers(shipped(input::Shipped::scenario))
+      .required();
+  verb.option("--set", options->changes, "section.key=value: change one value of plan, vehicle or scenario")
+      .offers(changes)
+      .one_word_each_time();
+  verb.option("--out", options->out, "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO or PACK+LOG]")
+      .offers(folders);
+  verb.flag("--json", options->json, "Print rules.json instead of the text");
+  verb.examples(
+      "Exit code 0: no clause fails and each figure is known; clauses that the team must show may be left. 1: a clause "
+      "fails, or could not be judged. The packs are our words and no legal advice: check against the current "
+      "document.\n"
+      "Examples:\n"
+      "  fantail rules irec tasha3_launch2                  may this plan fly there, clause by clause?\n"
+      "  fantail rules irec flown.ftl                       did the canards stand at trim as long as they had to?\n"
+      "  fantail rules my_range.toml tasha3_launch2 --json  a pack of your own, for a script");
+  verb.action([options] { check_rules(*options); });
+}
+
+const VerbCode code{"rules", fill};
+
+}  // namespace
+}  // namespace fantail::tool

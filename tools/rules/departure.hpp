@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "flight/flight.hpp"
+
+namespace fantail::rules {
+
+/// A command this far from trim moves a canard; an encoder has noise and the play of a gear on top.
+inline constexpr double command_tolerance_deg = 0.1;
+inline constexpr double encoder_tolerance_deg = 0.5;
+
+/// The first canard that leaves trim after lift-off, as far as commands and encoders show it.
+struct Departure {
+  double since_s = 0.0;              ///< all canards at trim from here on, the beginning of the rows at the earliest
+  double until_s = 0.0;              ///< up to here: the departure, or the end
+  std::optional<double> time_s{};    ///< empty: none was seen
+  double height_m = 0.0;             ///< then
+  std::string what{};                ///< "command of canard 2"
+  double largest_command_deg = 0.0;  ///< from trim, after lift-off and before the departure
+  double largest_encoder_deg = 0.0;
+  /// From here on, before the departure, an encoder or the rows themselves are silent: nobody saw the canard stand.
+  std::optional<double> hidden_from_s{};
+  double hidden_height_m = 0.0;
+};
+
+[[nodiscard]] double height_m(const flight::Row& row);  ///< true where that is known
+[[nodiscard]] double speed_m_s(const flight::Row& row);
+
+/// `rows` up to the end of the ascent; the trims are those of the plan.
+[[nodiscard]] Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan);
+
+/// "commands within 0.1 deg and encoders within 0.14 deg of trim from -2.41 to 3.53 s"
+[[nodiscard]] std::string departure_text(const Departure& found);
+
+}  // namespace fantail::rules

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "result/document.hpp"
+#include "rules/pack.hpp"
+
+namespace fantail::rules {
+
+enum class Outcome : std::uint8_t { pass, fail, blank, not_applicable, not_known, not_judged };
+/// "PASS", "NOT KNOWN"
+[[nodiscard]] std::string_view name(Outcome outcome);
+
+/// What a pack is held against.
+struct Subject {
+  std::string what;         ///< "tasha3_launch2, one simulated flight"
+  Findings found{};         ///< of every name that is known or for which a reason is known that it is not
+  std::string why_missing;  ///< of every other name, a clause
+  bool plan_alone = false;  ///< clauses that are computed or look at a flight are not judged
+};
+
+struct Judged {
+  Clause clause;
+  Outcome outcome = Outcome::not_judged;
+  std::vector<std::string> evidence{};  ///< "flight.burnout_s = 3.19 s", one for each name
+};
+
+/// Clause by clause. One of which a needed name is unknown is NOT KNOWN, unless the others decide it.
+[[nodiscard]] std::vector<Judged> judge(const Pack& pack, const Subject& subject);
+
+/// "3 of 9 clauses fail: ... Not judged: ..."; yes where some clause passes, none fails and none is not known.
+[[nodiscard]] result::Verdict verdict(const std::vector<Judged>& judged);
+
+/// Words that stand on everything that a pack says: what counts, and what it was compared with.
+[[nodiscard]] std::string caution(const Pack& pack);
+
+[[nodiscard]] result::Document answer(const Pack& pack, const Subject& subject, const std::vector<Judged>& judged,
+                                      const result::Made& made);
+/// Every figure in its JSON, for the manual.
+[[nodiscard]] std::vector<result::Listed> listed_fields();
+
+}  // namespace fantail::rules

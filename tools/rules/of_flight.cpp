@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "rules/departure.hpp"
+#include "rules/figures.hpp"
+#include "sim/units.hpp"
+#include "text/degrees.hpp"
+#include "text/number.hpp"
+
+namespace fantail::rules {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Rows = std::span<const flight::Row>;
+
+/// Up to the end of the ascent: later a parachute opens, and an estimate is worth nothing.
+Rows ascent(const flight::Flight& flight) {
+  const bool is_simulated = !flight.rows.empty() && flight.rows.front().truth.has_value();
+  const auto& end_s = is_simulated ? flight.events.apogee_s : flight.events.control_end_s;
+  const auto end = std::ranges::find_if(
+      flight.rows, [&](const flight::Row& row) { return row.time_s > end_s.value_or(row.time_s); });
+  return Rows{flight.rows}.first(static_cast<std::size_t>(end - flight.rows.begin()));
+}
+
+/// The largest value of something between lift-off and the end of the ascent, and when.
+struct Peak {
+  double value = 0.0;
+  double time_s = 0.0;
+  bool is_last = true;  ///< it still grew
+};
+template <typename Value>
+Peak peak(Rows rows, const Value& value_of) {
+  Peak peak{.value = -infinity};
+  for (const flight::Row& row : rows) {
+    if (row.time_s >= 0.0 && value_of(row) > peak.value) {
+      peak = {.value = value_of(row), .time_s = row.time_s};
+    }
+  }
+  peak.is_last = !rows.empty() && rows.back().time_s <= peak.time_s;
+  return peak;
+}
+
+class OfFlight {
+ public:
+  OfFlight(const flight::Flight& flight, const sim::Atmosphere& atmosphere)
+      : flight_{flight},
+        atmosphere_{atmosphere},
+        rows_{ascent(flight)},
+        is_simulated_{rows_.front().truth.has_value()} {}
+
+  Findings take() && {
+    add_motion();
+    add_burnout();
+    add_control_start();
+    add_canards();
+    return std::move(all_);
+  }
+
+ private:
+  void add(std::string_view name, std::optional<Known> known, std::string how = {}) {
+    all_["flight." + std::string{name}] = {std::move(known), std::move(how)};
+  }
+
+  /// In a log that ends before apogee, or whose accelerometer was at the end of its range, it may have been larger.
+  void add_peak(std::string_view name, const Peak& peak, bool is_open) {
+    const bool is_bound = flight_.unmeasured.speed_bound_from_s && !is_simulated_;
+    add(name, Number{peak.value, is_open || is_bound ? infinity : peak.value},
+        is_bound ? "estimated; an accelerometer was at the end of its range" : estimated());
+  }
+  [[nodiscard]] std::string estimated() const { return is_simulated_ ? "" : "as the avionics estimated it"; }
+
+  void add_motion() {
+    const Peak height = peak(rows_, height_m);
+    const bool reached_apogee = is_simulated_ ? flight_.events.apogee_s.has_value() : ended_at_apogee();
+    add_peak("apogee_m", height, !reached_apogee);
+    const Peak speed = peak(rows_, speed_m_s);
+    add_peak("top_speed_m_s", speed, speed.is_last);
+    add_peak(
+        "largest_mach",
+        peak(rows_,
+             [this](const flight::Row& row) { return speed_m_s(row) / atmosphere_.speed_of_sound_m_s(height_m(row)); }),
+        speed.is_last);
+    const Peak q = peak(rows_, [this](const flight::Row& row) {
+      return atmosphere_.density_kg_m3(height_m(row)) * speed_m_s(row) * speed_m_s(row);
+    });
+    if (!is_simulated_ && flight_.unmeasured.speed_bound_from_s) {
+      add("max_q_s", {}, "an accelerometer was at the end of its range, so the speed is not known");
+    } else {
+      add("max_q_s", Number{q.time_s, q.is_last ? infinity : q.time_s}, estimated());
+    }
+  }
+
+  [[nodiscard]] bool ended_at_apogee() const {
+    return std::ranges::any_of(flight_.phase_changes, [](const flight::PhaseChange& change) {
+      return change.phase == core::Phase::finished && change.reason == core::PhaseReason::apogee;
+    });
+  }
+
+  /// The force along the axis tells when thrust was last above drag; thrust may last longer than that.
+  void add_burnout() {
+    if (flight_.events.burnout_s) {
+      add("burnout_s", exactly(*flight_.events.burnout_s));
+      return;
+    }
+    constexpr double window_s = 0.1;
+    constexpr double threshold_m_s2 = 0.15 * sim::gravity_m_s2;
+    double pushed_until_s = 0.0;
+    std::size_t first = 0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      sum += rows_[i].specific_force_m_s2;
+      while (rows_[i].time_s - rows_[first].time_s > window_s) {
+        sum -= rows_[first++].specific_force_m_s2;
+      }
+      if (rows_[i].time_s >= 0.0 && sum >= threshold_m_s2 * static_cast<double>(i - first + 1)) {
+        pushed_until_s = rows_[i].time_s;
+      }
+    }
+    const double burn_time_s = static_cast<double>(core::seconds(flight_.plan.dormancy.burn_time));
+    const bool is_cut = rows_.back().time_s - pushed_until_s <= window_s;
+    const std::string seen =
+        fmt::format("the axial force was last above 0.15 g at {} s", text::fixed(pushed_until_s, 2));
+    if (burn_time_s > 0.0 && !is_cut) {
+      add("burnout_s", exactly(std::max(pushed_until_s, burn_time_s)),
+          fmt::format("{}; dormancy.burn_time_s = {}", seen, text::brief(burn_time_s, 3)));
+    } else {
+      add("burnout_s", Number{pushed_until_s, infinity},
+          seen + (is_cut ? ", where the log ends" : "; thrust below drag may last longer"));
+    }
+  }
+
+  void add_control_start() {
+    const auto& start_s = flight_.events.control_start_s;
+    const auto row = std::ranges::find_if(rows_, [&](const flight::Row& r) { return start_s && r.time_s >= *start_s; });
+    if (row == rows_.end()) {
+      for (const char* name : {"control_start_s", "control_start_height_m"}) {
+        add(name, {}, "control never began");
+      }
+      return;
+    }
+    add("control_start_s", exactly(*start_s));
+    add("control_start_height_m", exactly(height_m(*row)), estimated());
+  }
+
+  void add_canards() {
+    if (!flight_.known.plan) {
+      for (const char* name : {"left_trim", "left_trim_s", "left_trim_height_m", "canard_before_control_deg"}) {
+        add(name, {}, "the file has no flight plan, so the trims are not known");
+      }
+      return;
+    }
+    const Departure found = departure(rows_, flight_.plan);
+    const std::optional<double>& hidden_s = found.hidden_from_s;
+    add("left_trim",
+        found.time_s ? std::optional<Known>{true}
+        : hidden_s   ? std::nullopt
+                     : std::optional<Known>{false},
+        departure_text(found));
+    if (!found.time_s) {
+      const std::string why = hidden_s ? "not every encoder answered" : "no canard left trim";
+      add("left_trim_s", {}, why);
+      add("left_trim_height_m", {}, why);
+    } else {
+      const double earliest_m = hidden_s ? found.hidden_height_m : found.height_m;
+      add("left_trim_s", Number{hidden_s.value_or(*found.time_s), *found.time_s});
+      add("left_trim_height_m", Number{std::min(earliest_m, found.height_m), std::max(earliest_m, found.height_m)},
+          estimated());
+    }
+    add_before_control(hidden_s.has_value());
+  }
+
+  void add_before_control(bool is_hidden) {
+    double largest_rad = 0.0;
+    for (const flight::Row& row : rows_) {
+      if (row.time_s < 0.0 || row.time_s >= flight_.events.control_start_s.value_or(infinity)) {
+        continue;
+      }
+      for (std::size_t i = 0; i < core::canard_count; ++i) {
+        const auto trim_rad = static_cast<double>(flight_.plan.canards.each[i].trim.radians());
+        largest_rad = std::max(largest_rad, std::abs(row.encoders_rad[i].value_or(trim_rad) - trim_rad));
+      }
+    }
+    add("canard_before_control_deg",
+        Number{text::degrees(largest_rad), is_hidden ? infinity : text::degrees(largest_rad)});
+  }
+
+  const flight::Flight& flight_;
+  const sim::Atmosphere& atmosphere_;
+  Rows rows_;
+  bool is_simulated_;
+  Findings all_;
+};
+
+}  // namespace
+
+Findings of_flight(const flight::Flight& flight, const sim::Atmosphere& atmosphere) {
+  const bool is_there = flight.events.liftoff_s || flight.events.detected_s;
+  if (is_there && !ascent(flight).empty()) {
+    return OfFlight{flight, atmosphere}.take();
+  }
+  Findings all;
+  for (const FigureText& figure : figure_texts()) {
+    if (figure.name.starts_with("flight.")) {
+      all[std::string{figure.name}] = {{}, "there is no launch in it"};
+    }
+  }
+  return all;
+}
+
+}  // namespace fantail::rules
