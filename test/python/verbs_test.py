@@ -16,7 +16,8 @@ CALLS = [("airframe", {"vehicle": "tasha3_launch2", "set": {"fins.span_m": 0.07}
          ("compare", {"a": "FLOWN", "b": "FLOWN", "a_": "true", "from_s": 0.5, "to_s": 2},
           ["FLOWN", "FLOWN", "--a", "true", "--from", 0.5, "--to", 2]),
          ("plan show", {"plan": "tasha3_launch1"}, ["tasha3_launch1"]),
-         ("report", {"a": "FLOWN"}, ["FLOWN"])]
+         ("report", {"a": "FLOWN"}, ["FLOWN"]),
+         ("rules", {"pack": "launch_canada", "scenario": "tasha3_launch2"}, ["launch_canada", "tasha3_launch2"])]
 
 
 @pytest.mark.parametrize("verb, values, words", CALLS, ids=[call[0] for call in CALLS])

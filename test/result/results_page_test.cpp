@@ -22,6 +22,7 @@
 #include "listen/answer.hpp"
 #include "predict/answer.hpp"
 #include "report/answer.hpp"
+#include "rules/judge.hpp"
 #include "tune/results.hpp"
 #include "tunnel/flow.hpp"
 #include "tunnel/stability.hpp"
@@ -92,6 +93,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
       {"identify", identify::result::listed_fields()},
       {"listen", listen::listed_fields()},
       {"predict", predict::listed_fields()},
+      {"rules", rules::listed_fields()},
       {"tune", tune::listed_fields()},
       {"tunnel flow", tunnel::listed_flow_fields()},
       {"tunnel stability", tunnel::listed_stability_fields()},

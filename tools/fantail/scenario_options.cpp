@@ -45,12 +45,14 @@ std::uint32_t hash(std::string_view text) {
 
 }  // namespace
 
-void add_scenario_options(const Verb& verb, ScenarioOptions& options) {
+void add_scenario_options(const Verb& verb, ScenarioOptions& options, const std::string& or_else) {
   options.verb = verb;
   auto scenario =
       verb.option("SCENARIO", options.scenario,
-                  "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
-                  "to a scenario file")
+                  std::string{
+                      "A shipped name (tasha3_launch1, tasha3_launch2, tunnel_steps, tunnel_..., bench_...) or a path "
+                      "to a scenario file"} +
+                      or_else)
           .offers(shipped(input::Shipped::scenario))
           .belongs_to_command();
   if (options.scenario.empty()) {

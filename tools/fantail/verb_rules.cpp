@@ -24,8 +24,7 @@ namespace {
 
 struct RulesOptions {
   std::string pack;
-  std::string subject;
-  std::vector<std::string> changes;
+  ScenarioOptions scenario{};  ///< or a log
   std::string out;
   bool json = false;
 };
@@ -53,13 +52,12 @@ struct Held {
 };
 
 Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pack) {
-  const ScenarioOptions asked{.scenario = options.subject, .seed = {}, .changes = options.changes};
-  const sim::Scenario scenario = load(asked);
+  const sim::Scenario scenario = load(options.scenario);
   refuse_unless_launch(
       scenario.surroundings == sim::Surroundings::flight && scenario.plan.run.start == core::Start::launch,
       scenario.name);
-  const std::vector<std::string>& changes = options.changes;
-  Held held{.inputs = files_of(asked), .name = variant_name(scenario.name, changes)};
+  const std::vector<std::string> changes = changes_of(options.scenario);
+  Held held{.inputs = files_of(options.scenario), .name = variant_name(scenario.name, changes)};
   held.inputs.insert(held.inputs.begin(), pack);
   held.made = made_with(held.inputs, scenario.seed, changes);
   Progress progress{"flying " + scenario.name, {.unit = "s", .rate = " x real time", .total = {}}};
@@ -79,15 +77,15 @@ Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pac
 }
 
 Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
-  if (!options.changes.empty()) {
-    throw UsageError{options.subject + " is a log, which --set cannot change"};
+  const std::string& log = options.scenario.scenario;
+  if (!changes_of(options.scenario).empty()) {
+    throw UsageError{log + " is a log, which --set and --seed cannot change"};
   }
-  Held held{.inputs = {pack, options.subject}, .name = name_of_log(options.subject)};
+  Held held{.inputs = {pack, log}, .name = name_of_log(log)};
   held.made = made_with(held.inputs);
-  const flight::Flight flight = logs::read_flight(options.subject);
-  refuse_unless_launch(!flight.tunnel, options.subject);
-  held.subject.what =
-      fmt::format("{}, as it was recorded{}", options.subject, flight.known.plan ? "" : ", without a flight plan");
+  const flight::Flight flight = logs::read_flight(log);
+  refuse_unless_launch(!flight.tunnel, log);
+  held.subject.what = fmt::format("{}, as it was recorded{}", log, flight.known.plan ? "" : ", without a flight plan");
   held.subject.why_missing =
       flight.known.plan ? "a log does not tell it" : "a table without a flight plan does not tell it";
   held.subject.found = rules::of_flight(flight, {});
@@ -100,7 +98,8 @@ Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
 
 void check_rules(const RulesOptions& options) {
   const rules::Pack pack = rules::load_pack(options.pack);
-  const Held held = is_log(options.subject) ? hold_log(options, pack.file) : hold_scenario(options, pack.file);
+  const Held held =
+      is_log(options.scenario.scenario) ? hold_log(options, pack.file) : hold_scenario(options, pack.file);
   const std::string name = fmt::format("{}+{}", pack.name, held.name);
   deliver(rules::answer(pack, held.subject, rules::judge(pack, held.subject), held.made),
           {.folder = results_folder(options.out, "rules", short_name(name), {}),
@@ -117,15 +116,11 @@ void fill(const Verb& verb) {
           "A rule pack: a shipped name (irec, euroc, launch_canada, nar_tripoli) or a path to a TOML file of your own")
       .offers(shipped(input::Shipped::rules))
       .required();
-  verb.option("SCENARIO|LOG", options->subject,
-              "A scenario, which is flown once: a shipped name or a path (.toml). Or a flight log (.ftl), a table with "
-              "the columns of flight.csv, or a flight folder")
-      .offers(shipped(input::Shipped::scenario))
-      .required();
-  verb.option("--set", options->changes, "section.key=value: change one value of plan, vehicle or scenario")
-      .offers(changes)
-      .one_word_each_time();
-  verb.option("--out", options->out, "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO or PACK+LOG]")
+  add_scenario_options(verb, options->scenario,
+                       ", which is flown once; or a flight log (.ftl), a table with the columns of flight.csv, or a "
+                       "flight folder");
+  verb.option("--out", options->out,
+              "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO, with the changes in the name]")
       .offers(folders);
   verb.flag("--json", options->json, "Print rules.json instead of the text");
   verb.examples(

@@ -99,7 +99,7 @@ std::string departure_text(const Departure& found) {
                                  text::fixed(found.since_s, 2), text::fixed(found.until_s, 2),
                                  shown(found.largest_command_deg), shown(found.largest_encoder_deg));
   if (found.hidden_from_s) {
-    said += fmt::format("; from {} s on not every encoder answered", text::fixed(*found.hidden_from_s, 2));
+    said += fmt::format("; from {} s on encoders or rows are missing", text::fixed(*found.hidden_from_s, 2));
   }
   return found.time_s ? said + "; then the " + found.what + " leaves it" : said;
 }

@@ -77,7 +77,7 @@ class OfFlight {
 
   void add_motion() {
     const Peak height = peak(rows_, height_m);
-    const bool reached_apogee = is_simulated_ ? flight_.events.apogee_s.has_value() : ended_at_apogee();
+    const bool reached_apogee = is_whole() && (is_simulated_ || ended_at_apogee());
     add_peak("apogee_m", height, !reached_apogee);
     const Peak speed = peak(rows_, speed_m_s);
     add_peak("top_speed_m_s", speed, speed.is_last);
@@ -96,13 +96,17 @@ class OfFlight {
     }
   }
 
+  /// The rows reach the end of the ascent.
+  [[nodiscard]] bool is_whole() const {
+    const auto& end_s = is_simulated_ ? flight_.events.apogee_s : flight_.events.control_end_s;
+    return end_s && flight_.rows.back().time_s >= *end_s;
+  }
   [[nodiscard]] bool ended_at_apogee() const {
     return std::ranges::any_of(flight_.phase_changes, [](const flight::PhaseChange& change) {
       return change.phase == core::Phase::finished && change.reason == core::PhaseReason::apogee;
     });
   }
 
-  /// The force along the axis tells when thrust was last above drag; thrust may last longer than that.
   void add_burnout() {
     if (flight_.events.burnout_s) {
       add("burnout_s", exactly(*flight_.events.burnout_s));
@@ -155,7 +159,10 @@ class OfFlight {
       }
       return;
     }
-    const Departure found = departure(rows_, flight_.plan);
+    Departure found = departure(rows_, flight_.plan);
+    if (!found.time_s && !found.hidden_from_s && !is_whole()) {
+      found.hidden_from_s = rows_.back().time_s;
+    }
     const std::optional<double>& hidden_s = found.hidden_from_s;
     add("left_trim",
         found.time_s ? std::optional<Known>{true}
@@ -163,7 +170,7 @@ class OfFlight {
                      : std::optional<Known>{false},
         departure_text(found));
     if (!found.time_s) {
-      const std::string why = hidden_s ? "not every encoder answered" : "no canard left trim";
+      const std::string why = hidden_s ? "not seen to the end" : "no canard left trim";
       add("left_trim_s", {}, why);
       add("left_trim_height_m", {}, why);
     } else {

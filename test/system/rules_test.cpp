@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+
+#include "system/refusal.hpp"
+
+namespace fantail::test {
+namespace {
+
+std::map<std::string, std::string> outcomes(const json::Value& said) {
+  std::map<std::string, std::string> all;
+  for (const json::Value& one : said["clauses"]) {
+    all[one["id"].text()] = one["outcome"].text();
+  }
+  return all;
+}
+
+const Words legal{"--set", "dormancy.until=burn_out",     "--set", "dormancy.burn_time_s=3.2",
+                  "--set", "run.tilt_limit_deg=30",       "--set", "run.tilt_from=guide",
+                  "--set", "run.canard_fault=end_control"};
+
+Words with(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(Rules, FailThePublishedLaunchByNameAtIrecAndEuroc) {
+  const Folder folder;
+  const json::Value irec = asked(folder, {"rules", "irec", "tasha3_launch2"}, 1);
+  EXPECT_EQ(irec["answer"], "no");
+  EXPECT_EQ(outcomes(irec)["7.4.1 (plan)"], "FAIL");
+  EXPECT_EQ(outcomes(irec)["7.4.1 (flight)"], "FAIL");
+  expect_said(irec["sentence"].text(), {"3 of 9 clauses fail: 7.3 (tilt); 7.4.1 (plan); 7.4.1 (flight)"});
+  const json::Value euroc = asked(folder, {"rules", "euroc", "tasha3_launch2"}, 1);
+  EXPECT_EQ(outcomes(euroc)["DES.22"], "FAIL");
+  EXPECT_EQ(outcomes(euroc)["DES.23 (plan)"], "FAIL");
+  EXPECT_EQ(outcomes(euroc)["DES.23 (flight)"], "FAIL");
+}
+
+TEST(Rules, PassAtIrecAPlanThatWaitsForBurnOut) {
+  const Folder folder;
+  const json::Value irec = asked(folder, with({"rules", "irec", "tasha3_launch2"}, legal));
+  EXPECT_EQ(irec["answer"], "yes");
+  for (const auto& [id, outcome] : outcomes(irec)) {
+    EXPECT_EQ(outcome, id.starts_with("7.3 (abort") || id.starts_with("7.3 (lock") ? "BLANK" : "PASS") << id;
+  }
+}
+
+// Its apogee is 421 m: control never begins, and no canard moves.
+TEST(Rules, PassAtEurocAPlanThatWaitsForAHeightWhereverTheRocketComes) {
+  const Folder folder;
+  const json::Value low = asked(folder, with({"rules", "euroc", "tasha3_launch2"}, legal), 1);
+  EXPECT_EQ(outcomes(low)["DES.22"], "PASS");
+  EXPECT_EQ(outcomes(low)["DES.23 (flight)"], "FAIL");
+  const json::Value high = asked(
+      folder, with(with({"rules", "euroc", "tasha3_launch2"}, legal), {"--set", "dormancy.until=burn_out and height"}));
+  EXPECT_EQ(high["answer"], "yes");
+  EXPECT_EQ(outcomes(high)["DES.23 (plan)"], "PASS");
+  EXPECT_EQ(outcomes(high)["DES.23 (flight)"], "PASS");
+}
+
+TEST(Rules, JudgeOfALogWhatWasFlownAndNotTheScenario) {
+  const Folder folder;
+  run_in(folder, {"fly", "tasha3_launch2", "--out", "early"});
+  run_in(folder, with({"fly", "tasha3_launch2", "--out", "late"}, legal));
+  for (const char* early : {"early", "early/flight.ftl"}) {
+    const json::Value said = asked(folder, {"rules", "irec", early}, 1);
+    EXPECT_EQ(outcomes(said)["7.4.1 (plan)"], "FAIL") << early;
+    EXPECT_EQ(outcomes(said)["7.4.1 (flight)"], "FAIL") << early;
+  }
+  for (const char* late : {"late", "late/flight.ftl"}) {
+    const json::Value said = asked(folder, {"rules", "irec", late}, 1);
+    EXPECT_EQ(said["answer"], "undecided") << late;  // a log does not tell the rocket's margin
+    EXPECT_EQ(outcomes(said)["7.4.1 (plan)"], "PASS") << late;
+    EXPECT_EQ(outcomes(said)["7.4.1 (flight)"], "PASS") << late;
+    EXPECT_EQ(outcomes(said)["7.2.1"], "NOT_KNOWN") << late;
+  }
+  const json::Value table = asked(folder, {"rules", "irec", "late/flight.csv"}, 1);
+  EXPECT_EQ(outcomes(table)["7.4.1 (plan)"], "NOT_KNOWN");
+  EXPECT_EQ(outcomes(table)["7.4.1 (flight)"], "NOT_KNOWN");
+}
+
+// The command stands at trim, and the canard does not.
+TEST(Rules, FailAFlightWhoseCanardMovesByItself) {
+  const Folder folder;
+  const std::string scenario = folder.write("stuck.toml",
+                                            "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[[faults]]\n"
+                                            "kind = \"canard_hardover\"\ncanard = 2\nfrom_s = 1\n");
+  const json::Value said = asked(folder, with({"rules", "irec", scenario}, legal), 1);
+  EXPECT_EQ(outcomes(said)["7.4.1 (plan)"], "PASS");
+  EXPECT_EQ(outcomes(said)["7.4.1 (flight)"], "FAIL");
+}
+
+TEST(Rules, WriteAPageWithTheWordsAndAJsonFile) {
+  const Folder folder;
+  const Outcome said = run_in(folder, {"rules", "nar_tripoli", "tasha3_launch2"});
+  EXPECT_EQ(folder.listing(), (Words{"out", "out/rules", "out/rules/nar_tripoli+tasha3_launch2",
+                                     "out/rules/nar_tripoli+tasha3_launch2/rules.html",
+                                     "out/rules/nar_tripoli+tasha3_launch2/rules.json"}));
+  expect_said(content(folder.path() / "out/rules/nar_tripoli+tasha3_launch2/rules.html"),
+              {"Check against the current document", "no legal advice", "Compared: tasha3_launch2"});
+  expect_said(said.out, {"Check against the current document", "BLANK", "Class 3 waiver"});
+}
+
+TEST(Rules, RefuseWhatIsNoPackAndNoLaunch) {
+  Refusal({}, {"rules", "irek", "tasha3_launch2"}, 66, {"unknown rule pack \"irek\"; did you mean irec?"});
+  Refusal({}, {"rules", "irec", "tunnel_steps"}, 78, {"not a launch"});
+  Refusal({}, {"rules", "irec", "tasha3_lunch2"}, 66, {"did you mean tasha3_launch2?"});
+  Refusal({}, {"rules", "irec", "gone.ftl"}, 66, {"gone.ftl"});
+  Refusal({{"mine.toml", "title = \"x\"\n"}}, {"rules", "mine.toml", "tasha3_launch2"}, 78,
+          {"mine.toml", "date is missing"});
+  Refusal({{"x.ftl", "x"}}, {"rules", "irec", "x.ftl", "--set", "run.tilt_limit_deg=30"}, 64, {"--set and --seed cannot change"});
+}
+
+TEST(PlanCheck, WithRulesJudgesTheClausesOnPlans) {
+  const Folder folder;
+  const json::Value said = asked(folder, {"plan", "check", "tasha3_launch2", "--rules", "irec"}, 1);
+  EXPECT_EQ(said["answer"], "no");
+  EXPECT_EQ(said["may_fly"], true);
+  EXPECT_EQ(outcomes(said["rules"])["7.4.1 (plan)"], "FAIL");
+  EXPECT_EQ(outcomes(said["rules"])["7.4.1 (flight)"], "NOT_JUDGED");
+  EXPECT_EQ(outcomes(said["rules"])["7.3 (lock)"], "BLANK");
+  const Outcome text = run_in(folder, {"plan", "check", "tasha3_launch2", "--rules", "irec"}, 1);
+  expect_said(text.out, {"2 of 9 clauses fail: 7.3 (tilt); 7.4.1 (plan)", "Check against the current document",
+                         "FAIL 7.4.1 (plan): ", "plan.dormancy.until = \"guide\""});
+  const json::Value none = asked(folder, {"plan", "check", "tasha3_launch2", "--rules", "launch_canada"});
+  EXPECT_EQ(none["answer"], "yes");
+}
+
+}  // namespace
+}  // namespace fantail::test
