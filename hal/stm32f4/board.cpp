@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "hal/stm32f4/signal_pattern.hpp"
+#include "hal/signal_pattern.hpp"
 
 namespace fantail::hal::stm32f4 {
 

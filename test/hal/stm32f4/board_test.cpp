@@ -2,7 +2,7 @@
 #include "hal/stm32f4/board.hpp"
 
 #include "fake_timer.hpp"
-#include "hal/stm32f4/signal_pattern.hpp"
+#include "hal/signal_pattern.hpp"
 #include "register_world.hpp"
 #include "test.hpp"
 

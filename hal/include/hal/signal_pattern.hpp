@@ -6,7 +6,7 @@
 
 #include "hal/board.hpp"
 
-namespace fantail::hal::stm32f4 {
+namespace fantail::hal {
 
 /// What lamp and buzzer do over and over, from the moment the signal is first shown: sixteen steps of an eighth of a
 /// second, on where there is a #.
@@ -31,4 +31,4 @@ inline constexpr std::uint32_t ticks_per_pattern_step = 125;
   return {"................", "................"};
 }
 
-}  // namespace fantail::hal::stm32f4
+}  // namespace fantail::hal
