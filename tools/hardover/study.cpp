@@ -34,13 +34,24 @@ struct Flown {
   double apogee_s = 0.0;
   double apogee_m = 0.0;
   sim::Vector3 apogee_at_m;
+  sim::Vector3 end_at_m;  ///< where the vectors end
   std::optional<sim::Vector3> landing_at_m{};
 };
+
+/// v t + h = g t^2 / 2 at the ground.
+double fall_from_guide_m(const Flown& flown) {
+  const sim::Vector3& at_m = flown.end_at_m;
+  const sim::Vector3& v_m_s = flown.velocity_m_s.back();
+  const double t_s =
+      (v_m_s.z + std::sqrt(v_m_s.z * v_m_s.z + 2.0 * sim::gravity_m_s2 * std::max(0.0, at_m.z))) / sim::gravity_m_s2;
+  return std::hypot(at_m.x + t_s * v_m_s.x, at_m.y + t_s * v_m_s.y);
+}
 
 bool has_parachute(const sim::Vehicle& vehicle) { return vehicle.recovery && vehicle.recovery->drag_area_m2 > 0.0; }
 
 /// From the pad, under a parachute to the ground, however soon after apogee the scenario's own run ends. The fall
-/// without one is at angles of attack at which nothing is known of the air loads. The vectors end at apogee.
+/// without one is at angles of attack at which nothing is known of the air loads. The vectors end at apogee, or at
+/// burn-out where that is later.
 Flown flown(const sim::Scenario& scenario) {
   sim::Scenario to_ground = scenario;
   to_ground.time_after_end_s = longest_fall_s;
@@ -71,6 +82,7 @@ Flown flown(const sim::Scenario& scenario) {
       const sim::Vector3 across = world.canards_across_rad();
       const double density_kg_m3 = scenario.atmosphere.density_kg_m3(path.position_m.z);
       out.velocity_m_s.push_back(path.velocity_m_s);
+      out.end_at_m = path.position_m;
       out.push_m2.push_back(*scenario.vehicle.canard_air.side_area_m2 * length(across));
       out.pressure_pa.push_back(0.5 * density_kg_m3 * truth.speed_m_s * truth.speed_m_s);
       out.angle_of_attack_rad.push_back(path.angle_of_attack_rad);
@@ -120,6 +132,7 @@ Effect effect_of(const Flown& failed, const Flown& sound, Effect effect, const S
     }
   }
   effect.apogee_m = failed.apogee_m;
+  effect.fall_from_guide_m = fall_from_guide_m(failed);
   effect.apogee_east_m = -failed.apogee_at_m.y;
   effect.apogee_north_m = failed.apogee_at_m.x;
   effect.away_m = std::hypot(failed.apogee_at_m.x - sound.apogee_at_m.x, failed.apogee_at_m.y - sound.apogee_at_m.y);
@@ -154,10 +167,7 @@ std::vector<double> stops_rad(const Study& study) {
 
 /// The canards' own numbers, or those that follow from the shape.
 void complete(sim::Scenario& scenario) {
-  if (scenario.surroundings != sim::Surroundings::flight || scenario.path) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      scenario.name + " is not a free flight; allowed: a scenario that launches a rocket"};
-  }
+  require_free_flight(scenario);
   if (!scenario.vehicle.airframe) {
     throw text::Error{
         text::ErrorKind::bad_configuration,
@@ -190,6 +200,13 @@ void refuse_station_outside(const sim::Vehicle& vehicle, const std::optional<dou
 
 }  // namespace
 
+void require_free_flight(const sim::Scenario& scenario) {
+  if (scenario.surroundings != sim::Surroundings::flight || scenario.path) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      scenario.name + " is not a free flight; allowed: a scenario that launches a rocket"};
+  }
+}
+
 Study fly(sim::Scenario scenario, const Options& options,
           const std::function<void(std::size_t done, std::size_t of)>& look) {
   complete(scenario);
@@ -213,6 +230,7 @@ Study fly(sim::Scenario scenario, const Options& options,
       .sound_landing_east_m = {},
       .sound_landing_north_m = {},
       .has_parachute = hardover::has_parachute(scenario.vehicle),
+      .sound_fall_from_guide_m = fall_from_guide_m(sound),
       .sound_angle_of_attack_rad = {},
       .sound_roll_rate_rad_s = 0.0,
       .beyond_model = flight::how_far_beyond(fly::fly_without_rows(scenario, [](const auto&, const auto&) {}).extremes),

@@ -59,12 +59,13 @@ struct Effect {
   std::optional<double> landing_north_m{};
   std::optional<double> landing_away_m{};        ///< horizontal distance from where the healthy rocket lands
   std::optional<double> landing_from_guide_m{};  ///< likewise from the foot of the guide; follows from the row
+  double fall_from_guide_m = 0.0;                ///< see Study::sound_fall_from_guide_m
 };
 inline void fields(runs::RowText& text, Effect& effect) {
   text(effect.canard, effect.stop_rad, effect.from_s, effect.side_force_n, effect.pressure_pa,
        effect.angle_of_attack_rad, effect.roll_rate_rad_s, effect.rolled_rad, effect.turned_rad, effect.apogee_m,
        effect.away_m, effect.moment_n_m, effect.apogee_east_m, effect.apogee_north_m, effect.landing_east_m,
-       effect.landing_north_m, effect.landing_away_m);
+       effect.landing_north_m, effect.landing_away_m, effect.fall_from_guide_m);
 }
 
 /// Slower, an angle in the flow says little.
@@ -90,7 +91,10 @@ struct Study {
   double sound_apogee_north_m;
   std::optional<double> sound_landing_east_m;  ///< likewise
   std::optional<double> sound_landing_north_m;
-  bool has_parachute;                               ///< else nothing is known of the landing
+  bool has_parachute;  ///< else nothing is known of the landing
+  /// Where a fall without parachute, drag, lift and wind ends that begins at apogee, or at burn-out where that is
+  /// later: horizontal distance from the foot of the guide. Drag makes it shorter; lift and wind can make it longer.
+  double sound_fall_from_guide_m;
   std::optional<double> sound_angle_of_attack_rad;  ///< likewise
   double sound_roll_rate_rad_s;                     ///< largest, either way, from the end of the guide to apogee
   std::string beyond_model;  ///< how far the healthy rocket is beyond the roll model (flight/model_end.hpp); empty: not
@@ -102,6 +106,9 @@ struct Study {
   /// The largest of each figure, wherever it stands.
   [[nodiscard]] Effect worst() const;
 };
+
+/// Throws text::Error for a scenario that does not launch a rocket.
+void require_free_flight(const sim::Scenario& scenario);
 
 /// Flies the scenario in six degrees of freedom: once as it is and once for each canard, stop and instant. Where the
 /// vehicle does not say canard_side_area_m2 and canard_position_m they come from its shape and its roll torque. `look`:
