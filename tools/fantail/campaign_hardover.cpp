@@ -12,7 +12,6 @@
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
 #include "hardover/study.hpp"
-#include "input/scenario_file.hpp"
 #include "input/shipped.hpp"
 
 namespace fantail::tool {
@@ -28,18 +27,8 @@ struct HardoverOptions {
   bool json = false;
 };
 
-/// What plays a part in six degrees of freedom alone may be changed, too: they are flown, whatever the scenario says.
-ScenarioOptions in_six_dof(ScenarioOptions options) {
-  const sim::Scenario as_written = input::load_scenario(options.scenario, {});
-  // Of another one the study itself says what is missing.
-  if (as_written.surroundings == sim::Surroundings::flight && as_written.vehicle.airframe) {
-    options.changes.push_back("flight.motion=six_dof");
-  }
-  return options;
-}
-
 void fly(const HardoverOptions& options) {
-  const sim::Scenario scenario = load(in_six_dof(options.scenario));  // first: what is no scenario has no name
+  const sim::Scenario scenario = load_in_six_dof(options.scenario);  // first: what is no scenario has no name
   const std::vector<std::string> changes = changes_of(options.scenario);
   hardover::Options asked = options.study;
   if (options.failure == "cut_pulses") {

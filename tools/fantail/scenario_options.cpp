@@ -123,4 +123,12 @@ sim::Scenario load(const ScenarioOptions& options) {
   return scenario;
 }
 
+sim::Scenario load_in_six_dof(ScenarioOptions options) {
+  const sim::Scenario as_written = input::load_scenario(options.scenario, {});
+  if (as_written.surroundings == sim::Surroundings::flight && as_written.vehicle.airframe) {
+    options.changes.push_back("flight.motion=six_dof");
+  }
+  return load(options);
+}
+
 }  // namespace fantail::tool

@@ -48,5 +48,8 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options, const std:
 
 /// Throws text::Error.
 [[nodiscard]] sim::Scenario load(const ScenarioOptions& options);
+/// The same flight in six degrees of freedom, whatever the scenario says, so that what plays a part there alone may be
+/// changed, too. A scenario that cannot be flown so stays as it is.
+[[nodiscard]] sim::Scenario load_in_six_dof(ScenarioOptions options);
 
 }  // namespace fantail::tool

@@ -21,6 +21,7 @@ inline constexpr std::array verb_table{
     VerbEntry{"Flights", "fly", "Fly a scenario in the simulator with the flight code"},
     VerbEntry{"Flights", "predict", "Fly a launch over the spread of its tunnel results: go or no-go"},
     VerbEntry{"Flights", "campaign", "Fly a scenario thousands of times over uncertain values, or with failed devices"},
+    VerbEntry{"Flights", "brief", "Write one printable page on a rocket for the range safety officer"},
     VerbEntry{"Flights", "report", "Write a page on a logged flight, or on two side by side"},
     VerbEntry{"Flights", "rules", "Check a scenario or a flown log against the rules of a range or competition"},
     VerbEntry{"Flights", "replay", "Run the inputs of a recorded flight through the flight code again"},

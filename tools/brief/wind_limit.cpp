@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "brief/brief.hpp"
+#include "campaign/flown_run.hpp"
+#include "flight/model_end.hpp"
+#include "report/verdict.hpp"
+#include "text/number.hpp"
+
+namespace fantail::brief {
+namespace {
+
+constexpr double near_apogee_s = 0.5;
+constexpr std::array directions_rad{0.0, 0.5 * std::numbers::pi, std::numbers::pi, 1.5 * std::numbers::pi};
+
+bool reaches_tilt_limit(const flight::Flight& flight) {
+  return std::ranges::any_of(flight.phase_changes, [&](const flight::PhaseChange& change) {
+    return change.reason == core::PhaseReason::tilted_too_far &&
+           change.time_s < *flight.events.apogee_s - near_apogee_s;
+  });
+}
+
+/// A clause; empty: nothing.
+std::string what_fails(const sim::Scenario& scenario) {
+  const campaign::JudgedFlight flown = campaign::fly_and_judge(scenario);
+  if (flown.verdict.outcome == report::Outcome::ascent_failed || !flown.flight.events.apogee_s) {
+    return "the ascent fails";
+  }
+  if (std::string beyond = flight::how_far_beyond(flown.flight.extremes); !beyond.empty()) {
+    return "the flight is outside the roll model: " + beyond;
+  }
+  return reaches_tilt_limit(flown.flight) ? "the tilt limit is reached before apogee" : "";
+}
+
+}  // namespace
+
+std::optional<WindLimit> wind_limit(const sim::Scenario& scenario, const std::function<void()>& look) {
+  if (!scenario.vehicle.airframe) {
+    return std::nullopt;
+  }
+  sim::Scenario tried = scenario;
+  WindLimit limit;
+  for (double wind_m_s = 0.0; wind_m_s <= most_wind_m_s; wind_m_s += wind_step_m_s) {
+    tried.wind.speed_m_s = wind_m_s;
+    for (const double direction_rad : directions_rad) {
+      tried.wind.from_rad = scenario.guide.azimuth_rad + direction_rad;
+      look();
+      if (const std::string why = what_fails(tried); !why.empty()) {
+        limit.first_failure = wind_m_s == 0.0 ? why : fmt::format("at {} m/s {}", text::brief(wind_m_s, 0), why);
+        return limit;
+      }
+    }
+    limit.passed_m_s = wind_m_s;
+  }
+  return limit;
+}
+
+}  // namespace fantail::brief
