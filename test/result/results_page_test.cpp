@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "airframe/summary.hpp"
+#include "brief/brief.hpp"
 #include "campaign/results.hpp"
 #include "detection/report.hpp"
 #include "fantail/compare_results.hpp"
@@ -84,6 +85,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
   ASSERT_NE(begin, std::string::npos) << page_file;
   const std::vector<std::pair<std::string_view, std::vector<Listed>>> verbs{
       {"airframe", airframe::listed_fields()},
+      {"brief", brief::listed_fields()},
       {"campaign", campaign::listed_fields()},
       {"campaign detection", detection::listed_fields()},
       {"campaign faults", faults::listed_fields()},

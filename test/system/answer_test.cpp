@@ -53,6 +53,7 @@ TEST(Answer, OfEveryVerbIsAMemberOfItsJson) {
   EXPECT_EQ(said_by({"tunnel", "stability", "out/tunnel_stability", "--json"}, folder)["answer"], "yes");
   EXPECT_EQ(said_by({"airframe", "tasha3_launch2", "--json"}, folder)["made"]["inputs"][0]["file"],
             "tasha3_launch2.toml");
+  EXPECT_EQ(said_by({"brief", "tasha3_launch2", "--step", "5", "--json"}, folder)["answer"], "none");
   EXPECT_EQ(said_by({"plan", "check", "tasha3_launch2", "--json"}, folder)["answer"], "yes");
   EXPECT_EQ(said_by({"plan", "show", "tasha3_launch2", "--json"}, folder)["answer"], "none");
   EXPECT_EQ(said_by({"plan", "compile", "tasha3_launch2", "--json"}, folder)["answer"], "none");

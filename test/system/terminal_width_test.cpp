@@ -60,6 +60,7 @@ std::vector<Words> usual_commands() {
       {"predict", "tasha3_launch1", "--runs", "20"},
       {"campaign", "tasha3_launch2", "--runs", "12"},
       {"campaign", "hardover", "tasha3_launch2", "--step", "5", "--out", "hardover"},
+      {"brief", "tasha3_launch2", "--step", "5"},
       {"campaign", "detection", "--plan", "tasha3_launch2", "--events", "20", "--launches", "20", "--out", "detection"},
       {"campaign", "faults", "--list"}};
 }
@@ -118,6 +119,7 @@ TEST(Terminal, NoHelpIsWiderThanIt) {
                            "campaign detection",
                            "campaign faults",
                            "campaign hardover",
+                           "brief",
                            "report",
                            "replay",
                            "identify",

@@ -52,7 +52,9 @@ Brief make(Request request, const std::function<void(std::size_t done, std::size
               .nominal = fly_nominal(scenario),
               .why_no_landing = why_no_landing(vehicle),
               .rules = std::move(request.rules)};
-  brief.wind_limit = wind_limit(scenario, [&] { look(0, 0); });
+  if (vehicle.airframe && brief.nominal.control_start) {
+    brief.wind_limit = wind_limit(scenario, [&] { look(0, 0); });
+  }
   if (brief.why_no_landing.empty()) {
     brief.landing = landing(request, look);
   }

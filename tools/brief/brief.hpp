@@ -48,6 +48,7 @@ struct NominalFlight {
   double top_speed_m_s = 0.0;
   Moment guide_exit{};
   std::optional<Moment> control_start{};
+  bool was_armed = true;
   bool was_dormant = false;  ///< the plan's gate was closed when the guide was clear
   bool burns_at_control_start = false;
   std::string roll{};          ///< what the flight report says of it: "Held"
@@ -62,13 +63,13 @@ inline constexpr double most_wind_m_s = 15.0;
 inline constexpr double wind_step_m_s = 1.0;
 /// The scenario in steady winds of its own profile, wind_step_m_s apart, each from four directions: along the lean of
 /// the guide, against it and across. A wind passes when the flight stays within the roll model (flight/model_end.hpp)
-/// and the tilt limit is not reached more than half a second before apogee.
+/// under control, which begins, and the tilt limit is not reached more than half a second before apogee.
 struct WindLimit {
   std::optional<double> passed_m_s{};  ///< it and all smaller ones pass; empty: not even calm does
   std::string first_failure{};         ///< of the next one, a clause; empty: none up to most_wind_m_s
 };
-/// Empty without an airframe: such a flight knows no wind.
-[[nodiscard]] std::optional<WindLimit> wind_limit(const sim::Scenario& scenario, const std::function<void()>& look);
+/// Of a vehicle with an airframe: other flights know no wind.
+[[nodiscard]] WindLimit wind_limit(const sim::Scenario& scenario, const std::function<void()>& look);
 
 /// Where the healthy rocket comes down and the one with a canard that runs to a stop, in the scenario's own wind:
 /// distances from the foot of the guide.
@@ -103,7 +104,7 @@ struct Brief {
   double wind_m_s = 0.0;  ///< flown in six degrees of freedom
   double wind_from_rad = 0.0;
   NominalFlight nominal{};
-  std::optional<WindLimit> wind_limit{};
+  std::optional<WindLimit> wind_limit{};  ///< empty without an airframe, and where control does not begin
   std::optional<Landing> landing{};
   std::string why_no_landing{};  ///< a clause; empty: there is one
   std::optional<Rules> rules{};

@@ -51,6 +51,7 @@ NominalFlight fly_nominal(const sim::Scenario& scenario) {
           .top_speed_m_s = *flown.figures.max_speed_m_s,
           .guide_exit = *guide_exit,
           .control_start = control_start,
+          .was_armed = flown.flight.why_not_armed.empty(),
           .was_dormant = events.dormant_s.has_value(),
           .burns_at_control_start =
               events.control_start_s && (!events.burnout_s || *events.control_start_s < *events.burnout_s),

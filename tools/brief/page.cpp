@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,29 +77,46 @@ std::string signal_table() {
                            all + "</tbody></table>\n");
 }
 
-/// Of a long pack those that matter come first, and a sheet has room for so many.
+/// "3 FAIL, 4 PASS": how many of each, in the order in which they first come.
+std::string counts(const Rules& rules) {
+  std::vector<std::pair<std::string, std::size_t>> all;
+  for (const Rules::Clause& clause : rules.clauses) {
+    const auto found = std::ranges::find(all, clause.outcome, [](const auto& one) { return one.first; });
+    if (found == all.end()) {
+      all.emplace_back(clause.outcome, 1);
+    } else {
+      ++found->second;
+    }
+  }
+  std::string text;
+  for (const auto& [outcome, count] : all) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, outcome);
+  }
+  return text;
+}
+
+/// Those that do not pass come first: the sheet has room for few lines.
 std::string clauses(const Rules& rules) {
-  constexpr std::size_t most_shown = 24;
   std::string all;
-  std::size_t shown = 0;
   for (const bool passes : {false, true}) {
     for (const Rules::Clause& clause : rules.clauses) {
-      if ((clause.outcome == "PASS") == passes && shown < most_shown) {
-        all += fmt::format("{}{} {}", shown == 0 ? "" : " \u00b7 ", clause.id, clause.outcome);
-        ++shown;
+      if ((clause.outcome == "PASS") == passes) {
+        all += fmt::format("{}{} {}", all.empty() ? "" : " \u00b7 ", clause.id, clause.outcome);
       }
     }
   }
-  return shown < rules.clauses.size() ? fmt::format("{} \u00b7 and {} more", all, rules.clauses.size() - shown) : all;
+  return all;
 }
+
+std::string few_lines(const std::string& text) { return fmt::format("<p class=\"few\">{}</p>\n", page::printed(text)); }
 
 std::string rules(const Brief& of) {
   if (!of.rules) {
     return page::section("Rules", page::paragraph("rules: not checked"));
   }
-  return page::section(
-      "Rules: " + of.rules->pack,
-      page::paragraph(of.rules->sentence) + page::paragraph(clauses(*of.rules)) + page::note(of.rules->caution));
+  const Rules& all = *of.rules;
+  return page::section("Rules", few_lines(fmt::format("{}: {}.", all.pack, counts(all))) + few_lines(clauses(all)) +
+                                    few_lines(all.caution));
 }
 
 constexpr const char* signatures =

@@ -72,8 +72,9 @@ std::string opening(const Brief& of) {
     return fmt::format("Simulated: control begins at {}{}.", at(*flight.control_start),
                        flight.burns_at_control_start ? "; the motor still burns" : "");
   }
-  return flight.was_dormant ? "Simulated: the gate never opens, and the canards stay at trim."
-                            : "Simulated: control never begins, and the canards stay at trim.";
+  return fmt::format("Simulated: {}, and the canards stay at trim.", !flight.was_armed ? "the avionics are never armed"
+                                                                     : flight.was_dormant ? "the gate never opens"
+                                                                                          : "control never begins");
 }
 
 std::string fall_sentence(const Landing& landing) {
@@ -170,7 +171,8 @@ std::vector<std::string> landing_sentences(const Brief& of) {
 
 std::vector<std::string> wind_sentences(const Brief& of) {
   if (!of.wind_limit) {
-    return {"No limit is computed: the vehicle has no section [airframe]."};
+    return {fmt::format("No limit is computed: {}.",
+                        of.is_six_dof ? "control does not begin" : "the vehicle has no section [airframe]")};
   }
   const WindLimit& limit = *of.wind_limit;
   if (!limit.passed_m_s) {

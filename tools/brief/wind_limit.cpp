@@ -33,15 +33,15 @@ std::string what_fails(const sim::Scenario& scenario) {
   if (std::string beyond = flight::how_far_beyond(flown.flight.extremes); !beyond.empty()) {
     return "the flight is outside the roll model: " + beyond;
   }
-  return reaches_tilt_limit(flown.flight) ? "the tilt limit is reached before apogee" : "";
+  if (reaches_tilt_limit(flown.flight)) {
+    return "the tilt limit is reached before apogee";
+  }
+  return flown.flight.events.control_start_s ? "" : "control does not begin";
 }
 
 }  // namespace
 
-std::optional<WindLimit> wind_limit(const sim::Scenario& scenario, const std::function<void()>& look) {
-  if (!scenario.vehicle.airframe) {
-    return std::nullopt;
-  }
+WindLimit wind_limit(const sim::Scenario& scenario, const std::function<void()>& look) {
   sim::Scenario tried = scenario;
   WindLimit limit;
   for (double wind_m_s = 0.0; wind_m_s <= most_wind_m_s; wind_m_s += wind_step_m_s) {

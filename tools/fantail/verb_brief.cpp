@@ -14,7 +14,9 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fly/fly_scenario.hpp"
 #include "input/shipped.hpp"
+#include "rules/judge.hpp"
 #include "text/output_folder.hpp"
 #include "text/quoting.hpp"
 
@@ -25,18 +27,39 @@ namespace fs = std::filesystem;
 
 struct BriefOptions {
   ScenarioOptions scenario;
+  std::string pack;
   double step_s = 1.0;
   unsigned threads = 0;
   std::string out;
   bool json = false;
 };
 
-brief::Brief make(const BriefOptions& options, sim::Scenario scenario) {
+std::optional<rules::Pack> pack_of(const BriefOptions& options) {
+  return options.pack.empty() ? std::nullopt : std::optional{rules::load_pack(options.pack)};
+}
+
+brief::Rules held_against(const rules::Pack& pack, const sim::Scenario& scenario) {
+  const std::vector<rules::Judged> judged =
+      rules::judge(pack, rules::subject_of(scenario, fly::fly_scenario(scenario)));
+  brief::Rules found{.pack = fmt::format("{} ({})", pack.title, pack.date),
+                     .sentence = rules::verdict(judged).sentence,
+                     .caution = rules::caution(pack)};
+  for (const rules::Judged& one : judged) {
+    found.clauses.push_back({.id = one.clause.id, .outcome = std::string{rules::name(one.outcome)}});
+  }
+  return found;
+}
+
+brief::Brief make(const BriefOptions& options, const std::optional<rules::Pack>& pack, sim::Scenario scenario) {
   std::optional<Progress> progress;
   std::size_t winds = 0;
   std::size_t last_of = 0;
   const std::string name = scenario.name;
-  return brief::make({.scenario = std::move(scenario), .step_s = options.step_s, .threads = options.threads},
+  std::optional<brief::Rules> rules = pack ? std::optional{held_against(*pack, scenario)} : std::nullopt;
+  return brief::make({.scenario = std::move(scenario),
+                      .step_s = options.step_s,
+                      .threads = options.threads,
+                      .rules = std::move(rules)},
                      [&](std::size_t done, std::size_t of) {
                        give_up_if_interrupted();
                        if (!progress || of != last_of) {
@@ -55,9 +78,13 @@ void write_brief(const BriefOptions& options) {
   sim::Scenario scenario = load_in_six_dof(options.scenario);
   const std::vector<std::string> changes = changes_of(options.scenario);
   const fs::path folder = results_folder(options.out, "brief", input::name_of_file(options.scenario.scenario), changes);
-  const std::vector<fs::path> inputs = files_of(options.scenario);
+  const std::optional<rules::Pack> pack = pack_of(options);
+  std::vector<fs::path> inputs = files_of(options.scenario);
+  if (pack) {
+    inputs.emplace_back(pack->file);
+  }
   const result::Made made = made_with(inputs, scenario.seed, changes);
-  const brief::Brief made_brief = make(options, std::move(scenario));
+  const brief::Brief made_brief = make(options, pack, std::move(scenario));
   const result::Document document = brief::answer(made_brief, made);
   text::OutputFolder{folder, inputs}.write(std::vector<text::NamedFile>{
       {"brief.html", brief::page_html(made_brief, made)}, {"brief.json", result::json(document)}});
@@ -68,6 +95,12 @@ void write_brief(const BriefOptions& options) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<BriefOptions>();
   add_scenario_options(verb, options->scenario);
+  verb.option(
+          "--rules", options->pack,
+          "A rule pack whose clauses are checked: a shipped name (irec, euroc, launch_canada, nar_tripoli) or a path")
+      .offers(shipped(input::Shipped::rules))
+      .value_name("PACK")
+      .changes_result();
   verb.option("--step", options->step_s, "Seconds between the instants at which a canard fails")
       .range(0.01, 10.0)
       .value_name("S")
@@ -80,7 +113,8 @@ void fill(const Verb& verb) {
       "brief.html is one page of A4: print it, fill in the blanks and sign it. All flights are in six degrees of "
       "freedom if the vehicle has the section [airframe].\n"
       "Examples:\n"
-      "  fantail brief tasha3_launch2                       the sheet of the shipped launch\n"
+      "  fantail brief tasha3_launch2 --rules irec          the sheet of the shipped launch, with a competition's "
+      "rules\n"
       "  fantail brief my_rocket.toml --set wind.speed_m_s=6 --set wind.from_deg=270\n"
       "                                                     your rocket, landing in wind from the west\n"
       "  fantail brief my_rocket.toml --step 0.25 --json    with more instants of failure, for a script");

@@ -65,14 +65,7 @@ Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pac
     give_up_if_interrupted();
     progress.show(simulated_s);
   });
-  held.subject.what = scenario.name + (changes.empty() ? ", " : " with other values, ") +
-                      "its plan and one simulated flight" +
-                      (scenario.faults.empty() ? "" : " with the faults of the scenario");
-  held.subject.why_missing = "neither plan nor simulation tells it";
-  held.subject.found = rules::of_rocket(scenario, flight);
-  held.subject.found.merge(rules::of_flight(flight, scenario.atmosphere));
-  held.subject.found.merge(rules::of_plan(scenario.plan));
-  held.subject.found.merge(rules::of_law());
+  held.subject = rules::subject_of(scenario, flight);
   return held;
 }
 

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "flight/flight.hpp"
 #include "result/document.hpp"
 #include "rules/pack.hpp"
+#include "sim/scenario.hpp"
 
 namespace fantail::rules {
 
@@ -21,6 +23,9 @@ struct Subject {
   std::string why_missing;  ///< of every other name, a clause
   bool plan_alone = false;  ///< clauses that are computed or look at a flight are not judged
 };
+
+/// A launch and a flight of it.
+[[nodiscard]] Subject subject_of(const sim::Scenario& scenario, const flight::Flight& flight);
 
 struct Judged {
   Clause clause;
