@@ -133,7 +133,7 @@ void bind_autopilot(nb::module_& m) {
       .def_prop_ro("time_us", [](const TickRecord& t) { return t.time.count(); })
       .def_prop_ro(
           "phase", [](const TickRecord& t) { return core::name(t.phase); },
-          "safe, armed, launched, controlling or finished")
+          "safe, armed, launched, dormant, controlling or finished")
       .def_prop_ro(
           "reason", [](const TickRecord& t) { return core::name(t.reason); }, "Reason for the phase")
       .def_prop_ro(
@@ -166,7 +166,7 @@ void bind_autopilot(nb::module_& m) {
               nb::arg("inputs"), "One step, nominally every millisecond.")
           .def_prop_ro(
               "phase", [](const core::Autopilot& law) { return core::name(law.phase()); },
-              "safe, armed, launched, controlling or finished");
+              "safe, armed, launched, dormant, controlling or finished");
   refuse_to_pickle(bound_autopilot, "Autopilot",
                    "pass the arguments of Plan.load(), and make an Autopilot of that plan there");
 }

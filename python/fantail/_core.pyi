@@ -214,7 +214,7 @@ class Tick:
 
     @property
     def phase(self) -> str:
-        """safe, armed, launched, controlling or finished"""
+        """safe, armed, launched, dormant, controlling or finished"""
 
     @property
     def reason(self) -> str:
@@ -278,7 +278,7 @@ class Autopilot:
 
     @property
     def phase(self) -> str:
-        """safe, armed, launched, controlling or finished"""
+        """safe, armed, launched, dormant, controlling or finished"""
 
     def __reduce_ex__(self, arg: int, /) -> object: ...
 

@@ -99,6 +99,27 @@ TEST(FaultJudge, ATickThatDidNotComeToItsEndIsRedUnlessThereWasNone) {
   EXPECT_EQ(missing(false), "");
 }
 
+TEST(FaultJudge, DormantIsAtTrimAndMayLeadToControl) {
+  const auto dormant = [](double off_trim_deg) {
+    return [off_trim_deg](Moment& moment) {
+      if (moment.phase == core::Phase::launched && moment.time_s > 0.25) {
+        moment.phase = core::Phase::dormant;
+        moment.commanded_rad[1] = off_trim_deg * degree;
+      }
+    };
+  };
+  EXPECT_EQ(breach_of(dormant(0.0)), "");
+  EXPECT_NE(breach_of(dormant(0.01)).find("off its trim in Dormant"), std::string::npos);
+}
+
+TEST(FaultJudge, WholeTurnsCountUnlessTheLawCaptures) {
+  const std::vector<Moment> turned = made_flight({}, [](Moment& moment) { moment.true_roll_rad -= 358.0 * degree; });
+  EXPECT_NEAR(judged(turned, at_three).apart_deg, 358.0, 1e-9);
+  Limits limits = made_limits();
+  limits.any_turn = true;
+  EXPECT_NEAR(judged(turned, at_three, 1.5, limits).apart_deg, 2.0, 1e-9);
+}
+
 void expect_no_launch(const std::string& breach) {
   EXPECT_TRUE(breach.find("Controlling") != std::string::npos && breach.find("Launched") != std::string::npos)
       << breach;

@@ -55,12 +55,12 @@ inline Limits made_limits() {
   return limits;
 }
 
-inline Findings judged(const std::vector<Moment>& flight, const FaultTime& fault, double settle_s = 1.5) {
+inline Findings judged(const std::vector<Moment>& flight, const FaultTime& fault, double settle_s = 1.5,
+                       const Limits& limits = made_limits()) {
   Twin twin;
   for (const Moment& moment : made_flight()) {
     twin.add(moment);
   }
-  const Limits limits = made_limits();
   Judge judge{limits, twin, fault, settle_s};
   for (const Moment& moment : flight) {
     judge.add(moment);

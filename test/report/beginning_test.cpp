@@ -162,6 +162,16 @@ TEST(Gate, ThatStaysClosedIsNoFailure) {
   made.flight.plan.dormancy.until = core::DormantUntil::burn_out;
   EXPECT_TRUE(says(verdict_of(made.flight), "the plan waits for burn-out, and that did not come before 4.50 s"));
 
+  flight::Flight log = made.flight;
+  log.plan.dormancy.until = core::DormantUntil::height;
+  log.plan.dormancy.height_m = 1500.0F;
+  log.events.apogee_s.reset();
+  for (flight::Row& row : log.rows) {
+    row.truth.reset();
+    row.height_m = 421.4 * std::max(0.0, row.time_s) / 4.5;
+  }
+  EXPECT_TRUE(says(verdict_of(log), "the measured height reached 421 m, the gate opens at 1500 m"));
+
   made.flight.phase_changes.back().reason = core::PhaseReason::aborted;
   EXPECT_EQ(verdict_of(made.flight).text,
             "No control: aborted by the abort input (at 4.50 s), while the canards waited for burn-out.");

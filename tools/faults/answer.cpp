@@ -137,7 +137,7 @@ std::vector<std::string> how() {
       "\"Not judged further\" means that only these rules are checked: where no servo obeys, the air alone turns the "
       "rocket.",
       "Roll is compared with the same flight, with the same seed, without the fault. Degrees off are the difference "
-      "between the two.",
+      "between the two; with controller.entry = \"capture\" without whole turns.",
       "The verdict uses the true roll angle, the true shaft angles, the pulses on the servo lines and the phase. "
       "Estimates of the avionics are not used."};
 }

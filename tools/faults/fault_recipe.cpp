@@ -19,9 +19,9 @@ std::string_view name(Phase phase) {
 }
 
 std::string_view meaning(Phase phase) {
-  constexpr std::array<std::string_view, phases> meanings{"from power-up to arming", "from arming to ignition",
-                                                          "from ignition to the beginning of control", "under control",
-                                                          "from the end of control to the end of the flight"};
+  constexpr std::array<std::string_view, phases> meanings{
+      "from power-up to arming", "from arming to ignition", "from ignition to the beginning of control, dormant or not",
+      "under control", "from the end of control to the end of the flight"};
   return meanings[static_cast<std::size_t>(phase)];
 }
 

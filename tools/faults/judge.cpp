@@ -27,7 +27,7 @@ bool is_at_rest(core::Phase phase) { return phase != core::Phase::safe && phase 
 Limits limits_of(const sim::Scenario& scenario) {
   constexpr double hard_limit_rad = 20.0 * degree;
   const core::FlightPlan& plan = scenario.plan;
-  Limits limits{.shafts = shaft_limits(scenario)};
+  Limits limits{.shafts = shaft_limits(scenario), .any_turn = plan.controller.entry == core::ControlEntry::capture};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const core::CanardPlan& canard = plan.canards.each[i];
     limits.trim_rad[i] = static_cast<double>(canard.trim.radians());
@@ -161,7 +161,8 @@ void Judge::look_at_roll(const Moment& moment) {
   if (!twin_controls || moment.time_s < fault_.begin_s) {
     return;
   }
-  const double apart_deg = std::abs(moment.true_roll_rad - twin_.true_roll_rad[moments_]) / degree;
+  const double apart_rad = moment.true_roll_rad - twin_.true_roll_rad[moments_];
+  const double apart_deg = std::abs(limits_.any_turn ? std::remainder(apart_rad, 360.0 * degree) : apart_rad) / degree;
   findings_.apart_deg = std::max(findings_.apart_deg, apart_deg);
   findings_.apart_at_end_deg = apart_deg;
   if (moment.time_s >= fault_.end_s + settle_s_) {

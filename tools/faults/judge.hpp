@@ -33,6 +33,7 @@ struct Limits {
   std::array<double, core::canard_count> trim_rad{};
   std::array<double, core::canard_count> limit_rad{};  ///< smallest of plan, hard limit and mechanical stop
   ShaftLimits shafts{};
+  bool any_turn = false;  ///< with capture a roll that is whole turns away is the same
 };
 [[nodiscard]] Limits limits_of(const sim::Scenario& scenario);
 

@@ -175,6 +175,14 @@ std::string what_the_others_do(const Study& study) {
   return {};
 }
 
+/// Beyond the guide they wait, and a failed one changes nothing of that.
+std::string before_the_gate(const Study& study) {
+  return !study.has_gate ? ""
+         : study.policy == core::CanardFaultPolicy::end_control
+             ? " Before the plan's gate opens the other three stay at trim, and then control does not begin."
+             : " Before the plan's gate opens the other three stay at trim.";
+}
+
 std::string up_to(const std::optional<double>& angle_rad) {
   return angle_rad ? fmt::format("up to {} deg", fixed(degrees(*angle_rad), 1)) : "never that fast";
 }
@@ -182,9 +190,9 @@ std::string up_to(const std::optional<double>& angle_rad) {
 std::vector<std::string> remarks(const Study& study, const Effect& worst) {
   std::vector<std::string> list{
       fmt::format(
-          "Flown in six degrees of freedom with run.canard_fault = {}. {}{}", name_of(study.policy),
+          "Flown in six degrees of freedom with run.canard_fault = {}. {}{}{}", name_of(study.policy),
           study.options.failure == Failure::hard_over ? "The canard reaches its stop instantly and stays there. " : "",
-          what_the_others_do(study)),
+          what_the_others_do(study), before_the_gate(study)),
       fmt::format("Side force: 1/2 rho v^2 times {:.4g} m2 times the vector sum of the four deflections across the "
                   "axis. It acts {} m from the tip of the nose. {}",
                   study.side_area_m2, fixed(study.position_m, 3),

@@ -80,6 +80,7 @@ struct Study {
   std::string plan;
   std::uint64_t seed;
   core::CanardFaultPolicy policy;
+  bool has_gate;  ///< the plan lets the canards wait for more than the guide
   double side_area_m2;
   double position_m;  ///< of the canards
   double stop_rad;

@@ -87,6 +87,11 @@ std::string gate_never_opened(const flight::Flight& flight, const Figures& f, co
   if (gate_m && f.apogee_m && *f.apogee_m <= *gate_m) {
     return fmt::format("apogee at {} m, the gate opens at {} m", text::fixed(*f.apogee_m, 0), text::brief(*gate_m, 1));
   }
+  if (const double seen_m = largest(flight, change, &flight::Row::height_m);
+      gate_m && !f.apogee_m && seen_m <= *gate_m) {
+    return fmt::format("the measured height reached {} m, the gate opens at {} m", text::fixed(seen_m, 0),
+                       text::brief(*gate_m, 1));
+  }
   const std::string low_end = gate_m ? "; it counts the low end of the height's error" : "";
   return fmt::format("the plan waits for {}, and that did not come before {} s{}", flight::gate_name(flight),
                      text::fixed(change.time_s, 2), low_end);
