@@ -71,10 +71,12 @@ std::string signal_table() {
     all += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", page::printed(one.phase),
                        strip(pattern.light), strip(pattern.sound), page::printed(one.meaning));
   }
-  return page::section("Light and buzzer, two seconds of each",
-                       "<table>\n<thead><tr><th>State</th><th>Light</th><th>Buzzer</th><th>Meaning</th></tr></thead>\n"
-                       "<tbody>\n" +
-                           all + "</tbody></table>\n");
+  return page::section(
+      "Light and buzzer, two seconds of each",
+      "<div class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"Light and "
+      "buzzer\"><table>\n<thead><tr><th>State</th><th>Light</th><th>Buzzer</th><th>Meaning</th></tr></thead>\n"
+      "<tbody>\n" +
+          all + "</tbody></table></div>\n");
 }
 
 /// "3 FAIL, 4 PASS": how many of each, in the order in which they first come.

@@ -131,17 +131,20 @@ std::string headline(const Brief& of) {
     return all + "Where it comes down is not computed.";
   }
   const Landing& landing = *of.landing;
+  const double fall_m = std::max(landing.healthy_fall_m, landing.failed_fall_m);
+  const std::string fall = fmt::format("a fall without parachute, drag, lift and wind ends within {} m of the guide",
+                                       text::fixed(fall_m, 0));
   const std::optional<double> landing_m = std::max(landing.healthy_m, landing.failed_m);
-  all += !landing_m
-             ? "A landing under a parachute is not computed. "
-             : fmt::format("Healthy or with a failed canard, it lands within {} m of the guide under its parachute{}. ",
-                           text::fixed(*landing_m, 0),
-                           landing.failed_without_landing > 0
-                               ? fmt::format(", without {} that did not land under it",
-                                             text::counted(landing.failed_without_landing, "flight"))
-                               : "");
-  return all + fmt::format("A fall without parachute, drag, lift and wind ends within {} m.",
-                           text::fixed(std::max(landing.healthy_fall_m, landing.failed_fall_m), 0));
+  if (!landing_m) {
+    return fmt::format("{}A landing under a parachute is not computed. Healthy or with a failed canard, {}.", all,
+                       fall);
+  }
+  const std::string unknown =
+      landing.failed_without_landing == 0
+          ? ""
+          : fmt::format(" ({} did not land under it)", text::counted(landing.failed_without_landing, "flight"));
+  return fmt::format("{}Healthy or with a failed canard, it lands within {} m of the guide under its parachute{}; {}.",
+                     all, text::fixed(*landing_m, 0), unknown, fall);
 }
 
 std::vector<std::string> landing_sentences(const Brief& of) {
