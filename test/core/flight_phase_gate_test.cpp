@@ -179,13 +179,6 @@ TEST(Abort, EndsAFlightForGoodInEachOfItsPhases) {
   }
 }
 
-TEST(Abort, EndsATunnelRunToo) {
-  Sequence sequence{tunnel_plan()};
-  sequence.arm().start_tunnel().expect(Phase::controlling, PhaseReason::tunnel_start_command);
-  sequence.tick([](Tick& i) { i.abort = true; });
-  sequence.expect(Phase::finished, PhaseReason::aborted);
-}
-
 TEST(TiltLimit, IsCountedFromTheGuideWhereThatIsMeasured) {
   Sequence sequence = flown(true);
   sequence.next.motion.tilt = 70_deg;
