@@ -77,6 +77,7 @@ struct Scenario {
   std::uint64_t fault_variant = 0;  ///< other random numbers of the faults (garbage, which bit) with the same seed
   /// Asked of the roll, and not flown: resting farther from its reference than this it is not where it was wanted.
   double rest_limit_rad = 10.0 * radians_per_degree;
+  double tilt_end_before_apogee_s = 0.5;     ///< likewise: sooner before apogee its tilt limit must not end control
   std::optional<std::string> tunnel_result;  ///< what a prediction of this flight starts from; not flown
 };
 

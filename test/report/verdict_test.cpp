@@ -38,6 +38,19 @@ TEST(Verdict, ALimitThatEndsControlInTheLastHalfSecondIsNamedThoughTheRollIsHeld
   EXPECT_EQ(verdict_of(early.flight).outcome, Outcome::cut_short);
 }
 
+TEST(Verdict, NothingButTheTiltLimitMayEndControlAsEarlyAsTheScenarioAllowsIt) {
+  SyntheticFlight tilted;
+  tilted.flight.tilt_end_before_apogee_s = 0.7;
+  tilted.end_control(3.9, core::PhaseReason::tilted_too_far);
+  EXPECT_EQ(verdict_of(tilted.flight).outcome, Outcome::held);
+  EXPECT_TRUE(says(verdict_of(tilted.flight), "The tilt limit ended control 0.60 s before apogee. After that"))
+      << verdict_of(tilted.flight).text;
+  SyntheticFlight failed;
+  failed.flight.tilt_end_before_apogee_s = 0.7;
+  failed.end_control(3.9, core::PhaseReason::canard_fault);
+  EXPECT_EQ(verdict_of(failed.flight).outcome, Outcome::cut_short);
+}
+
 TEST(Verdict, SaysWhichTimeTheHoldErrorLeavesOut) {
   SyntheticFlight stepped;
   stepped.flight.plan.reference.kind = core::ReferenceKind::steps;

@@ -109,14 +109,14 @@ std::string what_is_early(const Report& report) {
   const bool is_there = std::ranges::any_of(report.analysis.failures, [](const Failure& failure) {
     return failure.criterion->name == "tilt" || failure.criterion->name == "control_end";
   });
-  return !is_there
-             ? ""
-             : std::string{report.roll_band.in_tunnel
-                               ? " Early: before the plan's control time was over."
-                               : " Early: more than 0.5 s before apogee, or at any time where the ascent failed or "
-                                 "apogee is not known."} +
-                   " After an early end a run is cut short if it then turned by at most 10 deg, else not held. A "
-                   "failed ascent, or a roll lost before, takes precedence.";
+  return !is_there ? ""
+                   : std::string{report.roll_band.in_tunnel
+                                     ? " Early: before the plan's control time was over."
+                                     : " Early: more than 0.5 s before apogee (the tilt limit: more than "
+                                       "verdict.tilt_end_before_apogee_s), or at any time where the ascent failed or "
+                                       "apogee is not known."} +
+                         " After an early end a run is cut short if it then turned by at most 10 deg, else not held. A "
+                         "failed ascent, or a roll lost before, takes precedence.";
 }
 
 }  // namespace

@@ -215,6 +215,7 @@ struct Flight {
   /// Empty: not a simulated launch, or nothing is known of the pitch.
   std::optional<std::array<double, 2>> resonance_1_m;
   double rest_limit_rad = 10.0 * std::numbers::pi / 180.0;  ///< farther from R than this the roll may not rest
+  double tilt_end_before_apogee_s = 0.5;                    ///< sooner before apogee the tilt limit is an early end
   Extremes extremes{};                                      ///< of a simulated one, not in the tunnel
   std::vector<Row> rows;
   Clock clock{};                               ///< that set_time_zero() has put all times by

@@ -106,6 +106,7 @@ flight::Flight describe(const sim::Scenario& scenario) {
   flight.tunnel = scenario.surroundings != sim::Surroundings::flight;
   flight.plan = scenario.plan;
   flight.rest_limit_rad = scenario.rest_limit_rad;
+  flight.tilt_end_before_apogee_s = scenario.tilt_end_before_apogee_s;
   const sim::DeflectionRange reach = sim::deflection_range(scenario);
   flight.canard_reach = {.lowest_rad = reach.lowest_rad, .highest_rad = reach.highest_rad};
   flight.why_uncontrollable = stability::why_uncontrollable(scenario);

@@ -80,6 +80,7 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"imposed_roll", "rate_deg_s", number(deg_s, {-3600, 3600}), must_in_its_section, AT(made(it.imposed_roll).rate_rad_s), "Roll rate from then on."},
 
   {"verdict", "rest_limit_deg", number(deg, {0.1, 3600}), may, AT(it.rest_limit_rad), "Largest angle from the reference at which a settled roll angle still counts as `held`."},
+  {"verdict", "tilt_end_before_apogee_s", number("s", {0.5, 60}), may, AT(it.tilt_end_before_apogee_s), "The plan's tilt limit may end control this long before apogee, and the roll until then still counts as `held`."},
 
   {"timing", "pad_time_s", number("s", {1, 600}), may, AT(it.pad_time_s), "From power-up to ignition (tunnel: to the start command), armed or not."},
   {"timing", "arm_time_s", number("s", {0.1, 600}), may, AT(it.arm_time_s), "From power-up to arm switch and self-test, which takes 7 s; earlier than `pad_time_s`."},

@@ -70,6 +70,7 @@ std::vector<result::Fact> facts(const flight::Flight& flight, const Figures& fig
       {"pitch_frequency_per_speed_rad_m", "",
        flight.resonance_1_m ? Json::array({(*flight.resonance_1_m)[0], (*flight.resonance_1_m)[1]}) : Json{}},
       {"rest_limit_deg", "", json::rounded(degrees(flight.rest_limit_rad))},
+      {"tilt_end_before_apogee_s", "", flight.tilt_end_before_apogee_s},
       {"why_uncontrollable", "", flight.why_uncontrollable},
       {"left_by_fins", "", json::rounded(flight.left_by_fins)},
       {"final_phase", "", flight.known.phase ? Json(core::name(figures.final_phase)) : Json{}},

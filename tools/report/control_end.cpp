@@ -167,6 +167,13 @@ std::string plan_time(const flight::Flight& flight) {
              : "";
 }
 
+std::string turned_after_end(const Figures& f) {
+  return f.roll_after_end_rad ? fmt::format(" After that the rocket turned by up to {} deg until {}.",
+                                            text::fixed(text::degrees(*f.roll_after_end_rad), 1),
+                                            f.ended_before_apogee_s ? "apogee" : "the trajectory ends")
+                              : "";
+}
+
 }  // namespace
 
 bool gate_stayed_closed(const flight::Flight& flight) {
@@ -209,7 +216,9 @@ bool ended_early(const flight::Flight& flight, const Figures& f) {
   }
   // The highest point of a rocket whose ascent failed is none at which the air hardly flows.
   const bool has_failed = ascent_failed(flight);
-  const bool is_early = f.ended_before_apogee_s.value_or(0.0) > near_apogee_s;  // whatever ended it
+  const bool by_tilt = flight.phase_changes.back().reason == core::PhaseReason::tilted_too_far;
+  const double allowed_s = by_tilt ? flight.tilt_end_before_apogee_s : near_apogee_s;
+  const bool is_early = f.ended_before_apogee_s.value_or(0.0) > allowed_s;
   if (is_early || (f.ended_before_apogee_s && !has_failed)) {
     return is_early;
   }
@@ -239,7 +248,8 @@ std::string late_end(const flight::Flight& flight, const Figures& f) {
   }
   switch (*end.reason) {
     case core::PhaseReason::tilted_too_far:
-      return fmt::format(" The tilt limit ended control {} s before apogee.", before);
+      return fmt::format(" The tilt limit ended control {} s before apogee.{}", before,
+                         before_s > near_apogee_s ? turned_after_end(f) : "");
     case core::PhaseReason::control_time_over:
       return fmt::format(" The plan's control time{} was over {} s before apogee.", plan_time(flight), before);
     default: return fmt::format(" Control ended {} s before apogee: {}.", before, flight::display_name(*end.reason));
@@ -269,12 +279,7 @@ std::string early_end(const flight::Flight& flight, const Figures& f) {
     text += fmt::format(": {}{}.", flight::display_name(*end.reason),
                         is_seen_later ? fmt::format(", seen at {} s", text::fixed(end.time_s, 2)) : "");
   }
-  if (f.roll_after_end_rad) {
-    text += fmt::format(" After that the rocket turned by up to {} deg until {}.",
-                        text::fixed(text::degrees(*f.roll_after_end_rad), 1),
-                        f.ended_before_apogee_s ? "apogee" : "the trajectory ends");
-  }
-  return text;
+  return text + turned_after_end(f);
 }
 
 }  // namespace fantail::report

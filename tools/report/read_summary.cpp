@@ -229,6 +229,8 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   }
   flight.rest_limit_rad =
       text::radians(number(summary, "rest_limit_deg").value_or(text::degrees(flight.rest_limit_rad)));
+  flight.tilt_end_before_apogee_s =
+      number(summary, "tilt_end_before_apogee_s").value_or(flight.tilt_end_before_apogee_s);
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
   flight.before_burnout = read_before_burnout(member(summary, "before_burnout"));
   read_outages(flight, member(summary, "outages"));
