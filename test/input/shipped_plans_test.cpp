@@ -88,6 +88,36 @@ TEST(ShippedPlans, WithTheIntegralIsTheSecondLaunchButForItsLaw) {
   }
 }
 
+// What ranges ask (docs/safety.md): of the clauses in numbers, those that a plan alone can meet.
+TEST(ShippedPlans, ThatMayFlyWaitCaptureAndEndAtTrim) {
+  for (const char* name : {"tasha3_launch2_irec", "tasha3_launch2_euroc", "kestrel", "kestrel_euroc"}) {
+    const core::FlightPlan plan = shipped(name);
+    EXPECT_NE(plan.dormancy.until, core::DormantUntil::guide) << name;
+    EXPECT_EQ(plan.controller.entry, core::ControlEntry::capture) << name;
+    EXPECT_EQ(plan.run.tilt_limit, 30_deg) << name;
+    EXPECT_EQ(plan.run.tilt_from, core::TiltOrigin::guide) << name;
+    EXPECT_EQ(plan.run.canard_fault, core::CanardFaultPolicy::end_control) << name;
+    EXPECT_NE(plan.run.abort_input, core::AbortInput::none) << name;
+    EXPECT_EQ(plan.excitation.form, core::ExcitationForm::none) << name;
+    EXPECT_TRUE(plan.reference.step_times[0] >= Microseconds{1'200'000}) << name;
+  }
+  EXPECT_EQ(shipped("tasha3_launch2_euroc").dormancy.height_m, 1500.0F);
+  EXPECT_EQ(shipped("kestrel_euroc").dormancy.height_m, 1500.0F);
+}
+
+// So that kestrel_euroc differs from kestrel in its gate and in nothing else.
+TEST(ShippedPlans, OfKestrelDifferInTheirGate) {
+  core::FlightPlan plan = shipped("kestrel_euroc");
+  const core::FlightPlan other = shipped("kestrel");
+  EXPECT_EQ(plan.dormancy.until, core::DormantUntil::burn_out_and_height);
+  plan.dormancy = other.dormancy;
+  for (const core::PlanField& field : core::flight_plan_fields()) {
+    for (std::size_t slot = 0; slot < field.used_slots(other); ++slot) {
+      EXPECT_EQ(field.get_bits(plan, slot), field.get_bits(other, slot)) << field.section << '.' << field.key;
+    }
+  }
+}
+
 TEST(ShippedPlans, TunnelRunsStepBy45DegreesEveryTenSecondsEightTimes) {
   const core::FlightPlan plan = shipped("tunnel_steps");
   EXPECT_EQ(plan.run.start, core::Start::tunnel);
@@ -127,13 +157,13 @@ TEST(ShippedPlans, OfTheGimbalHoldsTheRollOnCommand) {
   EXPECT_EQ(plan.reference.kind, core::ReferenceKind::hold);
 }
 
-TEST(ShippedPlans, AreSevenAndNoFileIsForgottenHere) {
+TEST(ShippedPlans, AreElevenAndNoFileIsForgottenHere) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator{SHIPPED_PLANS}) {
     EXPECT_NO_THROW((void)read_plan(Document::load(entry.path()))) << entry.path();
     count += 1;
   }
-  EXPECT_EQ(count, 7U);
+  EXPECT_EQ(count, 11U);
 }
 
 }  // namespace

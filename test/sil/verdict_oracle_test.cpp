@@ -173,7 +173,7 @@ std::string expect_same(const sim::Scenario& scenario, const std::string& which)
 
 TEST(JudgedFlight, OfAShippedScenarioIsTheOneWhoseRowsAreKept) {
   for (const char* name : {"tasha3_launch1", "tasha3_launch2", "tasha3_launch2_integral", "tunnel_steps",
-                           "tunnel_swirl_with", "tunnel_stability", "gimbal", "bench_canard1_stuck"}) {
+                           "tunnel_swirl_with", "tunnel_stability", "gimbal", "bench_canard1_stuck", "kestrel"}) {
     expect_same(shipped(name), name);
   }
 }

@@ -6,10 +6,11 @@ namespace fantail::test {
 namespace {
 
 const std::string names_of_scenarios =
-    "tasha3_launch1 tasha3_launch2 tasha3_launch2_integral tunnel_flow tunnel_stability tunnel_steps tunnel_swirl_with "
-    "tunnel_swirl_without";
+    "kestrel kestrel_euroc tasha3_launch1 tasha3_launch2 tasha3_launch2_euroc tasha3_launch2_integral "
+    "tasha3_launch2_irec tunnel_flow tunnel_stability tunnel_steps tunnel_swirl_with tunnel_swirl_without";
 const std::string names_of_plans =
-    "tasha3_launch1 tasha3_launch2 tasha3_launch2_integral tunnel_free tunnel_stability tunnel_steps";
+    "kestrel kestrel_euroc tasha3_launch1 tasha3_launch2 tasha3_launch2_euroc tasha3_launch2_integral "
+    "tasha3_launch2_irec tunnel_free tunnel_stability tunnel_steps";
 const std::string first_lines = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
 
 std::string shipped(const std::string& file) { return content(std::string{FANTAIL_TEST_SOURCE} + "/sim/" + file); }

@@ -73,8 +73,8 @@ TEST_P(Plan, IsPackedIntoABlockThatReadsBackBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Plan,
-                         testing::Values("tasha3_launch1", "tasha3_launch2", "tasha3_launch2_integral", "tunnel_free",
-                                         "tunnel_steps"),
+                         testing::Values("tasha3_launch1", "tasha3_launch2", "tasha3_launch2_integral",
+                                         "tasha3_launch2_irec", "kestrel_euroc", "tunnel_free", "tunnel_steps"),
                          [](const auto& one) { return one.param; });
 
 TEST(PlanShow, ShowsTheDefaultOfEveryFieldWhenNoPlanIsNamed) {
