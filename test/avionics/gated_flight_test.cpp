@@ -89,7 +89,7 @@ class AbortContact : public testing::TestWithParam<AbortInput> {
 TEST_P(AbortContact, KeepsTheRocketFromBeingArmedAndIsNamed) {
   set(true);
   EXPECT_NE(rig.arm().phase, Phase::armed);
-  EXPECT_EQ(rig.pc.heard<protocol::ArmReply>()->refusal, protocol::ArmRefusal::abort_asked_for);
+  EXPECT_EQ(rig.pc.heard<protocol::ArmReply>()->refusal, protocol::ArmRefusal::abort_not_ready);
   rig.run(100 * millisecond);
   EXPECT_TRUE(rig.pc.heard<protocol::StatusReport>()->abort);
 }
