@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Capture in the loop: a rocket that spins as control begins, at every angle, comes to rest by the soonest turn.
+#include <array>
 #include <fmt/core.h>
 
 #include "core/capture.hpp"
@@ -175,11 +176,13 @@ std::vector<Setup> setups() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, EverySpin, testing::ValuesIn(setups()), [](const auto& each) {
-  constexpr const char* names[] = {"none", "integral", "observer"};
+std::string name_of(const testing::TestParamInfo<Setup>& each) {
+  constexpr std::array names{"none", "integral", "observer"};
   return fmt::format("{:.0f}_m_s_offset_{:.0f}_tenths_{}", each.param.speed_m_s, -10.0 * each.param.offset_deg,
-                     names[static_cast<int>(each.param.rejection)]);
-});
+                     names.at(static_cast<std::size_t>(each.param.rejection)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, EverySpin, testing::ValuesIn(setups()), name_of);
 
 report::Outcome outcome_of(const std::string& entry) {
   const flight::Flight flight = fly::fly_scenario(input::load_scenario(
