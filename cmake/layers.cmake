@@ -45,6 +45,7 @@ set(FANTAIL_LAYERS
   "tools/airframe/openrocket|sim text airframe/model|fmt/ pugixml\\.hpp zip\\.h zlib\\.h"
   "tools/airframe|core sim text json page result stability airframe/model|fmt/"
   "tools/fly|core sim input flight replies stability airframe/model|fmt/"
+  "tools/dormancy|core sim text flight report stability fly|fmt/"
   "tools/hil|core protocol world_link sim text|fmt/ fcntl\\.h poll\\.h sched\\.h sys/ termios\\.h unistd\\.h"
   "tools/telemetry|core hal avionics text json replies|fmt/ lcm/ fantail_lcm/ arpa/inet\\.h netinet/in\\.h poll\\.h sys/ unistd\\.h"
   "tools/live|core hal text json page telemetry|fmt/ arpa/inet\\.h"
@@ -62,7 +63,7 @@ set(FANTAIL_LAYERS
   "tools/faults|core sim text json page result input flight fly runs campaign|fmt/"
   "tools/playground|core sim text json input flight report fly|fmt/"
   "tools/rules|core sim text result input flight airframe/model|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input files flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults rules brief|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input files flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults rules brief dormancy|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json manual input flight report flight_log logs fly runs campaign fantail|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.

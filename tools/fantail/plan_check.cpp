@@ -11,9 +11,11 @@
 #include "campaign/flown_run.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
+#include "fantail/plan_outlook.hpp"
 #include "fantail/plan_rules.hpp"
 #include "fantail/scenario_options.hpp"
 #include "fantail/terminal.hpp"
+#include "fantail/weaker_plan.hpp"
 #include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/plan_file.hpp"
@@ -192,42 +194,9 @@ FlightCheck check_flight(const sim::Scenario& scenario) {
   return found;
 }
 
-/// Where a plan for a launch is weaker than those that the safety case is about (docs/safety.md, "Which plans"). The
-/// firmware takes it all the same.
-std::vector<std::string> weaker_than_shipped(const core::FlightPlan& plan) {
-  std::vector<std::string> weaker;
-  if (plan.run.start != core::Start::launch) {
-    return weaker;
-  }
-  const core::LaunchDetectionPlan& rule = plan.launch_detection;
-  const core::GuidePlan& guide = plan.guide;
-  const auto add = [&](bool is, std::string_view what) {
-    if (is) {
-      weaker.emplace_back(what);
-    }
-  };
-  const auto value = [](float number, double unit, int digits) {
-    return text::brief(static_cast<double>(number) / unit, digits);
-  };
-  constexpr double g_m_s2 = 9.80665;
-  const bool two = rule.accelerometers == core::AccelerometerRule::two_agree;
-  add(!two, "launch_detection.accelerometers = \"one\"; two must agree there");
-  add(two && rule.single_allowed, "launch_detection.single_allowed = true; one alone does not count there");
-  add(!rule.low_pass, "launch_detection.low_pass = false; 8 Hz there");
-  add(rule.low_pass && rule.low_pass_hz > 8.0F,
-      fmt::format("launch_detection.low_pass_hz = {}; 8 there", value(rule.low_pass_hz, 1.0, 1)));
-  add(rule.threshold_m_s2 < static_cast<float>(1.999 * g_m_s2),
-      fmt::format("launch_detection.threshold_g = {}; 2 or more there", value(rule.threshold_m_s2, g_m_s2, 2)));
-  add(rule.hold < std::chrono::milliseconds{100}, "launch_detection.hold_s is less than 0.1");
-  add(guide.length_m <= 0.0F, "guide.length_m = 0: control does not wait for the end of a guide");
-  add(guide.minimum_speed_m_s < 17.0F,
-      fmt::format("guide.minimum_speed_m_s = {}; 17 there", value(guide.minimum_speed_m_s, 1.0, 1)));
-  return weaker;
-}
-
-json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightCheck& flight) {
+json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightCheck& flight, const GateCheck& gate) {
   const std::size_t warnings =
-      weaker_than_shipped(subject.plan).size() + (loop.warns ? 1U : 0U) + flight.warnings.size();
+      weaker_than_shipped(subject.plan).size() + (loop.warns ? 1U : 0U) + flight.warnings.size() + gate.warnings.size();
   json::Value all{
       {"plan", subject.file}, {"may_fly", true}, {"crc", fmt::format("{:08x}", protocol::plan_crc(subject.plan))}};
   all["weaker_than_shipped"] = json::Value::array();
@@ -235,6 +204,7 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightC
     all["weaker_than_shipped"].push_back(what);
   }
   all["unmet_clauses"] = unmet_clauses(subject.plan);
+  all["gate_warnings"] = gate.warnings;
   result::put_answer(all, result::Answer::yes,
                      fmt::format("Every field is known and within its range: the firmware accepts this plan; {}.",
                                  text::counted(warnings, "warning")),
@@ -257,10 +227,11 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightC
   all["control_ends_before_apogee_s"] =
       number(flight.before_apogee_s.has_value(), flight.before_apogee_s.value_or(0.0));
   all["flight_warnings"] = flight.warnings;
+  all["gate"] = gate.json;
   return all;
 }
 
-void show_check(const Subject& found, const LoopCheck& loop, const FlightCheck& flight) {
+void show_check(const Subject& found, const LoopCheck& loop, const FlightCheck& flight, const GateCheck& gate) {
   const std::string file = text::printable(found.file);
   show("{}: every field is known and within its range: the firmware accepts this plan, checksum {:08x}\n", file,
        protocol::plan_crc(found.plan));
@@ -280,8 +251,13 @@ void show_check(const Subject& found, const LoopCheck& loop, const FlightCheck& 
   if (!loop.sentence.empty()) {
     show("{}: {}{}\n", file, loop.warns ? "warning: " : "", text::printable(loop.sentence));
   }
-  for (const std::string& warning : flight.warnings) {
-    show("{}: warning: {}\n", file, text::printable(warning));
+  if (!gate.sentence.empty()) {
+    show("{}: in {}, {}\n", file, text::printable(found.scenario->name), gate.sentence);
+  }
+  for (const std::vector<std::string>& all : {flight.warnings, gate.warnings}) {
+    for (const std::string& warning : all) {
+      show("{}: warning: {}\n", file, text::printable(warning));
+    }
   }
 }
 
@@ -291,11 +267,12 @@ void check_plan(const PlanCheck& asked) {
   const Subject found = subject(asked);
   const LoopCheck loop = found.scenario ? check_loop(found) : LoopCheck{};
   const FlightCheck flight = found.scenario ? check_flight(*found.scenario) : FlightCheck{};
+  const GateCheck gate = check_gate(found.plan, found.scenario);
   const PlanRules rules{asked.rules, found.file, found.plan};
   if (asked.json) {
-    fmt::print("{}\n", rules.added_to(json_of(found, loop, flight)).dump());
+    fmt::print("{}\n", rules.added_to(json_of(found, loop, flight, gate)).dump());
   } else {
-    show_check(found, loop, flight);
+    show_check(found, loop, flight, gate);
   }
   rules.end(!asked.json);
 }

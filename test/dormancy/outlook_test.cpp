@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "dormancy/outlook.hpp"
+
+#include "dormancy/sentences.hpp"
+#include "input/scenario_file.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::dormancy {
+namespace {
+
+using core::DormantUntil;
+using text::degrees;
+
+sim::Scenario second_launch(DormantUntil until) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.plan.dormancy.until = until;
+  scenario.plan.dormancy.burn_time = core::Microseconds{3'200'000};
+  scenario.plan.controller.entry = core::ControlEntry::capture;
+  scenario.plan.excitation.form = core::ExcitationForm::none;
+  return scenario;
+}
+
+/// The same impulse, with a tail of a tenth of the thrust for nearly two seconds.
+sim::Scenario with_tail(DormantUntil until) {
+  sim::Scenario scenario = second_launch(until);
+  scenario.vehicle.motor =
+      sim::ThrustCurve{{{0.0, 0.0}, {0.05, 160.0}, {2.6, 140.0}, {2.8, 16.0}, {4.6, 14.0}, {4.7, 0.0}},
+                       scenario.vehicle.motor.propellant_kg()};
+  return scenario;
+}
+
+bool says(const std::vector<std::string>& all, std::string_view words) {
+  return std::ranges::any_of(all, [&](const std::string& one) { return one.find(words) != std::string::npos; });
+}
+
+std::vector<std::string> doubts_of(const sim::Scenario& scenario) {
+  const Outlook found = outlook(scenario);
+  return doubts(scenario, found, capture_forecast(scenario, found));
+}
+
+// The canonical curve falls from 118 N at 2.98 s to nothing at 3.20 s, its peak is 173 N: 2 % of it are left 3.1936 s
+// after ignition.
+TEST(Outlook, TheLastThrustIsTwoPerCentOfThePeak) {
+  const sim::Scenario scenario = second_launch(DormantUntil::guide);
+  EXPECT_NEAR(last_thrust_s(scenario.vehicle.motor).value(), 3.20 - 0.22 * 0.02 * 173.0 / 118.0, 1e-9);
+  EXPECT_FALSE(last_thrust_s(sim::ThrustCurve{}).has_value());
+  EXPECT_NEAR(last_thrust_s(sim::ThrustCurve{{{0.0, 100.0}, {1.0, 0.0}}, 0.1}).value(), 0.98, 1e-9);
+}
+
+// Row 9 and 10 of the oracle table, and the study: 82 m/s as the motor burns out.
+TEST(Outlook, FliesTheAscentOfTheSecondLaunch) {
+  const Outlook found = outlook(second_launch(DormantUntil::burn_out));
+  EXPECT_NEAR(found.apogee.value().height_m, 421.5, 2.0);
+  EXPECT_NEAR(found.apogee.value().time_s, 10.36, 0.1);
+  EXPECT_NEAR(found.guide_clear.value().height_m, 4.0, 0.02);
+  EXPECT_LT(found.most_pressure.value().time_s, found.thrust_is_drag.value().time_s);
+  EXPECT_LT(found.thrust_is_drag.value().time_s, found.last_thrust.value().time_s);
+  EXPECT_LT(found.last_thrust.value().time_s, found.thrust_end.value().time_s);
+  const Opening& opening = found.opening.value();
+  EXPECT_TRUE(opening.was_waited_for);
+  EXPECT_NEAR(opening.time_s, 1.1 * 3.2, 0.05);
+  EXPECT_NEAR(opening.speed_m_s, 76.4, 0.5);
+  // Eq 27, nearly reached.
+  EXPECT_NEAR(degrees(opening.rate_rad_s), -9.0 / 23.0 * 4.9 * 76.4, 8.0);
+  EXPECT_GT(found.opens_after_thrust_s().value(), 0.3);
+  EXPECT_LT(opening.captured_after_s.value(), 1.2);
+  EXPECT_NEAR(found.burn_s.value(), 3.19, 0.05);
+}
+
+TEST(Outlook, AGateByBurnOutThatIsEarlySaysByHowMuchAndWhichFactorWouldNotBe) {
+  sim::Scenario scenario = with_tail(DormantUntil::burn_out);
+  scenario.plan.dormancy.burn_clock_factor = 1.0F;
+  const Outlook found = outlook(scenario);
+  EXPECT_LT(found.opens_after_thrust_s().value(), -0.5);
+  EXPECT_LT(found.most_pressure.value().time_s, 3.0);
+  EXPECT_TRUE(
+      says(doubts_of(scenario), "s before the last thrust (2 % of its peak). A dormancy.burn_clock_factor of "));
+  EXPECT_TRUE(says(doubts_of(scenario), "dormancy.burn_time_s = 3.2"));
+  const double factor = std::ceil(100.0 * found.burn_s.value() / 3.2) / 100.0;
+  scenario.plan.dormancy.burn_clock_factor = static_cast<float>(factor);
+  EXPECT_GT(outlook(scenario).opens_after_thrust_s().value(), 0.0);
+  scenario.plan.dormancy.burn_clock_factor = static_cast<float>(factor - 0.02);
+  EXPECT_LT(outlook(scenario).opens_after_thrust_s().value(), 0.0);
+}
+
+TEST(Outlook, AtTheLargestPressureTheMotorMayStillBurn) {
+  EXPECT_TRUE(says(doubts_of(with_tail(DormantUntil::max_dynamic_pressure)), "the motor still burns for 1."));
+  EXPECT_TRUE(doubts_of(second_launch(DormantUntil::max_dynamic_pressure)).empty());
+}
+
+// Margin: 1 % of 300 m and of g t^2 / 2, and 60 mg of t^2 / 2: 14.2 m at 5.5 s.
+TEST(Outlook, AGateByHeightSaysWhatItsMarginCosts) {
+  sim::Scenario scenario = second_launch(DormantUntil::height);
+  scenario.plan.dormancy.height_m = 300.0F;
+  const Outlook found = outlook(scenario);
+  const double t_s = found.opening.value().time_s;
+  const double margin_m = 0.01 * (found.opening->height_m + 9.80665 * t_s * t_s / 2) + 0.06 * 9.80665 * t_s * t_s / 2;
+  EXPECT_NEAR(found.opening->height_m - 300.0, margin_m, 1.5);
+  EXPECT_NEAR(found.height_costs_s().value(), margin_m / 50.0, 0.03);
+}
+
+TEST(Outlook, AGateAboveTheApogeeIsNeverReached) {
+  const sim::Scenario scenario = second_launch(DormantUntil::height);
+  const Outlook found = outlook(scenario);
+  EXPECT_FALSE(found.opening.has_value());
+  EXPECT_EQ(found.stayed_because, core::PhaseReason::gate_never_opened);
+  EXPECT_EQ(never_opened(scenario, found),
+            "the gate is not reached: the apogee of 422 m is below dormancy.height_m = 1500. Control never begins");
+  EXPECT_EQ(opening_clause(scenario, found, {}), "");
+}
+
+TEST(Outlook, ARocketThatNeverLeavesThePadHasNone) {
+  sim::Scenario scenario = second_launch(DormantUntil::height);
+  scenario.vehicle.mass_kg = 50.0;
+  const Outlook found = outlook(scenario);
+  EXPECT_FALSE(found.opening || found.apogee || found.guide_clear || found.last_thrust);
+  EXPECT_EQ(never_opened(scenario, found), "");
+}
+
+TEST(Outlook, ASpinNearTheEndOfTheGyroIsDoubted) {
+  sim::Scenario scenario = second_launch(DormantUntil::max_dynamic_pressure);
+  scenario.vehicle.imu.full_scale_rad_s = text::radians(250.0);
+  EXPECT_FALSE(says(doubts_of(scenario), "the gyro measures"));
+  scenario.vehicle.imu.full_scale_rad_s = text::radians(190.0);
+  EXPECT_TRUE(says(doubts_of(scenario),
+                   "the fin offset of 4.9 deg can turn the rocket at 158 deg/s (steady roll at 82 m/s); the gyro "
+                   "measures up to 190 deg/s"));
+}
+
+TEST(Outlook, TheForecastOfCaptureIsThatOfTheFlight) {
+  const sim::Scenario scenario = second_launch(DormantUntil::max_dynamic_pressure);
+  const Outlook found = outlook(scenario);
+  const auto forecast = capture_forecast(scenario, found);
+  EXPECT_LE(found.opening.value().captured_after_s.value(), forecast.value().from_any_angle_within_s.value());
+  sim::Scenario weak = scenario;
+  weak.plan.controller.canard_limit = core::Angle::from_degrees(4.0F);
+  const Outlook spinning = outlook(weak);
+  const auto residual = capture_forecast(weak, spinning).value().residual_rate_rad_s;
+  EXPECT_NEAR(degrees(residual.value()), -9.0 / 23.0 * 0.9 * spinning.opening.value().speed_m_s, 0.3);
+  EXPECT_TRUE(
+      says(doubts(weak, spinning, capture_forecast(weak, spinning)), "the canards cannot stop the rotation: 29 deg/s"));
+}
+
+TEST(PlanDoubts, AreThoseOfAPlanForALaunch) {
+  core::FlightPlan plan = second_launch(DormantUntil::burn_out).plan;
+  plan.run.tilt_limit = core::Angle::from_degrees(30.0F);
+  plan.run.tilt_from = core::TiltOrigin::guide;
+  EXPECT_EQ(doubts(plan),
+            (std::vector<std::string>{"controller.entry = \"capture\" without [roll_model]: the turn is chosen from "
+                                      "gains and spin alone"}));
+  plan.roll_model.torque_m = 9.0F;
+  EXPECT_TRUE(doubts(plan).empty());
+  plan.run.tilt_limit = core::Angle::from_degrees(45.0F);
+  plan.excitation.form = core::ExcitationForm::product;
+  plan.excitation.begin = core::Microseconds{400'000};
+  EXPECT_TRUE(says(doubts(plan), "run.tilt_limit_deg = 45 from the launch guide: ranges allow at most 30 degrees"));
+  EXPECT_TRUE(says(doubts(plan), "excitation.begin_s = 0.4: it takes canard angle from capture"));
+  plan.controller.entry = core::ControlEntry::as_published;
+  EXPECT_TRUE(says(doubts(plan), "every turn that is made before control is turned back"));
+  plan.run.start = core::Start::tunnel;
+  EXPECT_TRUE(doubts(plan).empty());
+}
+
+}  // namespace
+}  // namespace fantail::dormancy

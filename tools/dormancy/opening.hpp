@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "flight/flight.hpp"
+#include "report/running_figures.hpp"
+#include "report/verdict.hpp"
+
+namespace fantail::dormancy {
+
+/// Farther than this from where the law settles, a roll angle is not captured.
+inline constexpr double captured_rad = report::held_error_rad;
+/// So long it must have stayed there: no rocket that only turns past it is captured.
+inline constexpr double shortest_capture_s = 0.5;
+/// Slower, the canards have next to no air, and nothing is asked of the roll.
+inline constexpr double slowest_held_m_s = 20.0;
+
+/// How a rocket moves as its canards first leave trim, and how soon its roll is captured.
+struct Opening {
+  double time_s = 0.0;                       ///< on the clock of its flight
+  bool was_waited_for = false;               ///< beyond the guide: the plan's gate was closed there
+  double height_m = 0.0;                     ///< true height above the site, where truth is known
+  double speed_m_s = 0.0;                    ///< likewise
+  double rate_rad_s = 0.0;                   ///< likewise
+  double angle_rad = 0.0;                    ///< as the law has it, whole turns and all
+  double offset_rad = 0.0;                   ///< of the fins, where truth is known
+  std::optional<double> captured_after_s{};  ///< from then on within captured_rad of where the law settles, until the
+                                             ///< reference moves, the air is too slow or control ends. Empty: never
+};
+
+/// Looks at a flight row by row.
+class OpeningWatch {
+ public:
+  explicit OpeningWatch(bool tunnel) : zero_{tunnel} {}
+
+  /// Each row, in order, and the flight as far as it is known by then.
+  void add(const flight::Row& row, const flight::Flight& so_far);
+
+  /// Empty: canards never left trim. `clock`: from the rows' to that of the flight.
+  [[nodiscard]] std::optional<Opening> found(const flight::Clock& clock = {}) const;
+
+ private:
+  void watch_capture(const flight::Row& row, const flight::Flight& so_far);
+
+  report::TrueZero zero_;
+  std::optional<Opening> opening_{};
+  double reference_rad_ = 0.0;
+  bool is_over_ = false;
+  std::optional<double> within_since_s_{};
+  double last_s_ = 0.0;
+};
+
+}  // namespace fantail::dormancy
