@@ -215,5 +215,14 @@ TEST(Criteria, InFlightsThatOnlyTheFinOffsetFailsTheOffsetIsNamedFirst) {
   EXPECT_LT(report.flown.runs[a.worst.front().index].numbers[1], -5.0);
 }
 
+TEST(Criteria, AGateThatNeverOpensIsTheOnlyCriterionOfItsRun) {
+  JudgedFlight judged;
+  judged.verdict.outcome = report::Outcome::no_control;
+  judged.flight.phase_changes = {{.phase = core::Phase::finished, .reason = core::PhaseReason::gate_never_opened}};
+  EXPECT_EQ(failed_criteria(judged), (std::vector<std::string>{"gate"}));
+  judged.flight.phase_changes.back().reason = core::PhaseReason::gyro_failed_before_control;
+  EXPECT_EQ(failed_criteria(judged), (std::vector<std::string>{"no_control"}));
+}
+
 }  // namespace
 }  // namespace fantail::campaign

@@ -55,7 +55,8 @@ TEST(Question, SaysWhatIsAllowed) {
             std::string::npos)
       << refusal("outcome=good");
   EXPECT_NE(refusal("apogee>=3")
-                .find("apogee_m, rest_error_deg, uncontrolled_time_before_apogee_s, top_mach, static_margin_calibres, "
+                .find("apogee_m, rest_error_deg, uncontrolled_time_before_apogee_s, gate_time_s, gate_height_m, "
+                      "gate_rate_deg_s, gate_angle_deg, capture_time_s, top_mach, static_margin_calibres, "
                       "angle_of_attack_deg with >= or <= and a number"),
             std::string::npos);
   for (const char* text : {"", "apogee_m", "apogee_m=3", "apogee_m>3", "apogee_m>=", "apogee_m>=nan", "apogee_m>=3m"}) {

@@ -2,6 +2,8 @@
 #include "dormancy/outlook.hpp"
 
 #include "dormancy/sentences.hpp"
+#include "dormancy/speeds.hpp"
+#include "fly/fly_scenario.hpp"
 #include "input/scenario_file.hpp"
 #include "text/degrees.hpp"
 
@@ -139,6 +141,14 @@ TEST(Outlook, TheForecastOfCaptureIsThatOfTheFlight) {
   EXPECT_NEAR(degrees(residual.value()), -9.0 / 23.0 * 0.9 * spinning.opening.value().speed_m_s, 0.3);
   EXPECT_TRUE(
       says(doubts(weak, spinning, capture_forecast(weak, spinning)), "the canards cannot stop the rotation: 29 deg/s"));
+}
+
+TEST(SpeedsUnderControl, BehindAGateGoDownToTheSlowestAtWhichTheRollIsHeld) {
+  const std::vector<double> late = speeds_under_control_m_s(second_launch(DormantUntil::max_dynamic_pressure));
+  EXPECT_NEAR(late.front(), 81.4, 0.2);
+  EXPECT_NEAR(std::ranges::min(late), 20.0, 0.02);
+  const sim::Scenario published = second_launch(DormantUntil::guide);
+  EXPECT_EQ(speeds_under_control_m_s(published), fly::speeds_under_control_m_s(published));
 }
 
 TEST(PlanDoubts, AreThoseOfAPlanForALaunch) {

@@ -50,6 +50,17 @@ TEST(Law, AnObserverGetsTheRollInertiaAfterBurnOut) {
   EXPECT_EQ(inertia_kg_m2(), 0.0035F);
 }
 
+TEST(Law, BehindAGateLaterThanTheGuideBeginsByCaptureWithTheRollModelOfTheVehicle) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const auto plan = [&] { return with_law(scenario, OffsetRejection::none, {.gains = {0.5, 0.05}}, {20.0, 80.0}); };
+  EXPECT_EQ(plan().controller.entry, core::ControlEntry::as_published);
+  EXPECT_EQ(plan().roll_model.torque_m, 0.0F);
+  scenario.plan.dormancy.until = core::DormantUntil::max_dynamic_pressure;
+  EXPECT_EQ(plan().dormancy.until, core::DormantUntil::max_dynamic_pressure);
+  EXPECT_EQ(plan().controller.entry, core::ControlEntry::capture);
+  EXPECT_EQ(plan().roll_model.torque_m, 9.0F);
+}
+
 TEST(Law, WithoutAKnownSpeedThereIsNoObserver) {
   const sim::Scenario scenario = input::load_scenario("tunnel_steps", {});
   EXPECT_THROW((void)with_law(scenario, OffsetRejection::observer,

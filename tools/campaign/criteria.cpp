@@ -20,6 +20,7 @@ constexpr std::size_t uncontrolled = column("uncontrolled_time_before_apogee_s")
 // A cause stands before its consequences, and of equally frequent ones it is named first.
 constexpr std::array criteria{
     Criterion{"ascent", "the ascent failed"},
+    Criterion{"gate", "the plan's gate never opened"},
     Criterion{"no_control", "control never began"},
     Criterion{"tilt", "the tilt limit ended control early", uncontrolled},
     Criterion{"control_end", "control ended early, not by tilt", uncontrolled},
@@ -86,7 +87,10 @@ std::vector<std::string> failed_criteria(const JudgedFlight& judged) {
   const bool tilted =
       !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::tilted_too_far;
   add(outcome == Outcome::ascent_failed, "ascent");
-  add(outcome == Outcome::no_control, "no_control");
+  const bool closed = !judged.opening && !flight.phase_changes.empty() &&
+                      flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;
+  add(closed, "gate");
+  add(outcome == Outcome::no_control && !closed, "no_control");
   add(judged.verdict.ended_early && tilted, "tilt");
   add(judged.verdict.ended_early && !tilted, "control_end");
   add(is_beyond(flight::ModelEnd::mach, flight.extremes), "mach");

@@ -37,9 +37,20 @@ void take_figures(FlownRun& flown, const JudgedFlight& judged) {
                    figures.apogee_m,
                    text::in_degrees(figures.rest_error_rad),
                    figures.ended_before_apogee_s,
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
                    judged.flight.extremes.top_mach,
                    judged.flight.extremes.static_margin_calibres,
                    text::in_degrees(judged.flight.extremes.angle_of_attack_rad)};
+  if (judged.opening && judged.flight.plan.dormancy.until != core::DormantUntil::guide) {
+    const dormancy::Opening& gate = *judged.opening;
+    const std::array<std::optional<double>, 5> of_gate{gate.time_s, gate.height_m, text::degrees(gate.rate_rad_s),
+                                                       text::degrees(gate.angle_rad), gate.captured_after_s};
+    std::ranges::copy(of_gate, flown.figures.begin() + gate_time_column);
+  }
   for (std::size_t i = 0; i < flown.figures.size(); ++i) {
     if (flown.figures[i] && !std::isfinite(*flown.figures[i])) {
       flown.outcome = "not_finite";
@@ -98,16 +109,20 @@ std::vector<std::string> criteria_in(const flight::Table& table, std::size_t row
 }  // namespace
 
 JudgedFlight fly_and_judge(const sim::Scenario& scenario, const fly::TakeRow& take) {
-  report::RunningFigures running{scenario.surroundings != sim::Surroundings::flight};
+  const bool tunnel = scenario.surroundings != sim::Surroundings::flight;
+  report::RunningFigures running{tunnel};
+  dormancy::OpeningWatch opening{tunnel};
   JudgedFlight judged;
   judged.flight = fly::fly_without_rows(scenario, [&](const flight::Row& row, const flight::Flight& so_far) {
     running.add(row, so_far);
+    opening.add(row, so_far);
     if (take) {
       take(row, so_far);
     }
   });
   judged.figures = running.figures(judged.flight, judged.flight.clock);
   judged.verdict = report::verdict(judged.flight, judged.figures);
+  judged.opening = opening.found(judged.flight.clock);
   return judged;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "campaign/draw.hpp"
+#include "dormancy/opening.hpp"
 #include "flight/flight.hpp"
 #include "fly/fly_scenario.hpp"
 #include "report/figures.hpp"
@@ -24,6 +25,7 @@ struct JudgedFlight {
   flight::Flight flight;    ///< without rows
   report::Figures figures;  ///< except Figures::side_deflection
   report::Verdict verdict;
+  std::optional<dormancy::Opening> opening;  ///< canards leave trim; empty: they never do
 };
 
 /// Flies a scenario and judges it on the way. `take` gets each row, too.
@@ -34,8 +36,9 @@ struct JudgedFlight {
 void write_flight(const sim::Scenario& scenario, std::vector<std::string> changes, std::string note,
                   const std::filesystem::path& folder);
 
-/// What a run is measured by: columns of runs.csv, empty where the flight has no such figure.
-inline constexpr std::array<std::string_view, 12> figure_columns{"largest_hold_error_deg",
+/// What a run is measured by: columns of runs.csv, empty where the flight has no such figure. Those of the gate and of
+/// capture are of plans that wait for more than the guide.
+inline constexpr std::array<std::string_view, 17> figure_columns{"largest_hold_error_deg",
                                                                  "saturated_share",
                                                                  "authority_margin_deg",
                                                                  "control_time_s",
@@ -44,9 +47,16 @@ inline constexpr std::array<std::string_view, 12> figure_columns{"largest_hold_e
                                                                  "apogee_m",
                                                                  "rest_error_deg",
                                                                  "uncontrolled_time_before_apogee_s",
+                                                                 "gate_time_s",
+                                                                 "gate_height_m",
+                                                                 "gate_rate_deg_s",
+                                                                 "gate_angle_deg",
+                                                                 "capture_time_s",
                                                                  "top_mach",
                                                                  "static_margin_calibres",
                                                                  "angle_of_attack_deg"};
+/// The place of the first of the five of dormancy::Opening, which stand before the last three.
+inline constexpr std::size_t gate_time_column = figure_columns.size() - 8;
 /// The place of the first of the last three, which are flight::Extremes.
 inline constexpr std::size_t top_mach_column = figure_columns.size() - 3;
 

@@ -38,6 +38,8 @@ STEPS = [
      "{host}/test/sil/test_sil --gtest_brief=1 --gtest_filter=VerdictOracle.*", {"FANTAIL_FLIGHTS": "{n}"}, []),
     ("goes", "Predictions that said go, flown", "goes", 500,
      "{host}/test/sil/test_sil --gtest_brief=1 --gtest_filter=GoOracle.*", {"FANTAIL_GOES": "{n}"}, []),
+    ("captures", "Captures that closed forms promised, flown", "captures", 100_000,
+     "{host}/test/dormancy/test_dormancy --gtest_brief=1 --gtest_filter=CaptureOracle.*", {"FANTAIL_CAPTURES": "{n}"}, []),
     ("law", "Flight law with random plans and samples: flights of 12 000 ticks", "flights", 83_334,
      "{host}/test/core/test_core --gtest_brief=1 --gtest_filter=Autopilot.WhateverComesInTheCommandsKeepTheirLimits",
      {"RC_PARAMS": "seed={seed} max_success={n}"}, []),

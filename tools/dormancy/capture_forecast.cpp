@@ -88,7 +88,8 @@ std::optional<double> last_degrees_s(const RollAtEntry& e, double speed_m_s) {
 
 /// A law begins to brake kd / kp of the rate before its rest, servo lag and dead time apart, and brakes with all that
 /// the canards have against the offset L - |u_d| over kp later. Where they need a longer angle than is left then, the
-/// rocket goes past its rest and has to come back: so long a way more.
+/// rocket goes past its rest, stops and has to come back: so long a way more. Past it by less than half of captured_rad
+/// it stays captured.
 double way_back_m(const RollAtEntry& e, double path) {
   const double offset_rad = std::abs(e.offset_rad);
   const double brake_rad = e.limit_rad - offset_rad;
@@ -105,7 +106,9 @@ double way_back_m(const RollAtEntry& e, double path) {
       rate_rad_s / damping_rate_per_s(e, speed_m_s) - speed_m_s * brake_rad / way_per_rad(e) * stop_s(speed_m_s);
   const double brakes_for_s = e.derivative_gain_s / e.proportional_gain - e.servo_lag_s - e.delay_s;
   const double past_rad = stop_rad - rate_rad_s * brakes_for_s + brake_rad / e.proportional_gain;
-  return past_rad > 0.0 ? way_per_rad(e) * past_rad / brake_rad + dying_path_m(e) : 0.0;
+  return past_rad > 0.5 * captured_rad
+             ? speed_m_s * stop_s(speed_m_s) + way_per_rad(e) * past_rad / brake_rad + dying_path_m(e)
+             : 0.0;
 }
 
 std::optional<double> captured_after_path_s(const RollAtEntry& e, std::optional<double> path) {

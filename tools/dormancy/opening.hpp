@@ -6,6 +6,7 @@
 #include "flight/flight.hpp"
 #include "report/running_figures.hpp"
 #include "report/verdict.hpp"
+#include "runs/row_text.hpp"
 
 namespace fantail::dormancy {
 
@@ -28,6 +29,11 @@ struct Opening {
   std::optional<double> captured_after_s{};  ///< from then on within captured_rad of where the law settles, until the
                                              ///< reference moves, the air is too slow or control ends. Empty: never
 };
+
+inline void fields(runs::RowText& text, Opening& opening) {
+  text(opening.time_s, opening.was_waited_for, opening.height_m, opening.speed_m_s, opening.rate_rad_s,
+       opening.angle_rad, opening.offset_rad, opening.captured_after_s);
+}
 
 /// Looks at a flight row by row.
 class OpeningWatch {

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "campaign/flown_run.hpp"
+#include "dormancy/speeds.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/plan_outlook.hpp"
@@ -17,7 +18,6 @@
 #include "fantail/terminal.hpp"
 #include "fantail/weaker_plan.hpp"
 #include "flight/flight.hpp"
-#include "fly/fly_scenario.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
@@ -119,18 +119,19 @@ struct LoopCheck {
 
 LoopCheck check_loop(const Subject& subject) {
   const sim::Scenario& scenario = *subject.scenario;
-  const auto range = fly::speed_range_under_control(scenario);
-  if (!range) {
+  const std::vector<double> speeds_m_s = dormancy::speeds_under_control_m_s(scenario);
+  if (speeds_m_s.empty()) {
     return {.sentence = fmt::format("in {}, control never begins, so the loop was not checked", scenario.name),
             .warns = true};
   }
+  const stability::SpeedRange range{std::ranges::min(speeds_m_s), std::ranges::max(speeds_m_s)};
   if (const std::string why = stability::why_uncontrollable(scenario);
       !why.empty() && flight::has_gains(subject.plan)) {
     throw text::Error{text::ErrorKind::bad_configuration, fmt::format("{}: {}: with the rocket of {} {}", subject.file,
                                                                       gains(subject.plan), scenario.name, why)};
   }
-  LoopCheck found{.range = range, .margins = stability::margins_in_range(scenario, *range)};
-  const std::string where = in_words(*range);
+  LoopCheck found{.range = range, .margins = stability::margins_in_range(scenario, range)};
+  const std::string where = in_words(range);
   if (const auto& first = found.margins.first_without) {
     const stability::MarginAtSpeed& worst = *found.margins.least;
     throw text::Error{

@@ -69,6 +69,11 @@ std::vector<result::Block> roll(const P& p, const result::Table& band) {
                         "reference plus the fin offset over the gain, not at the reference.";
   result::Picture rate = result::plot(band, "roll_rate", {.x = "time"}).wide();
   rate.caption = "Roll rate. The band is the spread of the runs at each instant, not one run.";
+  if (p.gate_time_s) {
+    for (page::Chart* chart : {&angle.chart, &rate.chart}) {
+      chart->shaded_ranges = {{.begin = 0.0, .end = p.gate_time_s->p50, .label = "canards at trim (median)"}};
+    }
+  }
   return {angle, rate};
 }
 

@@ -38,7 +38,13 @@ std::string found_share(const Share& share, double threshold) {
                      fixed(std::ceil(100.0 * share.high), 0), too_few_runs(share, threshold) ? ", too few runs" : "");
 }
 
-/// A share of the runs that must be at least `threshold`; without its clause.
+/// "about 7.2 degrees": the median; where it is beyond the reach, never the same number.
+std::string usual_offset(const Prediction& p) {
+  return text::apart(degrees(p.offset_size_rad.p50), degrees(p.reach.angle_rad), 1);
+}
+
+}  // namespace
+
 Criterion share_asked(std::string key, std::string label, const Share& share, double threshold) {
   return {.key = std::move(key),
           .label = std::move(label),
@@ -51,13 +57,6 @@ std::string more_runs(const Share& share, double threshold) {
   return fmt::format("{} too few to be sure of {}: fly more with --runs", text::counted(share.of, "run is", "runs are"),
                      percent(threshold));
 }
-
-/// "about 7.2 degrees": the median; where it is beyond the reach, never the same number.
-std::string usual_offset(const Prediction& p) {
-  return text::apart(degrees(p.offset_size_rad.p50), degrees(p.reach.angle_rad), 1);
-}
-
-}  // namespace
 
 bool too_few_runs(const Share& share, double threshold) { return share.value >= threshold && share.low < threshold; }
 
@@ -158,7 +157,8 @@ Criterion held(const Prediction& p, double threshold) {
   }
   std::erase(others, "");
   if (p.without_control == p.runs.size() || p.not_judged == p.runs.size()) {
-    c.clause = as_sentences(others);
+    const bool is_said = std::ranges::all_of(p.runs, &Run::gate_stays_closed);  // by gate()
+    c.clause = is_said ? "" : as_sentences(others);
     c.judgement = p.without_control > 0 ? Judgement::not_met : c.judgement;  // also where no share is asked for
     return c;
   }

@@ -116,6 +116,9 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds, cons
   Decision d{.thresholds = thresholds};
   d.criteria = {authority(prediction, thresholds.authority_share), held(prediction, thresholds.held_share),
                 phase_margin(prediction, thresholds.phase_margin_rad)};
+  if (const auto opens = gate(prediction, thresholds.held_share)) {
+    d.criteria.push_back(*opens);
+  }
   if (const auto tilt = tilt_limit(prediction)) {
     d.criteria.push_back(*tilt);
   }

@@ -54,6 +54,9 @@ struct Decision {
 /// cannot be judged, whatever the runs look like.
 [[nodiscard]] std::optional<Criterion> within_model(const Prediction& prediction);
 
+/// Of a plan that waits for more than the guide: in enough of the runs it comes. Empty for another.
+[[nodiscard]] std::optional<Criterion> gate(const Prediction& prediction, double threshold);
+
 /// No run is beyond another end than that of the angle of attack, which comes with the wind that a run draws: such runs
 /// count as not held, and where enough others are, the launch is a go with a caution.
 [[nodiscard]] bool is_outside_by_wind_alone(const Prediction& prediction);

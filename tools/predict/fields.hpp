@@ -32,6 +32,13 @@ inline constexpr auto median_fields = result::fields<P>({
      "distance of that angle from the commanded angle"},
     {"saturated", "control time with canards at their limit", u::share, 0, &P::saturated_share,
      "share of the time under control with the command at the canard limit"},
+    {"gate_time", "gate opens, after lift-off", u::s, 2, &P::gate_time_s,
+     "time after lift-off at which canards leave trim, of a plan that waits for more than the guide"},
+    {"gate_height", "height then", u::m, 0, &P::gate_height_m, "true height at that time"},
+    {"gate_speed", "speed then", u::m_s, 1, &P::gate_speed_m_s, "true speed at that time"},
+    {"gate_rate", "roll rate then", u::deg_s, 0, &P::gate_rate_rad_s, "true roll rate at that time"},
+    {"captured_after", "roll captured after", u::s, 2, &P::captured_after_s,
+     "time from then until the roll angle stays within 10 deg of where the law settles"},
     {"spin_rate", "spin without authority, at top speed", u::deg_s, 0, &P::spin_rate_rad_s,
      "final roll rate of the runs whose canards cannot balance the fin offset"},
     {"offset_size", "size of the fin offset", u::deg, 1, &P::offset_size_rad,
@@ -70,6 +77,9 @@ inline constexpr auto margin_fields = result::fields<M>({
      Worse::neither, nullptr, "any"},
 });
 
+[[nodiscard]] inline Cell of_gate(const Run& run, double dormancy::Opening::* member) {
+  return run.opening ? Cell{(*run.opening).*member} : Cell{};
+}
 inline constexpr auto run_fields = result::fields<Run>({
     {"seed", "seed", u::none, 0, &Run::seed, "seed of the run's random streams"},
     {"alpha", "damping", u::m2, 6, [](const Run& r) { return Cell{r.airframe.damping_m2}; }, "damping of its airframe"},
@@ -89,6 +99,21 @@ inline constexpr auto run_fields = result::fields<Run>({
      "share of the time under control with the command at the canard limit"},
     {"top_speed", "top speed", u::m_s, 1, &Run::top_speed_m_s, "highest speed along the axis"},
     {"apogee", "apogee", u::m, 0, &Run::apogee_m, "greatest height above the site"},
+    {"gate_time", "gate opens", u::s, 3, [](const Run& r) { return of_gate(r, &dormancy::Opening::time_s); },
+     "time after lift-off at which canards leave trim"},
+    {"gate_height", "height then", u::m, 1, [](const Run& r) { return of_gate(r, &dormancy::Opening::height_m); },
+     "true height at that time"},
+    {"gate_speed", "speed then", u::m_s, 1, [](const Run& r) { return of_gate(r, &dormancy::Opening::speed_m_s); },
+     "true speed at that time"},
+    {"gate_rate", "roll rate then", u::deg_s, 1,
+     [](const Run& r) { return of_gate(r, &dormancy::Opening::rate_rad_s); }, "true roll rate at that time"},
+    {"gate_angle", "roll angle then", u::deg, 1, [](const Run& r) { return of_gate(r, &dormancy::Opening::angle_rad); },
+     "roll angle since launch detection, as the law has it"},
+    {"captured_after", "captured after", u::s, 3,
+     [](const Run& r) {
+       return r.opening && r.opening->captured_after_s ? Cell{*r.opening->captured_after_s} : Cell{};
+     },
+     "time from then until the roll angle stays within 10 deg of where the law settles"},
     {"spin_rate", "spin", u::deg_s, 0, &Run::spin_rate_rad_s,
      "final roll rate where the canards cannot balance the offset"},
     {"wind", "wind", u::m_s, 1, [](const Run& r) { return r.wind ? Cell{r.wind->speed_m_s} : Cell{}; },

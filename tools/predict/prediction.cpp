@@ -95,11 +95,40 @@ std::vector<double> speeds_flown(const core::FlightPlan& plan, const std::vector
   double highest = 0.0;
   for (const Run& run : runs) {
     if (const auto start = run.speed_at_control_start_m_s) {
-      lowest = std::min(lowest.value_or(*start), *start);
+      // Behind a gate the rocket may only become slower.
+      const bool waited = run.opening && run.opening->was_waited_for;
+      const double slowest = waited ? std::min(*start, dormancy::slowest_held_m_s) : *start;
+      lowest = std::min(lowest.value_or(slowest), slowest);
       highest = std::max(highest, run.top_speed_m_s);
     }
   }
   return lowest ? stability::speeds_between(plan, {*lowest, highest}, steps) : std::vector<double>{};
+}
+
+bool has_opened(const Run& run) { return run.opening.has_value(); }
+bool is_captured(const Run& run) { return run.opening && run.opening->captured_after_s; }
+
+/// `value_of` an opening.
+template <typename ValueOf>
+std::optional<Quantiles> spread_of_openings(const std::vector<Run>& runs, ValueOf value_of) {
+  return spread_where_known(runs, [&](const Run& run) -> std::optional<double> {
+    return run.opening ? std::optional<double>{value_of(*run.opening)} : std::nullopt;
+  });
+}
+
+void find_gate(Prediction& p) {
+  using dormancy::Opening;
+  p.opened = share(static_cast<std::size_t>(std::ranges::count_if(p.runs, &has_opened)), p.runs.size());
+  p.captured = share(static_cast<std::size_t>(std::ranges::count_if(p.runs, &is_captured)), p.opened.count);
+  if (!has_gate(p.flown.plan)) {
+    return;
+  }
+  p.gate_time_s = spread_of_openings(p.runs, [](const Opening& o) { return o.time_s; });
+  p.gate_height_m = spread_of_openings(p.runs, [](const Opening& o) { return o.height_m; });
+  p.gate_speed_m_s = spread_of_openings(p.runs, [](const Opening& o) { return o.speed_m_s; });
+  p.gate_rate_rad_s = spread_of_openings(p.runs, [](const Opening& o) { return o.rate_rad_s; });
+  p.captured_after_s = spread_where_known(
+      p.runs, [](const Run& run) { return run.opening ? run.opening->captured_after_s : std::nullopt; });
 }
 
 void find_margins(Prediction& p) {
@@ -240,6 +269,7 @@ Prediction predict(const sim::Scenario& scenario, const TunnelResult& tunnel, co
   p.resonance = roll_resonance(p.flown, p.runs, std::abs(p.reach.angle_rad));
   p.authority_over_speed = authority_over_speed(p.flown, p.runs, climb(p.flown, p.runs.front()), p.reach.angle_rad);
   p.flight_notes = notes_of(p.runs);
+  find_gate(p);
   find_margins(p);
   return p;
 }

@@ -83,6 +83,14 @@ struct Prediction {
   std::optional<Quantiles> settle_reference_rad{};  ///< of the same runs
   std::optional<Quantiles> settle_off_rad{};        ///< how far the one is from the other
   std::optional<Quantiles> saturated_share{};
+  /// Of the runs whose canards leave trim, of a plan that waits for more than the guide; as the next four.
+  std::optional<Quantiles> gate_time_s{};
+  std::optional<Quantiles> gate_height_m{};
+  std::optional<Quantiles> gate_speed_m_s{};
+  std::optional<Quantiles> gate_rate_rad_s{};
+  std::optional<Quantiles> captured_after_s{};           ///< of those that are captured
+  Share opened{};                                        ///< runs whose canards leave trim
+  Share captured{};                                      ///< of them
   std::optional<Quantiles> spin_rate_rad_s{};            ///< size; of the runs without authority
   std::optional<RollResonance> resonance{};              ///< with the pitch; empty: nothing is known of the pitch
   std::vector<AuthorityAtSpeed> authority_over_speed{};  ///< at the speeds of run 0, up to its highest
@@ -91,6 +99,11 @@ struct Prediction {
   std::vector<MarginsAtSpeed> over_speed{};     ///< at those of them where the loop can swing
   std::optional<MarginsAtSpeed> worst_speed{};  ///< where the low end of the phase margin is least
 };
+
+/// Whether it waits for more than the guide.
+[[nodiscard]] inline bool has_gate(const core::FlightPlan& plan) {
+  return plan.dormancy.until != core::DormantUntil::guide;
+}
 
 /// The median of the runs; its sense is that of most.
 [[nodiscard]] double usual_offset_rad(const std::vector<Run>& runs);

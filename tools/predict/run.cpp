@@ -47,6 +47,7 @@ class Track {
       top_speed_m_s_ = row.truth->speed_m_s;
       offset_at_top_speed_rad_ = row.truth->disturbance_rad;
     }
+    opening_.add(row, so_far);
     if (row.phase == core::Phase::controlling) {
       first_controlled_ = first_controlled_ ? first_controlled_ : row;
       last_controlled_ = row;
@@ -82,6 +83,7 @@ class Track {
     if (!first_controlled_) {
       return;
     }
+    run.opening = opening_.found(clock);
     run.speed_at_control_start_m_s = first_controlled_->truth->speed_m_s;
     if (flight::authority_margin_rad(flight, last_controlled_->truth->disturbance_rad) > same_angle_rad) {
       flight::Row last = *last_controlled_;
@@ -94,6 +96,7 @@ class Track {
  private:
   double zero_s_;
   bool has_lifted_off_ = false;
+  dormancy::OpeningWatch opening_{false};
   std::vector<flight::Row> points_;
   std::optional<flight::Row> first_controlled_;
   std::optional<flight::Row> last_controlled_;
@@ -149,6 +152,8 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
   run.verdict = verdict.text;
   run.ended_early = verdict.ended_early;
   run.ended_by_tilt = verdict.ended_early && flight.phase_changes.back().reason == core::PhaseReason::tilted_too_far;
+  run.gate_stays_closed =
+      !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;
   keep_notes(run, flight, scenario);
   run.largest_hold_error_rad = figures.largest_hold_error_rad;
   run.saturated_share = figures.saturated_fraction;

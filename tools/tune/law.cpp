@@ -93,6 +93,12 @@ core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection r
     plan.offset.integral_gain_per_s = static_cast<float>(law.integral_gain_per_s);
   } else if (rejection == core::OffsetRejection::observer) {
     plan.offset.observer_bandwidth_rad_s = static_cast<float>(law.observer_bandwidth_rad_s);
+  }
+  // A rocket that waited turns when its canards may move, and the old plan may have left it to turn back every turn.
+  if (plan.run.start == core::Start::launch && plan.dormancy.until != core::DormantUntil::guide) {
+    plan.controller.entry = core::ControlEntry::capture;
+  }
+  if (rejection == core::OffsetRejection::observer || plan.controller.entry == core::ControlEntry::capture) {
     plan.roll_model = roll_model(scenario);
   }
   if (const auto fault = core::validate(plan)) {
