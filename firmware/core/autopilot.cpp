@@ -53,10 +53,11 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
                                                         : DetectionState::quiet;
 
   const Phase before = flight_phase_.phase();
+  const bool asks_both = before == Phase::launched || before == Phase::dormant;
+  const bool agree = !asks_both || launch_detector_.agrees(inputs.time, inputs.accelerometers);
   if (is_flight(before)) {
-    dormancy_gate_.update(inputs.time, record.motion);
+    dormancy_gate_.update(inputs.time, record.motion, agree || before == Phase::launched);
   }
-  const bool agree = before != Phase::launched || launch_detector_.agrees(inputs.time, inputs.accelerometers);
   const bool changed = flight_phase_.update({.time = inputs.time,
                                              .arm_switch_closed = inputs.arm_switch_closed,
                                              .arm_command = inputs.arm_command,

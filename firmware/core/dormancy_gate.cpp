@@ -29,12 +29,13 @@ float density_ratio(float height_m) {
 
 }  // namespace
 
-void DormancyGate::update(Microseconds now, const Motion& motion) {
+void DormancyGate::update(Microseconds now, const Motion& motion, bool accelerometers_agree) {
   if (plan_.until == DormantUntil::guide) {
     return;
   }
   moves_ = moves_ || motion.speed_m_s > least_speed_m_s;
-  is_unsure_ = is_unsure_ || motion.accelerometer == SensorState::failed || motion.rate_is_lower_bound;
+  is_unsure_ =
+      is_unsure_ || !accelerometers_agree || motion.accelerometer == SensorState::failed || motion.rate_is_lower_bound;
   watch_burn(now, motion);
   watch_pressure(motion);
   watch_height(now, motion);
@@ -84,8 +85,11 @@ void DormancyGate::watch_pressure(const Motion& motion) {
 void DormancyGate::watch_height(Microseconds now, const Motion& motion) {
   const float flown_s = seconds(now - motion.thrust_since);
   const float fallen_m = 0.5F * flown_s * flown_s;
-  const float error_m =
-      plan_.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) + plan_.bias_error_m_s2 * fallen_m;
+  // At rest a zero error looks like a tilt, of root 2 times as much with one on both axes across; what the rocket has
+  // gone to the side, that tilt takes for height.
+  const float tilt_error = 1.4143F / standard_gravity_m_s2 * plan_.bias_error_m_s2;
+  const float error_m = plan_.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
+                        plan_.bias_error_m_s2 * fallen_m + tilt_error * motion.horizontal_distance_m;
   is_past_height_ = is_past_height_ || (moves_ && !is_unsure_ && motion.height_m - error_m > plan_.height_m);
 }
 

@@ -23,8 +23,8 @@ namespace fantail::core {
 ///
 /// Height. The low end of what the height can be, given the plan's errors of the accelerometer, has been above the
 /// plan's height. It never closes: what has been above it was. Without an accelerometer for longer than the plan's
-/// stale time, or with a gyro at the end of its range, nobody knows height or speed that well: then neither height nor
-/// dynamic pressure opens in this flight.
+/// stale time, with two that disagree, or with a gyro at the end of its range, nobody knows height or speed that well:
+/// then neither height nor dynamic pressure opens in this flight.
 ///
 /// Nothing here opens by time alone: a gate that is never reached stays closed.
 class DormancyGate {
@@ -32,8 +32,9 @@ class DormancyGate {
   /// `plan` has passed validate(); copied.
   [[gnu::cold]] explicit DormancyGate(const DormancyPlan& plan) : plan_{plan} {}
 
-  /// In every tick from the one after launch detection on, with the motion at `now`.
-  void update(Microseconds now, const Motion& motion);
+  /// In every tick from the one after launch detection on, with the motion at `now`,
+  /// and whether beyond the guide two accelerometers agree on it.
+  void update(Microseconds now, const Motion& motion, bool accelerometers_agree = true);
 
   /// As of the last update(); true from the beginning for a plan that waits for the guide alone.
   [[nodiscard]] bool is_open() const;

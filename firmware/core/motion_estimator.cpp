@@ -274,8 +274,10 @@ Motion MotionEstimator::motion(Microseconds now) const {
   result.roll_rate_rad_s = rate_rad_s_.x;
   result.gyro_bias_rad_s = pad_window_.average().value_or(PadAverage{}).gyro_bias_rad_s;
   result.specific_force_m_s2 = specific_force_m_s2_;
-  result.height_m = trajectory_.position_m.z;
-  result.distance_along_guide_m = eigen(trajectory_.position_m).dot(eigen(trajectory_.guide_axis));
+  const Vector3& position = trajectory_.position_m;
+  result.height_m = position.z;
+  result.horizontal_distance_m = std::sqrt(position.x * position.x + position.y * position.y);
+  result.distance_along_guide_m = eigen(position).dot(eigen(trajectory_.guide_axis));
   result.speed_m_s = eigen(trajectory_.velocity_m_s).dot(eigen(trajectory_.guide_axis));
   result.vertical_speed_m_s = trajectory_.velocity_m_s.z;
   result.velocity_m_s = trajectory_.velocity_m_s;
