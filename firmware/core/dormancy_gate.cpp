@@ -34,11 +34,11 @@ void DormancyGate::update(Microseconds now, const Motion& motion, bool accelerom
     return;
   }
   moves_ = moves_ || motion.speed_m_s > least_speed_m_s;
-  is_unsure_ =
-      is_unsure_ || !accelerometers_agree || motion.accelerometer == SensorState::failed || motion.rate_is_lower_bound;
+  is_unsure_ = is_unsure_ || motion.accelerometer == SensorState::failed || motion.rate_is_lower_bound;
+  const bool sure = moves_ && !is_unsure_ && accelerometers_agree;
   watch_burn(now, motion);
-  watch_pressure(motion);
-  watch_height(now, motion);
+  watch_pressure(motion, sure);
+  watch_height(now, motion, sure);
 }
 
 // Meets DOR-2.
@@ -69,20 +69,20 @@ void DormancyGate::watch_burn(Microseconds now, const Motion& motion) {
   }
 }
 
-void DormancyGate::watch_pressure(const Motion& motion) {
+void DormancyGate::watch_pressure(const Motion& motion, bool sure) {
   const Vector3& v = motion.velocity_m_s;
   const float pressure = density_ratio(motion.height_m) * (v.x * v.x + v.y * v.y + v.z * v.z);
   // Written so that what is no number counts as no fall.
   if (!(pressure < largest_pressure_)) {
     largest_pressure_ = pressure;
     is_past_pressure_ = false;
-  } else if (moves_ && !is_unsure_ && pressure < past_pressure * largest_pressure_) {
+  } else if (sure && pressure < past_pressure * largest_pressure_) {
     is_past_pressure_ = true;
   }
 }
 
 // Meets DOR-2.
-void DormancyGate::watch_height(Microseconds now, const Motion& motion) {
+void DormancyGate::watch_height(Microseconds now, const Motion& motion, bool sure) {
   const float flown_s = seconds(now - motion.thrust_since);
   const float fallen_m = 0.5F * flown_s * flown_s;
   // At rest a zero error looks like a tilt, of root 2 times as much with one on both axes across; what the rocket has
@@ -90,7 +90,7 @@ void DormancyGate::watch_height(Microseconds now, const Motion& motion) {
   const float tilt_error = 1.4143F / standard_gravity_m_s2 * plan_.bias_error_m_s2;
   const float error_m = plan_.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
                         plan_.bias_error_m_s2 * fallen_m + tilt_error * motion.horizontal_distance_m;
-  is_past_height_ = is_past_height_ || (moves_ && !is_unsure_ && motion.height_m - error_m > plan_.height_m);
+  is_past_height_ = is_past_height_ || (sure && motion.height_m - error_m > plan_.height_m);
 }
 
 bool DormancyGate::is_open() const {

@@ -23,8 +23,9 @@ namespace fantail::core {
 ///
 /// Height. The low end of what the height can be, given the plan's errors of the accelerometer, has been above the
 /// plan's height. It never closes: what has been above it was. Without an accelerometer for longer than the plan's
-/// stale time, with two that disagree, or with a gyro at the end of its range, nobody knows height or speed that well:
-/// then neither height nor dynamic pressure opens in this flight.
+/// stale time, or with a gyro at the end of its range, nobody knows height or speed that well: then neither height nor
+/// dynamic pressure opens in this flight. Nor do they while two accelerometers disagree: at 20 g two good ones may, but
+/// one that lies goes on.
 ///
 /// Nothing here opens by time alone: a gate that is never reached stays closed.
 class DormancyGate {
@@ -57,8 +58,8 @@ class DormancyGate {
 
  private:
   void watch_burn(Microseconds now, const Motion& motion);
-  void watch_pressure(const Motion& motion);
-  void watch_height(Microseconds now, const Motion& motion);
+  void watch_pressure(const Motion& motion, bool sure);
+  void watch_height(Microseconds now, const Motion& motion, bool sure);
 
   DormancyPlan plan_;
   LowPass axial_{8.0F};

@@ -38,17 +38,19 @@ TEST(DormancyDoubt, ATiltThatAZeroErrorHidesCostsHeightInProportionToTheWayToThe
   }
 }
 
-TEST(DormancyDoubt, OnceTwoAccelerometersHaveDisagreedHeightAndPressureOpenNoMore) {
+TEST(DormancyDoubt, WhileTwoAccelerometersDisagreeNeitherHeightNorPressureOpens) {
   for (const DormantUntil until : {DormantUntil::height, DormantUntil::max_dynamic_pressure}) {
     for (const bool agreed : {true, false}) {
       DormancyGate gate = gate_until(until);
       Motion motion = at_1000_m(0.0F);
       motion.height_m = 500.0F;
-      gate.update(ms(10'000), motion, agreed);
+      gate.update(ms(10'000), motion);
       motion = at_1000_m(0.0F);
       motion.velocity_m_s.z = 70.0F;
-      gate.update(ms(10'001), motion);
+      gate.update(ms(10'001), motion, agreed);
       EXPECT_EQ(gate.is_open(), agreed);
+      gate.update(ms(10'002), motion);
+      EXPECT_TRUE(gate.is_open());
     }
   }
 }
