@@ -23,7 +23,7 @@ STEPS = [
     ("law", "Flight law with random plans and samples: flights of 12 000 ticks", "flights", 83_334,
      "{host}/test/core/test_core --gtest_brief=1 --gtest_filter=Autopilot.WhateverComesInTheCommandsKeepTheirLimits",
      {"RC_PARAMS": "seed={seed} max_success={n}"}, []),
-    *[(name, title, "launches", 1_000_000, f"{{host}}/test/dormancy/test_dormancy --gtest_brief=1 --gtest_filter=DormancyLaunches.{test}",
+    *[(name, title, "launches", 1_000_000, f"{{host}}/test/dormancy/test_gates --gtest_brief=1 --gtest_filter=DormancyLaunches.{test}",
        {"FANTAIL_LAUNCHES": "{n}"}, [("ticks off trim before the gate", r"before the gate (\d+)"), *more])
       for name, title, test, more in [
           ("gates", "Launches of drawn rockets, each gate held against the truth", "OfASoundMotorNoGateOpensBeforeItsTime",
