@@ -91,13 +91,13 @@ TEST(PlanThatMayFly, KnowsItsMotorAndItsRocket) {
       EXPECT_NEAR(static_cast<double>(core::seconds(plan.dormancy.burn_time)), scenario.vehicle.motor.burnout_s(), 1e-6)
           << name;
     }
-    const auto& plant = scenario.vehicle.roll_plant;
+    const auto& roll_plant = scenario.vehicle.roll_plant;
     const auto course = sim::roll_inertia_course(scenario.vehicle);
-    const double inertia_kg_m2 = course.empty() ? plant.inertia_kg_m2 : course.rbegin()->second;
+    const double inertia_kg_m2 = course.empty() ? roll_plant.inertia_kg_m2 : course.rbegin()->second;
     EXPECT_FLOAT_EQ(plan.roll_model.roll_inertia_kg_m2, static_cast<float>(inertia_kg_m2)) << name;
-    EXPECT_FLOAT_EQ(plan.roll_model.reference_area_m2, static_cast<float>(plant.reference_area_m2)) << name;
-    EXPECT_FLOAT_EQ(plan.roll_model.damping_m2, static_cast<float>(plant.damping_m2)) << name;
-    EXPECT_FLOAT_EQ(plan.roll_model.torque_m, static_cast<float>(plant.torque_m)) << name;
+    EXPECT_FLOAT_EQ(plan.roll_model.reference_area_m2, static_cast<float>(roll_plant.reference_area_m2)) << name;
+    EXPECT_FLOAT_EQ(plan.roll_model.damping_m2, static_cast<float>(roll_plant.damping_m2)) << name;
+    EXPECT_FLOAT_EQ(plan.roll_model.torque_m, static_cast<float>(roll_plant.torque_m)) << name;
   }
 }
 
