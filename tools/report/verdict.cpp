@@ -289,15 +289,4 @@ Verdict verdict(const flight::Flight& flight, const Figures& figures) {
   return v;
 }
 
-result::Answer answer(const Verdict& verdict) {
-  switch (verdict.outcome) {
-    case Outcome::held: return result::Answer::yes;
-    case Outcome::outside_model:
-    case Outcome::not_judged: return result::Answer::undecided;
-    case Outcome::no_control: return verdict.as_planned ? result::Answer::undecided : result::Answer::no;
-    case Outcome::cut_short: return verdict.ended_early ? result::Answer::no : result::Answer::undecided;
-    default: return result::Answer::no;
-  }
-}
-
 }  // namespace fantail::report
