@@ -108,7 +108,8 @@ TEST(Rules, RefuseWhatIsNoPackAndNoLaunch) {
   Refusal({}, {"rules", "irec", "gone.ftl"}, 66, {"gone.ftl"});
   Refusal({{"mine.toml", "title = \"x\"\n"}}, {"rules", "mine.toml", "tasha3_launch2"}, 78,
           {"mine.toml", "date is missing"});
-  Refusal({{"x.ftl", "x"}}, {"rules", "irec", "x.ftl", "--set", "run.tilt_limit_deg=30"}, 64, {"--set and --seed cannot change"});
+  Refusal({{"x.ftl", "x"}}, {"rules", "irec", "x.ftl", "--set", "run.tilt_limit_deg=30"}, 64,
+          {"--set and --seed cannot change"});
 }
 
 TEST(PlanCheck, WithRulesJudgesTheClausesOnPlans) {

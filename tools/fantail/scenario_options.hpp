@@ -21,8 +21,8 @@ struct ScenarioOptions {
   std::optional<Verb> verb{};  ///< whose options they are
 };
 
-/// SCENARIO, --seed and --set. A scenario that is already named is the default. `or_else` is what else SCENARIO may be:
-/// ", or a flight log".
+/// SCENARIO, --seed and --set. A scenario that is already named is the default. `or_else` is what else SCENARIO may be,
+/// a sentence.
 void add_scenario_options(const Verb& verb, ScenarioOptions& options, const std::string& or_else = "");
 
 /// What the command line changes of the scenario, and what else is asked of it: "controller.canard_limit_deg=9",

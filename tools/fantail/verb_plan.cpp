@@ -98,8 +98,9 @@ constexpr Action checking{
     false,
     "; left out: that of --scenario",
     check,
-    "Exit code 0: the firmware accepts it, with or without warnings; 78: it does not; 1: it does, and a clause of "
-    "--rules fails or could not be judged.\n"
+    "Exit code 0: the firmware accepts it, with or without warnings; 78: it does not. With --rules, 1: a clause fails "
+    "or "
+    "could not be judged.\n"
     "Examples:\n"
     "  fantail plan check my_plan.toml         may it fly? If not: file, line, value, allowed range\n"
     "  fantail plan check tasha3_launch1       a shipped plan\n"

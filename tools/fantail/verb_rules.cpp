@@ -51,6 +51,7 @@ struct Held {
   std::string name{};  ///< of its results
 };
 
+/// A canard that nothing commanded shows little.
 Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pack) {
   const sim::Scenario scenario = load(options.scenario);
   refuse_unless_launch(
@@ -78,7 +79,8 @@ Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
   held.made = made_with(held.inputs);
   const flight::Flight flight = logs::read_flight(log);
   refuse_unless_launch(!flight.tunnel, log);
-  held.subject.what = fmt::format("{}, as it was recorded{}", log, flight.known.plan ? "" : ", without a flight plan");
+  held.subject.what = fmt::format("{}, as it was recorded{}", log, flight.known.plan ? "" : ", without a flight plan") +
+                      (flight.known.phase ? rules::without_control(flight) : "");
   held.subject.why_missing =
       flight.known.plan ? "a log does not tell it" : "a table without a flight plan does not tell it";
   held.subject.found = rules::of_flight(flight, {});
@@ -110,7 +112,7 @@ void fill(const Verb& verb) {
       .offers(shipped(input::Shipped::rules))
       .required();
   add_scenario_options(verb, options->scenario,
-                       ", which is flown once; or a flight log (.ftl), a table with the columns of flight.csv, or a "
+                       ", which is flown once. Or a flight log (.ftl), a table with the columns of flight.csv, or a "
                        "flight folder");
   verb.option("--out", options->out,
               "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO, with the changes in the name]")
