@@ -19,22 +19,24 @@ constexpr std::optional<std::array<Angle, canard_count>> no_request;
 }  // namespace
 
 Autopilot::Autopilot(const FlightPlan& plan)
-    : launch_detector_{plan.launch_detection, plan.motion.stale_time},
-      canard_monitor_{plan.monitor, plan.canards},
+    : dormancy_gate_{plan.dormancy},
+      capture_{plan},
       controller_{plan.controller},
       gain_schedule_{plan.gain_schedule},
       adapts_{plan.gain_schedule.speeds_count > 0 || plan.offset.rejection != OffsetRejection::none},
       reference_{plan.reference},
       overrun_limit_{plan.run.overrun_limit},
       flight_phase_{plan.run, plan.guide, plan.motion},
-      dormancy_gate_{plan.dormancy},
-      capture_{plan},
+      is_gated_{plan.dormancy.until != DormantUntil::guide},
+      captures_{plan.controller.entry == ControlEntry::capture},
       chirp_{plan.excitation},
       offset_estimator_{plan},
       canard_mixer_{plan.canards, plan.controller.canard_limit},
       shares_{plan.run.canard_fault == CanardFaultPolicy::share},
       canard_sharing_{plan.controller.canard_limit},
-      motion_estimator_{plan.motion, plan.sensors, plan.run.tilt_from} {}
+      motion_estimator_{plan.motion, plan.sensors, plan.run.tilt_from},
+      launch_detector_{plan.launch_detection, plan.motion.stale_time},
+      canard_monitor_{plan.monitor, plan.canards} {}
 
 // Every signal of the record is written in every step: nothing of the last one stays.
 const TickRecord& Autopilot::step(const Inputs& inputs) {
@@ -55,7 +57,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   const Phase before = flight_phase_.phase();
   const bool asks_both = before == Phase::launched || before == Phase::dormant;
   const bool agree = !asks_both || launch_detector_.agrees(inputs.time, inputs.accelerometers);
-  if (is_flight(before)) {
+  if (is_gated_ && is_flight(before)) {
     dormancy_gate_.update(inputs.time, record.motion, agree || before == Phase::launched);
   }
   const bool changed = flight_phase_.update({.time = inputs.time,
@@ -66,7 +68,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
                                              .accelerometers_agree = agree,
                                              .timing_fault = record.timing_fault,
                                              .canard_fault = canard_fault_,
-                                             .gate_is_open = dormancy_gate_.is_open(),
+                                             .gate_is_open = !is_gated_ || dormancy_gate_.is_open(),
                                              .abort = inputs.abort},
                                             record.motion);
   record.phase = flight_phase_.phase();
@@ -83,7 +85,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   } else {
     // Meets PHS-1, DOR-1.
     record.reference = record.excitation = record.offset_estimate = Angle{};
-    if (record.phase == Phase::dormant) {
+    if (captures_ && record.phase == Phase::dormant) {
       capture_.watch(record.motion);
       record.offset_estimate = capture_.offset().value_or(Angle{});
     }
@@ -111,14 +113,16 @@ void Autopilot::resume(const Inputs& first) {
 }
 
 std::span<const std::byte> Autopilot::flight_memory() const {
-  const auto* const begin = reinterpret_cast<const std::byte*>(&controller_);
+  const bool all = is_gated_ || captures_;
+  const auto* const begin =
+      all ? reinterpret_cast<const std::byte*>(&dormancy_gate_) : reinterpret_cast<const std::byte*>(&controller_);
   return {begin, static_cast<const std::byte*>(motion_estimator_.end_of_flight_memory())};
 }
 
 Angle Autopilot::control(Microseconds since_control_start) {
   TickRecord& record = record_;
   const bool shares = shares_work();
-  record.reference = roll_reference(reference_, since_control_start) + capture_.turns();
+  record.reference = roll_reference(reference_, since_control_start) + turns_;
   record.excitation = chirp_.update(since_control_start);
   if (record.motion.gyro == SensorState::lost) {
     record.offset_estimate = offset_estimator_.estimate();
@@ -200,11 +204,11 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
 
 // A law that begins as published has no turns and no estimate to begin with.
 void Autopilot::begin_control(const Motion& motion, Microseconds time) {
-  if (!capture_.is_on()) {
+  if (!captures_) {
     return;
   }
   record_.offset_estimate = Angle{};  // what Dormant showed: a law that rejects no offset has none
-  capture_.begin(motion, roll_reference(reference_, time - flight_phase_.control_start().value_or(time)));
+  turns_ = capture_.begin(motion, roll_reference(reference_, time - flight_phase_.control_start().value_or(time)));
   if (capture_.offset()) {
     offset_estimator_.begin(*capture_.offset());
   }

@@ -64,8 +64,8 @@ class Autopilot {
   /// See core/state_visitor.hpp. The record is no state: it is made anew in every step.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(motion_estimator_, launch_detector_, flight_phase_, dormancy_gate_, capture_, chirp_, offset_estimator_,
-          canard_mixer_, canard_monitor_, canard_sharing_, last_time_, canard_fault_, overruns_,
+    visit(motion_estimator_, launch_detector_, flight_phase_, dormancy_gate_, capture_, turns_, chirp_,
+          offset_estimator_, canard_mixer_, canard_monitor_, canard_sharing_, last_time_, canard_fault_, overruns_,
           overruns_before_flight_);
   }
 
@@ -82,18 +82,19 @@ class Autopilot {
   void stay_neutral(CommandStatus why);
 
   TickRecord record_;
-  LaunchDetector launch_detector_;
-  CanardMonitor canard_monitor_;
 
-  // From here on flight_memory().
+  // From here on flight_memory() where the plan waits for a gate or captures, and else from the law on.
+  DormancyGate dormancy_gate_;
+  Capture capture_;
   ControllerPlan controller_;
   GainSchedule gain_schedule_;
   bool adapts_;  ///< by a schedule, or to an offset
   ReferencePlan reference_;
   std::uint32_t overrun_limit_;
   FlightPhase flight_phase_;
-  DormancyGate dormancy_gate_;
-  Capture capture_;
+  bool is_gated_;
+  bool captures_;
+  Angle turns_;  ///< of capture, on the reference
   Chirp chirp_;
   OffsetEstimator offset_estimator_;
   CanardMixer canard_mixer_;
@@ -103,7 +104,10 @@ class Autopilot {
   bool canard_fault_ = false;
   std::uint32_t overruns_ = 0;                ///< since the first tick
   std::uint32_t overruns_before_flight_ = 0;  ///< of these, up to launch detection or the tunnel's start
-  MotionEstimator motion_estimator_;          // last, because it is large
+  MotionEstimator motion_estimator_;          // late, because it is large
+
+  LaunchDetector launch_detector_;
+  CanardMonitor canard_monitor_;
 };
 
 }  // namespace fantail::core

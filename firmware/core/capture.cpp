@@ -26,8 +26,7 @@ float nearest_whole(float value) {
 }  // namespace
 
 Capture::Capture(const FlightPlan& plan)
-    : is_on_{plan.controller.entry == ControlEntry::capture},
-      has_model_{plan.roll_model.torque_m > 0.0F},
+    : has_model_{plan.roll_model.torque_m > 0.0F},
       canard_limit_{plan.controller.canard_limit},
       stop_without_model_s_{plan.controller.derivative_gain_s / plan.controller.proportional_gain},
       stop_distance_m_{
@@ -47,7 +46,7 @@ Angle Capture::kept_up_by(const Motion& motion) const {
 }
 
 void Capture::watch(const Motion& motion) {
-  if (!is_on_ || !tells_offset(motion)) {
+  if (!tells_offset(motion)) {
     interrupt();
     return;
   }
@@ -62,10 +61,7 @@ void Capture::watch(const Motion& motion) {
 }
 
 // Meets CAP-1.
-void Capture::begin(const Motion& motion, Angle reference) {
-  if (!is_on_) {
-    return;
-  }
+Angle Capture::begin(const Motion& motion, Angle reference) {
   const float rate_rad_s = motion.roll_rate_rad_s;
   if (!offset_ && tells_offset(motion)) {
     offset_ = kept_up_by(motion);
@@ -77,8 +73,8 @@ void Capture::begin(const Motion& motion, Angle reference) {
                       : rate_rad_s < 0.0F ? -share_without_model
                                           : 0.0F;
   const float ahead_rad = motion.roll_angle.radians() + stop_s * rate_rad_s + pi * share - reference.radians();
-  turns_ = Angle::from_radians(turn_rad * nearest_whole(ahead_rad / turn_rad));
   interrupt();
+  return Angle::from_radians(turn_rad * nearest_whole(ahead_rad / turn_rad));
 }
 
 }  // namespace fantail::core

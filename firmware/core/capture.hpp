@@ -23,11 +23,8 @@ namespace fantail::core {
 /// alpha p / (beta v) (Eq 27). Without a roll model 1 / (c v) is kd / kp and f a half, in the sense of the spin.
 class Capture {
  public:
-  /// `plan` has passed validate().
+  /// `plan` has passed validate(), and asks for it.
   [[gnu::cold]] explicit Capture(const FlightPlan& plan);
-
-  /// Whether the plan asks for it.
-  [[nodiscard]] bool is_on() const { return is_on_; }
 
   /// In every tick in which the canards wait, beyond the guide.
   void watch(const Motion& motion);
@@ -35,25 +32,22 @@ class Capture {
   /// The cause of rotation since the last tick is unknown: the next rate cannot be compared with the last.
   void interrupt() { last_rate_rad_s_.reset(); }
 
-  /// Control begins, with this reference.
-  void begin(const Motion& motion, Angle reference);
+  /// Control begins, with this reference: n turns.
+  [[nodiscard]] Angle begin(const Motion& motion, Angle reference);
 
-  /// On the reference: n turns, zero before begin().
-  [[nodiscard]] Angle turns() const { return turns_; }
   /// Of the fin offset, at begin(); empty where no model tells.
   [[nodiscard]] const std::optional<Angle>& offset() const { return offset_; }
 
   /// See core/state_visitor.hpp.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(offset_, last_rate_rad_s_, turns_);
+    visit(offset_, last_rate_rad_s_);
   }
 
  private:
   [[nodiscard]] bool tells_offset(const Motion& motion) const;
   [[nodiscard]] Angle kept_up_by(const Motion& motion) const;
 
-  bool is_on_;
   bool has_model_;
   Angle canard_limit_;
   float stop_without_model_s_;  ///< kd / kp
@@ -62,7 +56,6 @@ class Capture {
   DisturbanceObserver observer_;
   std::optional<Angle> offset_;
   std::optional<float> last_rate_rad_s_;  ///< of the last tick that measured
-  Angle turns_;
 };
 
 }  // namespace fantail::core

@@ -70,8 +70,7 @@ void DormancyGate::watch_burn(Microseconds now, const Motion& motion) {
 }
 
 void DormancyGate::watch_pressure(const Motion& motion, bool sure) {
-  const Vector3& v = motion.velocity_m_s;
-  const float pressure = density_ratio(motion.height_m) * (v.x * v.x + v.y * v.y + v.z * v.z);
+  const float pressure = density_ratio(motion.height_m) * motion.speed_squared_m2_s2;
   // Written so that what is no number counts as no fall.
   if (!(pressure < largest_pressure_)) {
     largest_pressure_ = pressure;

@@ -120,8 +120,10 @@ class FlightPhase {
   };
 
   void watch_rest(const Motion& motion);
-  [[nodiscard]] std::optional<PhaseReason> fault_in_flight(const PhaseInputs& inputs, const Motion& motion) const;
-  [[nodiscard]] std::optional<PhaseReason> end_of_control(const PhaseInputs& inputs, const Motion& motion) const;
+  [[nodiscard]] [[gnu::always_inline]] inline std::optional<PhaseReason> fault_in_flight(const PhaseInputs& inputs,
+                                                                                         const Motion& motion) const;
+  [[nodiscard]] [[gnu::always_inline]] inline std::optional<PhaseReason> end_of_control(const PhaseInputs& inputs,
+                                                                                        const Motion& motion) const;
   [[nodiscard]] std::optional<Transition> from_safe(const PhaseInputs& inputs) const;
   [[nodiscard]] std::optional<Transition> from_armed(const PhaseInputs& inputs, const Motion& motion) const;
   [[nodiscard]] std::optional<Transition> from_launched(const PhaseInputs& inputs, const Motion& motion) const;

@@ -27,8 +27,7 @@ constexpr Microseconds longest_window{1'000'000};
 constexpr float least_support_m_s2 = 0.8F * standard_gravity_m_s2;
 constexpr Microseconds support_time{100'000};
 
-// Far beyond what a reset takes; it bounds the work.
-constexpr Microseconds longest_bridge{1'000'000};
+constexpr Microseconds longest_bridge{1'000'000};  // far beyond what a reset takes; it bounds the work
 constexpr Microseconds bridge_step{1'000};
 
 Vector3f eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
@@ -266,36 +265,36 @@ void MotionEstimator::zero_roll(Microseconds now) {
   roll_angle_rad_.add(-bridged_roll_rad(now));
 }
 
+// Nothing is written twice, which would cost a call to memset in every tick.
 Motion MotionEstimator::motion(Microseconds now) const {
-  Motion result;
   const auto& a = trajectory_.attitude;
   const Vector3f axis = Quaternionf{a.w, a.x, a.y, a.z}.toRotationMatrix().col(0);
-  result.roll_angle = Angle::from_radians(roll_angle_rad_.value() + bridged_roll_rad(now));
-  result.roll_rate_rad_s = rate_rad_s_.x;
-  result.gyro_bias_rad_s = pad_window_.average().value_or(PadAverage{}).gyro_bias_rad_s;
-  result.specific_force_m_s2 = specific_force_m_s2_;
+  const Vector3f guide = eigen(trajectory_.guide_axis);
+  const Angle tilt = atan2(std::sqrt(axis.x() * axis.x() + axis.y() * axis.y()), axis.z());
+  const std::optional<Angle> tilt_from_guide =
+      tilts_from_guide_ ? std::optional{atan2(axis.cross(guide).norm(), axis.dot(guide))} : std::nullopt;
   const Vector3& position = trajectory_.position_m;
-  result.height_m = position.z;
-  result.horizontal_distance_m = std::sqrt(position.x * position.x + position.y * position.y);
-  result.distance_along_guide_m = eigen(position).dot(eigen(trajectory_.guide_axis));
-  result.speed_m_s = eigen(trajectory_.velocity_m_s).dot(eigen(trajectory_.guide_axis));
-  result.vertical_speed_m_s = trajectory_.velocity_m_s.z;
-  result.velocity_m_s = trajectory_.velocity_m_s;
-  result.tilt = atan2(std::sqrt(axis.x() * axis.x() + axis.y() * axis.y()), axis.z());
-  if (tilts_from_guide_) {
-    const Vector3f guide = eigen(trajectory_.guide_axis);
-    result.tilt_from_guide = atan2(axis.cross(guide).norm(), axis.dot(guide));
-  }
-  result.gyro = gyro_;
-  result.accelerometer = accelerometer_;
-  result.rate_is_lower_bound = rate_is_lower_bound_;
-  result.roll_is_bridged = roll_is_bridged_;
-  result.speed_is_lower_bound = trajectory_.is_lower_bound;
-  result.at_rest_for = pad_window_.at_rest_for(now);
-  result.has_moved = pad_window_.movement().has_moved();
-  result.has_fallen = pad_window_.movement().has_fallen();
-  result.thrust_since = trajectory_.since;
-  return result;
+  return {.roll_angle = Angle::from_radians(roll_angle_rad_.value() + bridged_roll_rad(now)),
+          .roll_rate_rad_s = rate_rad_s_.x,
+          .gyro_bias_rad_s = pad_window_.average().value_or(PadAverage{}).gyro_bias_rad_s,
+          .specific_force_m_s2 = specific_force_m_s2_,
+          .height_m = position.z,
+          .horizontal_distance_m = std::sqrt(position.x * position.x + position.y * position.y),
+          .distance_along_guide_m = eigen(position).dot(guide),
+          .speed_m_s = eigen(trajectory_.velocity_m_s).dot(guide),
+          .vertical_speed_m_s = trajectory_.velocity_m_s.z,
+          .speed_squared_m2_s2 = eigen(trajectory_.velocity_m_s).squaredNorm(),
+          .tilt = tilt,
+          .tilt_from_guide = tilt_from_guide,
+          .gyro = gyro_,
+          .accelerometer = accelerometer_,
+          .rate_is_lower_bound = rate_is_lower_bound_,
+          .roll_is_bridged = roll_is_bridged_,
+          .speed_is_lower_bound = trajectory_.is_lower_bound,
+          .at_rest_for = pad_window_.at_rest_for(now),
+          .has_moved = pad_window_.movement().has_moved(),
+          .has_fallen = pad_window_.movement().has_fallen(),
+          .thrust_since = trajectory_.since};
 }
 
 }  // namespace fantail::core

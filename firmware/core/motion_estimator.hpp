@@ -27,7 +27,7 @@ struct Motion {
   float distance_along_guide_m = 0.0F;  ///< from the same place, in the direction that the guide had
   float speed_m_s = 0.0F;               ///< along the guide
   float vertical_speed_m_s = 0.0F;      ///< earth frame, positive up
-  Vector3 velocity_m_s;                 ///< earth frame, z up
+  float speed_squared_m2_s2 = 0.0F;     ///< of all of the velocity
   Angle tilt;                           ///< of the rocket's axis from the vertical
   /// Of the same from where it pointed at rest on the pad; empty where the plan counts from the vertical.
   std::optional<Angle> tilt_from_guide;

@@ -24,7 +24,8 @@ Motion at_1000_m(float horizontal_distance_m) {
   motion.specific_force_m_s2 = {-1.0F, 0.0F, 0.0F};
   motion.height_m = 1'000.0F;
   motion.horizontal_distance_m = horizontal_distance_m;
-  motion.speed_m_s = motion.velocity_m_s.z = 80.0F;
+  motion.speed_m_s = 80.0F;
+  motion.speed_squared_m2_s2 = 6400.0F;
   motion.gyro = motion.accelerometer = SensorState::fresh;
   return motion;
 }
@@ -46,7 +47,7 @@ TEST(DormancyDoubt, WhileTwoAccelerometersDisagreeNeitherHeightNorPressureOpens)
       motion.height_m = 500.0F;
       gate.update(ms(10'000), motion);
       motion = at_1000_m(0.0F);
-      motion.velocity_m_s.z = 70.0F;
+      motion.speed_squared_m2_s2 = 4900.0F;
       gate.update(ms(10'001), motion, agreed);
       EXPECT_EQ(gate.is_open(), agreed);
       gate.update(ms(10'002), motion);

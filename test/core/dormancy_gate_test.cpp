@@ -160,7 +160,8 @@ TEST(DormancyGate, OneThatIsGivenTheStateOfAnotherGoesOnAsTheOtherDoes) {
       ascent.motion.height_m = static_cast<float>(between(0, 800));
       ascent.motion.accelerometer = between(0, 60) == 0 ? SensorState::failed : SensorState::fresh;
       ascent.motion.specific_force_m_s2.x = axial_m_s2;
-      ascent.motion.speed_m_s = ascent.motion.velocity_m_s.z = speed_m_s;
+      ascent.motion.speed_m_s = speed_m_s;
+      ascent.motion.speed_squared_m2_s2 = speed_m_s * speed_m_s;
       for (int tick = between(1, 400); tick > 0; --tick) {
         const bool before = ascent.gate.is_open();
         ascent.tick();

@@ -47,7 +47,7 @@ class GatedAscent {
     return static_cast<double>((now - begin).count()) * 1e-6;
   }
   bool flies_at(double speed_m_s, double height_m = 0.0) {
-    motion.velocity_m_s = {static_cast<float>(0.6 * speed_m_s), 0.0F, static_cast<float>(0.8 * speed_m_s)};
+    motion.speed_squared_m2_s2 = static_cast<float>(speed_m_s * speed_m_s);
     motion.height_m = static_cast<float>(height_m);
     return tick();
   }

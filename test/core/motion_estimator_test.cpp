@@ -24,6 +24,7 @@ TEST(MotionEstimator, TiltedGuideAndRollCostNothing) {
         const auto what = ::testing::Message() << tilt_deg << " " << azimuth_deg << " " << roll_deg_s;
         EXPECT_NEAR(flight.motion().distance_along_guide_m, flight.rig.distance_m(), 2e-3) << what;
         EXPECT_NEAR(flight.motion().speed_m_s, flight.rig.speed_m_s(), 2e-3) << what;
+        EXPECT_NEAR(std::sqrt(flight.motion().speed_squared_m2_s2), flight.rig.speed_m_s(), 2e-3) << what;
         EXPECT_NEAR(flight.motion().height_m, flight.rig.height_m(), 2e-3) << what;
         EXPECT_NEAR(flight.motion().vertical_speed_m_s, flight.rig.speed_m_s() * std::cos(tilt_deg * degree), 2e-3)
             << what;

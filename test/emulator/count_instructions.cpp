@@ -33,13 +33,18 @@ struct Mode {
 };
 
 /// Each alone, beside a flight without any.
-const std::array<Mode, 3> modes{
+const std::array<Mode, 4> modes{
     Mode{"with_schedule", 40.0, {"gain_schedule.speeds_m_s=[20,40,60,80]", "gain_schedule.factors=[1.5,1.2,0.9,0.7]"}},
     Mode{"with_integral", 56.0, {"offset.rejection=integral"}},
     Mode{"with_observer",
          71.0,
          {"offset.rejection=observer", "roll_model.roll_inertia_kg_m2=0.00393",
-          "roll_model.reference_area_m2=5.0265e-5", "roll_model.damping_m2=23", "roll_model.torque_m=9"}}};
+          "roll_model.reference_area_m2=5.0265e-5", "roll_model.damping_m2=23", "roll_model.torque_m=9"}},
+    Mode{"with_gate_and_capture",
+         100.0,
+         {"dormancy.until=max_dynamic_pressure and height", "dormancy.height_m=100", "controller.entry=capture",
+          "roll_model.roll_inertia_kg_m2=0.00393", "roll_model.reference_area_m2=5.0265e-5", "roll_model.damping_m2=23",
+          "roll_model.torque_m=9"}}};
 
 /// Of one kind of section: mean, and the longest one.
 struct Count {

@@ -24,7 +24,7 @@ struct Asked {
 };
 inline Asked asked;
 
-/// What the gate answered last; open where the plan waits for the guide alone.
+/// What the gate answers.
 inline bool gate_is_open = true;
 
 }  // namespace fantail::proof
@@ -61,17 +61,13 @@ std::optional<Angle> CanardMixer::contribution(std::size_t, const std::optional<
 }
 
 void DormancyGate::update(Microseconds, const Motion&) {}
-bool DormancyGate::is_open() const {
-  proof::gate_is_open = plan_.until == DormantUntil::guide || nondet_bool();
-  return proof::gate_is_open;
-}
+bool DormancyGate::is_open() const { return proof::gate_is_open; }
 
-Capture::Capture(const FlightPlan& plan)
-    : is_on_{plan.controller.entry == ControlEntry::capture}, observer_{plan.offset, plan.roll_model} {}
+Capture::Capture(const FlightPlan& plan) : observer_{plan.offset, plan.roll_model} {}
 void Capture::watch(const Motion&) { offset_ = proof::any_contribution(); }
-void Capture::begin(const Motion&, Angle) {
+Angle Capture::begin(const Motion&, Angle) {
   offset_ = proof::any_contribution();
-  turns_ = proof::any_angle();
+  return proof::any_angle();
 }
 
 Chirp::Chirp(const ExcitationPlan& plan) : plan_{plan} {}

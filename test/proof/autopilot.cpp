@@ -47,6 +47,8 @@ int main() {
                      .entry = any_of<ControlEntry>(2)};
   assume(plan.controller.canard_limit >= Angle{} && plan.controller.canard_limit <= hard_canard_limit);
 
+  gate_is_open = plan.dormancy.until == DormantUntil::guide || nondet_bool();
+
   Autopilot autopilot{plan};
   Anything anything;
   anything(autopilot.flight_phase_, autopilot.last_time_, autopilot.canard_fault_, autopilot.overruns_,

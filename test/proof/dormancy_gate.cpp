@@ -59,7 +59,7 @@ int main() {
   motion.specific_force_m_s2.x = nondet_float();
   motion.height_m = nondet_float();
   motion.speed_m_s = nondet_float();
-  motion.velocity_m_s = {nondet_float(), nondet_float(), nondet_float()};
+  motion.speed_squared_m2_s2 = nondet_float();
   motion.accelerometer = any_of<SensorState>(4);
   motion.rate_is_lower_bound = nondet_bool();
   motion.thrust_since = any_instant();
@@ -93,7 +93,7 @@ int main() {
                                      plan.bias_error_m_s2 * fallen_m) >
                       plan.height_m));
   CLAIM(!past || (moved && !unsure));
-  CLAIM(gate.largest_pressure_ <= before.largest_pressure_ || !gate.is_past_pressure_);
+  CLAIM(by_guide || gate.largest_pressure_ <= before.largest_pressure_ || !gate.is_past_pressure_);
   CLAIM(!gate.is_open() || !by_burn_out || gate.is_burnt_out_);
   CLAIM(!gate.is_open() || !by_height || gate.is_past_height_);
   CLAIM(!gate.is_open() || !by_pressure || gate.is_past_pressure_);

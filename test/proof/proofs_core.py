@@ -143,6 +143,7 @@ PROOFS = [
         ),
         options=INSIDE,
         stubs=("any_filter",),
+        seconds=300,
     ),
     Proof(
         "launch_detector",
@@ -231,7 +232,7 @@ PROOFS = [
                 "if (record.phase == Phase::controlling) {",
                 "if (record.phase == Phase::controlling || record.phase == Phase::dormant) {",
             ),
-            Bug("nobody asks the gate", AUTOPILOT, ".gate_is_open = dormancy_gate_.is_open()", ".gate_is_open = true"),
+            Bug("nobody asks the gate", AUTOPILOT, ".gate_is_open = !is_gated_ || dormancy_gate_.is_open()", ".gate_is_open = true"),
             Bug("nobody asks for an abort", AUTOPILOT, ".abort = inputs.abort", ".abort = false"),
             Bug(
                 "the record has the command before the limit",

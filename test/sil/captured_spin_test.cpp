@@ -59,7 +59,8 @@ core::FlightPlan plan_of(ControlEntry entry, OffsetRejection rejection) {
 class Loop {
  public:
   Loop(const Setup& setup, ControlEntry entry)
-      : plan_{plan_of(entry, setup.rejection)},
+      : entry_{entry},
+        plan_{plan_of(entry, setup.rejection)},
         capture_{plan_},
         estimator_{plan_},
         servo_{{.delay_s = 0.007}},
@@ -77,12 +78,12 @@ class Loop {
   /// How long it takes to come within 10 degrees of rest, to stay there until 20 m/s; empty: it does not.
   std::optional<double> capture_from(const State& state) {
     roll_ = {radians(state.angle_deg), radians(state.rate_deg_s)};
-    capture_.begin(motion(), Angle{});
-    if (capture_.offset()) {
+    if (entry_ == ControlEntry::capture) {
+      turns_ = capture_.begin(motion(), Angle{});
       estimator_.begin(*capture_.offset());
     }
     const bool rejects = plan_.offset.rejection != OffsetRejection::none;
-    const double rest_rad = static_cast<double>(capture_.turns().radians()) +
+    const double rest_rad = static_cast<double>(turns_.radians()) +
                             (rejects ? 0.0 : offset_rad_ / static_cast<double>(plan_.controller.proportional_gain));
     const double begin_s = time_s_;
     double settled_s = begin_s;
@@ -106,9 +107,9 @@ class Loop {
   void advance() {
     const core::Motion now = motion();
     const Angle limit = plan_.controller.canard_limit;
-    estimator_.update(now, capture_.turns() - now.roll_angle, 1.0F, {-limit, limit});
-    const core::RollCommand roll = core::pd_controller(plan_.controller, capture_.turns(), now.roll_angle,
-                                                       now.roll_rate_rad_s, Angle{}, {1.0F, estimator_.estimate()});
+    estimator_.update(now, turns_ - now.roll_angle, 1.0F, {-limit, limit});
+    const core::RollCommand roll = core::pd_controller(plan_.controller, turns_, now.roll_angle, now.roll_rate_rad_s,
+                                                       Angle{}, {1.0F, estimator_.estimate()});
     estimator_.remember(roll);
     servo_.step(time_s_, tick_s, 1500.0 + 10.0 * static_cast<double>(roll.command.degrees()));
     roll_ = plant.step(roll_, density_kg_m3, speed_m_s_, servo_.angle_rad() + offset_rad_, tick_s);
@@ -116,10 +117,12 @@ class Loop {
     time_s_ += tick_s;
   }
 
+  ControlEntry entry_;
   core::FlightPlan plan_;
   core::Capture capture_;
   core::OffsetEstimator estimator_;
   sim::Servo servo_;
+  Angle turns_;
   sim::RollState roll_;
   double speed_m_s_;
   double offset_rad_;

@@ -23,8 +23,8 @@ struct Motion {
   float distance_along_guide_m = 0.0F;
   float speed_m_s = 0.0F;           ///< along the guide
   float vertical_speed_m_s = 0.0F;  ///< earth frame, positive up
-  Vector3 velocity_m_s;             ///< earth frame, z up
-  Angle tilt;                       ///< of the rocket's axis from the vertical
+  float speed_squared_m2_s2 = 0.0F;
+  Angle tilt;  ///< of the rocket's axis from the vertical
   std::optional<Angle> tilt_from_guide;
   SensorState gyro = SensorState::failed;
   SensorState accelerometer = SensorState::failed;
