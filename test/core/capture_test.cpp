@@ -30,7 +30,7 @@ Motion spinning(float angle_rad, float rate_rad_s, float speed_m_s) {
   return motion;
 }
 
-double turns(Angle turned) { return static_cast<double>(turned.radians()) / (2.0 * std::numbers::pi); }
+double whole_turns(Angle turned) { return static_cast<double>(turned.radians()) / (2.0 * std::numbers::pi); }
 
 // (phi + stop p + pi f - R) / 2 pi, not yet rounded; in double precision, and from the plan's numbers alone.
 double turns_ahead(const Motion& m, double stop_s, double share, double reference_rad) {
@@ -60,7 +60,7 @@ TEST(Capture, ChoosesTheWholeTurnOfTheFormulaFromAnyState) {
     Capture capture{plan};
     const Motion motion = draw.motion();
     const Angle reference = Angle::from_radians(draw.between(-12.0F, 12.0F));
-    const double chosen = turns(capture.begin(motion, reference));
+    const double chosen = whole_turns(capture.begin(motion, reference));
 
     const auto damping = static_cast<double>(model.damping_m2);
     const double c = static_cast<double>(model.density_kg_m3) * static_cast<double>(model.reference_area_m2) * damping /
@@ -84,7 +84,7 @@ TEST(Capture, WithoutARollModelGoesByTheGainsAndTheSenseOfTheSpin) {
     Capture capture{plan};
     const Motion motion = draw.motion();
     capture.watch(motion);
-    const double chosen = turns(capture.begin(motion, Angle{}));
+    const double chosen = whole_turns(capture.begin(motion, Angle{}));
     EXPECT_FALSE(capture.offset());
     const double ahead = turns_ahead(motion, 0.05 / 0.5, motion.roll_rate_rad_s > 0.0F ? 0.5 : -0.5, 0.0);
     if (std::abs(ahead - std::floor(ahead) - 0.5) > 1e-3) {
@@ -99,7 +99,7 @@ TEST(Capture, WhereTheSpeedTellsNothingGoesByTheGainsToo) {
     Motion motion = spinning(2.0F, 9.0F, slow ? 9.9F : 90.0F);
     motion.speed_is_lower_bound = !slow;
     capture.watch(motion);
-    const double chosen = turns(capture.begin(motion, Angle{}));
+    const double chosen = whole_turns(capture.begin(motion, Angle{}));
     EXPECT_FALSE(capture.offset());
     EXPECT_NEAR(chosen, std::round(turns_ahead(motion, 0.1, 0.5, 0.0)), 1e-6);
   }
@@ -109,7 +109,7 @@ TEST(Capture, OfARocketThatStandsStillTakesTheNearestTurn) {
   for (const auto& [angle_deg, expected] : {std::pair{170.0F, 0}, std::pair{190.0F, 1}, std::pair{-550.0F, -2}}) {
     Capture capture{capturing_plan(RollModelPlan{})};
     const Motion still = spinning(Angle::from_degrees(angle_deg).radians(), 0.0F, 60.0F);
-    EXPECT_NEAR(turns(capture.begin(still, Angle{})), expected, 1e-6) << angle_deg;
+    EXPECT_NEAR(whole_turns(capture.begin(still, Angle{})), expected, 1e-6) << angle_deg;
   }
 }
 

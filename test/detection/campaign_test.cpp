@@ -231,7 +231,7 @@ TEST(ShownEventOfACampaign, HasTheAnswerThatWasCounted) {
       const std::string page = result::html(document);
       EXPECT_LT(page.find(shown.verdict.substr(0, shown.verdict.find(". "))), page.find("<svg"));
       for (const char* const line :
-           {"threshold of tasha3_launch1", "control by published_launch2", "gate of tasha3_launch2 ..."}) {
+           {"threshold of tasha3_launch1", "control by published_launch2", "gate of kestrel ..."}) {
         EXPECT_NE(page.find(line), std::string::npos) << line;
       }
       return;

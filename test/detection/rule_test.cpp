@@ -27,6 +27,15 @@ TEST(Rule, WithoutNamesAllShippedLaunchPlansAndThePrintedRuleArePlayed) {
   EXPECT_EQ(rule_with(rules, "tasha3_launch2"), rule_with(rules, "tasha3_launch2_integral"));
 }
 
+// A gate keeps canards at trim for longer: without it the counts are those of the detection and the guide.
+TEST(Rule, APlanThatWaitsAfterTheGuideIsPlayedAsIfItDidNot) {
+  const std::vector<Rule> rules = rules_of({});
+  EXPECT_EQ(rule_with(rules, "tasha3_launch2"), rule_with(rules, "tasha3_launch2_irec"));
+  for (const Rule& rule : rules) {
+    EXPECT_EQ(rule.plan.dormancy.until, core::DormantUntil::guide) << rule.name();
+  }
+}
+
 TEST(Rule, ThePrintedRuleOfTheSecondLaunchIsRawAndGoesByHeightAlone) {
   const std::array<std::string, 1> name{published_launch_2};
   const std::vector<Rule> rules = rules_of(name);

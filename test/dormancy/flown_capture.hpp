@@ -85,7 +85,7 @@ inline FlownCapture fly_capture(const WaitingRocket& rocket) {
     advance();
   }
   measure();
-  capture.begin(motion, core::Angle{});
+  const core::Angle turns = capture.begin(motion, core::Angle{});
   if (capture.offset()) {
     estimator.begin(*capture.offset());
   }
@@ -100,18 +100,17 @@ inline FlownCapture fly_capture(const WaitingRocket& rocket) {
   // On average a pulse waits half a frame, and is held for half a tick.
   e.delay_s += 0.5 * sim::ServoParameters{}.frame_period_s + 0.5 * tick_s;
   FlownCapture flown{.entry = e};
-  const double reference_rad = static_cast<double>(capture.turns().radians());
+  const double reference_rad = static_cast<double>(turns.radians());
   const double rest_rad = reference_rad + (e.rejects_offset() ? 0.0 : e.offset_rad / e.proportional_gain);
   const double begin_s = time_s;
   const double k = 0.5 * e.density_kg_m3 * e.drag_per_mass_m2_kg;
   std::optional<double> since_s;
   while (speed_m_s >= slowest_held_m_s) {
     measure();
-    estimator.update(motion, capture.turns() - motion.roll_angle, 1.0F,
+    estimator.update(motion, turns - motion.roll_angle, 1.0F,
                      {-plan.controller.canard_limit, plan.controller.canard_limit});
-    const core::RollCommand command =
-        pd_controller(plan.controller, capture.turns(), motion.roll_angle, motion.roll_rate_rad_s, core::Angle{},
-                      {1.0F, estimator.estimate()});
+    const core::RollCommand command = pd_controller(plan.controller, turns, motion.roll_angle, motion.roll_rate_rad_s,
+                                                    core::Angle{}, {1.0F, estimator.estimate()});
     estimator.remember(command);
     pulse_us = 1500.0 + 10.0 * static_cast<double>(command.command.degrees());
     advance();

@@ -68,6 +68,8 @@ std::vector<Rule> rules_of(std::span<const std::string> plans) {
   std::vector<Rule> rules;
   for (const std::string& name : plans.empty() ? std::span<const std::string>{usual} : plans) {
     Rule rule{.names = {name}, .plan = plan_of(name), .judged = name != published_launch_2};
+    // Detection and guide alone are asked here: with a gate a canard moves later, and never where it does not without.
+    rule.plan.dormancy.until = core::DormantUntil::guide;
     rule.judged = rule.judged &&
                   (!plans.empty() || rule.plan.launch_detection.accelerometers == core::AccelerometerRule::two_agree);
     if (rule.plan.run.start != core::Start::launch) {

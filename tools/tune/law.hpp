@@ -32,9 +32,9 @@ inline constexpr std::array schedule_exponents{0.5, 1.0, 1.5, 2.0};
 /// A sentence on the schedules that no plan may have, and what would allow them; empty when all are within one.
 [[nodiscard]] std::string schedules_left_out(const stability::SpeedRange& range);
 
-/// The scenario's plan with this law, its gate kept. Behind a gate later than the guide it begins by capture. An observer
-/// and capture get the vehicle's own roll model. Throws text::Error
-/// (bad_configuration) where such a law is no plan: without a known speed there is neither schedule nor observer.
+/// The scenario's plan with this law, its gate kept. Behind a gate later than the guide it begins by capture. An
+/// observer and capture get the vehicle's own roll model. Throws text::Error (bad_configuration) where such a law is no
+/// plan: without a known speed there is neither schedule nor observer.
 [[nodiscard]] core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection rejection, const Law& law,
                                         const stability::SpeedRange& range);
 
