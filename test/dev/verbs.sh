@@ -58,6 +58,8 @@ quick() {
   call 0 campaign faults tasha3_launch2 --device bus --phase launched
   call 0 campaign faults tasha3_launch2 --cell imu/offset_100/controlling
   call 64 campaign faults tasha3_launch2 --cell imu/dead/armed --device imu
+  call 0 rules irec tasha3_launch2_irec
+  call 0 brief tasha3_launch2_irec --step 2
   call 0 paper
   call 0 airframe tasha3_launch2
   call 0 new my_rocket --from tasha3_launch2

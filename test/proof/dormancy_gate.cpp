@@ -6,8 +6,8 @@
 //     that ended in thrust again, has come to the plan's factor times its burn time; no pause is less than nothing;
 //   - closes one by burn-out when a pause has ended in thrust again;
 //   - opens one by height only where the height, less the error that the plan allows for, is above the plan's height,
-//     and no tick lacked the accelerometer or had a gyro at the end of its range;
-//   - opens one by dynamic pressure only where no tick did, and not at a new largest one;
+//     no tick lacked the accelerometer or had a gyro at the end of its range, and in this one the accelerometers agree;
+//   - opens one by dynamic pressure only where the same is so, and not at a new largest one;
 //   - opens a gate by two of these only where both are so.
 // The low-pass may give any number, and so may the roots in the density of the air.
 #include <cmath>
@@ -58,6 +58,7 @@ int main() {
   Motion motion{};
   motion.specific_force_m_s2.x = nondet_float();
   motion.height_m = nondet_float();
+  motion.horizontal_distance_m = nondet_float();
   motion.speed_m_s = nondet_float();
   motion.speed_squared_m2_s2 = nondet_float();
   motion.accelerometer = any_of<SensorState>(4);
@@ -65,7 +66,8 @@ int main() {
   motion.thrust_since = any_instant();
 
   const DormancyGate before = gate;
-  gate.update(now, motion);
+  const bool agree = nondet_bool();
+  gate.update(now, motion, agree);
 
   const bool by_guide = plan.until == DormantUntil::guide;
   const bool by_burn_out = plan.until == DormantUntil::burn_out || plan.until == DormantUntil::burn_out_and_height;
@@ -75,7 +77,8 @@ int main() {
                          plan.until == DormantUntil::max_dynamic_pressure_and_height;
   const bool opened = gate.is_open() && !before.is_open();
   const bool moved = before.moves_ || motion.speed_m_s > 15.0F;
-  const bool unsure = before.is_unsure_ || motion.accelerometer == SensorState::failed || motion.rate_is_lower_bound;
+  const bool unsure =
+      before.is_unsure_ || !agree || motion.accelerometer == SensorState::failed || motion.rate_is_lower_bound;
   const bool burnt = gate.is_burnt_out_ && !before.is_burnt_out_;
   const bool high = gate.is_past_height_ && !before.is_past_height_;
   const bool past = gate.is_past_pressure_ && !before.is_past_pressure_;
@@ -88,10 +91,10 @@ int main() {
         (moved && motion.accelerometer == SensorState::fresh &&
          seconds(now - motion.thrust_since - gate.pauses_) >= plan.burn_clock_factor * seconds(plan.burn_time)));
   CLAIM(gate.pauses_ == before.pauses_ || !gate.is_burnt_out_);
-  CLAIM(!high || (moved && !unsure &&
-                  motion.height_m - (plan.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
-                                     plan.bias_error_m_s2 * fallen_m) >
-                      plan.height_m));
+  const float tilt_error = 1.4143F / standard_gravity_m_s2 * plan.bias_error_m_s2;
+  const float error_m = plan.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
+                        plan.bias_error_m_s2 * fallen_m + tilt_error * motion.horizontal_distance_m;
+  CLAIM(!high || (moved && !unsure && motion.height_m - error_m > plan.height_m));
   CLAIM(!past || (moved && !unsure));
   CLAIM(by_guide || gate.largest_pressure_ <= before.largest_pressure_ || !gate.is_past_pressure_);
   CLAIM(!gate.is_open() || !by_burn_out || gate.is_burnt_out_);
