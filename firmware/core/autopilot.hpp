@@ -64,9 +64,14 @@ class Autopilot {
   /// See core/state_visitor.hpp. The record is no state: it is made anew in every step.
   template <typename Visitor>
   void visit_state(Visitor& visit) {
-    visit(motion_estimator_, launch_detector_, flight_phase_, dormancy_gate_, capture_, turns_, chirp_,
-          offset_estimator_, canard_mixer_, canard_monitor_, canard_sharing_, last_time_, canard_fault_, overruns_,
-          overruns_before_flight_);
+    visit(motion_estimator_, launch_detector_, flight_phase_, chirp_, offset_estimator_, canard_mixer_, canard_monitor_,
+          canard_sharing_, last_time_, canard_fault_, overruns_, overruns_before_flight_);
+    if (is_gated_) {  // as the plan says: a law without a gate has no memory of one
+      visit(dormancy_gate_);
+    }
+    if (captures_) {
+      visit(capture_, turns_);
+    }
   }
 
  private:

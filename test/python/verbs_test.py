@@ -41,7 +41,7 @@ def test_every_verb_that_answers_is_there_or_has_an_object_of_its_own(program):
     # Of a rocket on the bus, and what only makes files, Python has no function.
     verbs = set(re.findall(r"^  ([a-z]+) +[A-Z]", program.run("--help").stdout, re.M))
     assert verbs - {name.split("_")[0] for name in _verbs.functions} == {
-        "bench", "convert", "fly", "gateway", "log", "new", "node", "replay", "watch"}
+        "bench", "brief", "convert", "fly", "gateway", "log", "new", "node", "replay", "watch"}
     assert {"predict", "tune", "campaign_faults", "tunnel_steps", "paper", "listen"} <= set(fantail.__all__)
 
 

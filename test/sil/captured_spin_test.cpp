@@ -179,7 +179,7 @@ std::vector<Setup> setups() {
 
 std::string name_of(const testing::TestParamInfo<Setup>& each) {
   constexpr std::array names{"none", "integral", "observer"};
-  return fmt::format("{:.0f}_m_s_offset_{:.0f}_tenths_{}", each.param.speed_m_s, -10.0 * each.param.offset_deg,
+  return fmt::format("{:.0f}_m_s_offset_{:.0f}_tenths_{}", each.param.speed_m_s, std::abs(10.0 * each.param.offset_deg),
                      names.at(static_cast<std::size_t>(each.param.rejection)));
 }
 

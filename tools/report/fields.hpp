@@ -106,8 +106,7 @@ inline constexpr auto capture = result::fields<C>({
     {"turn", "turn that capture chose", u::none, 0, &C::turn,
      "whole turns on the plan's reference; none where the plan does not capture"},
     {"after", "captured after", u::s, 2, &C::after_s,
-     "from control start until the roll stayed within 10 deg of where the law settles, or of where it came to rest "
-     "where the fin offset is not known"},
+     "until the roll stayed within 10 deg of where the law settles, or of its rest where the fin offset is unknown"},
     {"watched", "looked at for", u::s, 2, &C::watched_s, "until it had stayed for a second, or the reference changed"},
     {"saturated_fraction", "canards at their limit in it", u::percent, 1, &C::saturated_fraction,
      "share of that time with the command at its limit"},
