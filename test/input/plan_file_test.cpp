@@ -145,10 +145,10 @@ TEST(PlanFile, UnknownKeysAndSectionsAreRefusedWithASuggestion) {
   EXPECT_EQ(refusal("[controller]\ncanard_limit = 6"),
             "plan.toml:2: unknown key controller.canard_limit; did you mean controller.canard_limit_deg?");
   EXPECT_EQ(refusal("\n[controler]\n"), "plan.toml:2: unknown section [controler]; did you mean controller?");
-  EXPECT_EQ(
-      refusal("kp = 1"),
-      "plan.toml:1: unknown key kp; allowed: run, sensors, launch_detection, guide, motion, controller, gain_schedule, "
-      "offset, roll_model, reference, excitation, canards, monitor, recording");
+  EXPECT_EQ(refusal("kp = 1"),
+            "plan.toml:1: unknown key kp; allowed: run, sensors, launch_detection, guide, dormancy, motion, "
+            "controller, gain_schedule, "
+            "offset, roll_model, reference, excitation, canards, monitor, recording");
 }
 
 TEST(PlanFile, ASensorWhoseTwoAxesAreTheSameOneIsRefused) {
@@ -183,7 +183,7 @@ TEST(PlanFile, OverridesWinAndAreNamedInEveryRefusal) {
       "--set controller.canard_limit_deg=30: controller.canard_limit_deg = 30 is out of range; allowed: 0.5 to 20");
   EXPECT_EQ(refusal("", {"controller.kp=1"}),
             "--set controller.kp=1: unknown key controller.kp; allowed: proportional_gain, derivative_gain_s, "
-            "rate_reference, canard_limit_deg");
+            "rate_reference, canard_limit_deg, entry");
   EXPECT_EQ(refusal("", {"contoller.x=1"}),
             "--set contoller.x=1: unknown section [contoller]; did you mean controller?");
   EXPECT_EQ(refusal("", {"excitation.form=chirp"}),
