@@ -60,7 +60,7 @@ std::optional<Angle> CanardMixer::contribution(std::size_t, const std::optional<
   return proof::any_contribution();
 }
 
-void DormancyGate::update(Microseconds, const Motion&) {}
+void DormancyGate::update(Microseconds, const Motion&, bool) {}
 bool DormancyGate::is_open() const { return proof::gate_is_open; }
 
 Capture::Capture(const FlightPlan& plan) : observer_{plan.offset, plan.roll_model} {}

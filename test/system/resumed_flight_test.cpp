@@ -55,7 +55,7 @@ TEST_F(ResumedFlight, ItsLogHoldsTwoPartsThatBothReplayExactlyAndAreReportedAsOn
   const Outcome report = run({"report", "out/flight.ftl", "--out", "again"});
   EXPECT_EQ(report.exit_code, 0) << report.err;
   EXPECT_TRUE(says(report.out,
-                   "The processor was reset (watchdog): no tick is on record from 2.977 s to 3.092 s, and "
+                   "The processor was reset (watchdog): no tick is on record from 2.976 s to 3.092 s, and "
                    "then the flight was resumed."))
       << report.out;
 }

@@ -22,7 +22,10 @@ TEST(Tune, WritesAPlanThatIsCheckedAndFliesWhereItSays) {
   EXPECT_TRUE(content(plan).starts_with("# Made by fantail tune own/s.toml --flights 4 (Fantail "));
   const Outcome check = fantail({"plan", "check", plan, "--scenario", "tasha3_launch2"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
-  EXPECT_EQ(check.out.find("warning"), std::string::npos) << check.out;
+  const std::size_t tilt = check.out.find("warning: run.tilt_limit_deg = 60 from the vertical");
+  EXPECT_NE(tilt, std::string::npos) << "of the plan that it was made from: " << check.out;
+  EXPECT_EQ(check.out.find("warning"), tilt) << check.out;
+  EXPECT_EQ(check.out.rfind("warning"), tilt) << check.out;
 
   const Outcome again = fantail(command, {.working_folder = folder.path()});
   EXPECT_EQ(again.exit_code, 64);
