@@ -41,7 +41,7 @@ const std::array<Mode, 4> modes{
          {"offset.rejection=observer", "roll_model.roll_inertia_kg_m2=0.00393",
           "roll_model.reference_area_m2=5.0265e-5", "roll_model.damping_m2=23", "roll_model.torque_m=9"}},
     Mode{"with_gate_and_capture",
-         100.0,
+         190.0,
          {"dormancy.until=max_dynamic_pressure and height", "dormancy.height_m=100", "controller.entry=capture",
           "roll_model.roll_inertia_kg_m2=0.00393", "roll_model.reference_area_m2=5.0265e-5", "roll_model.damping_m2=23",
           "roll_model.torque_m=9"}}};
