@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hal/accelerometer.hpp"
+#include "hal/barometer.hpp"
 #include "hal/board.hpp"
 #include "hal/clock.hpp"
 #include "hal/contact.hpp"
@@ -51,6 +52,16 @@ class Accelerometer final : public hal::Accelerometer {
   explicit Accelerometer(const WorldSide& world) : world_{world} {}
   AccelerometerSample read() override { return world_.accelerometer; }
   [[nodiscard]] float scale() const override { return world_.accelerometer_scale_m_s2; }
+
+ private:
+  const WorldSide& world_;
+};
+
+/// One that is not fitted is silent.
+class Barometer final : public hal::Barometer {
+ public:
+  explicit Barometer(const WorldSide& world) : world_{world} {}
+  BarometerSample read() override { return world_.barometer_is_fitted ? world_.barometer : BarometerSample{}; }
 
  private:
   const WorldSide& world_;
@@ -115,6 +126,7 @@ struct Devices {
   Imu imu{world};
   SecondImu second_imu{world};
   Accelerometer accelerometer{world};
+  Barometer barometer{world};
   Servo servo{world};
   Encoder encoder{world};
   Contact arm_switch{world.arm_switch_closed};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hal/accelerometer.hpp"
+#include "hal/barometer.hpp"
 #include "hal/board.hpp"
 #include "hal/encoder.hpp"
 #include "hal/imu.hpp"
@@ -23,6 +24,8 @@ struct WorldSide {
   ImuScale second_imu_scale{};
   AccelerometerSample accelerometer{};
   float accelerometer_scale_m_s2 = 0.0F;
+  bool barometer_is_fitted = false;
+  BarometerSample barometer{};
   EncoderReading encoders{};
   bool arm_switch_closed = false;     ///< its contacts now, which may bounce
   bool abort_contact_closed = false;  ///< likewise
