@@ -201,10 +201,27 @@ std::optional<hal::ImuSample> Avionics::read_second_imu() {
   return devices_.second_imu ? turned(devices_.second_imu->read(), plan_.sensors.second_imu) : hal::ImuSample{};
 }
 
+// Each reading once. What it says that cannot be used is as good as silence: no log keeps it, and the flight law is not
+// told.
+std::optional<hal::BarometerSample> Avionics::read_barometer(core::Microseconds now) {
+  if (plan_.sensors.barometer == core::BarometerUse::none || !devices_.barometer) {
+    return std::nullopt;
+  }
+  const hal::BarometerSample sample = devices_.barometer->read();
+  const bool is_new =
+      sample.time > pressure_time_ && sample.time <= now && now - sample.time < protocol::oldest_pressure;
+  if (sample.status != hal::Status::ok || sample.pressure_pa == 0 || !is_new) {
+    return std::nullopt;
+  }
+  pressure_time_ = sample.time;
+  return sample;
+}
+
 core::Inputs Avionics::read_devices(core::Microseconds now) {
   raw_ = {.imu = turned(devices_.imu.read(), plan_.sensors.imu),
           .second_imu = read_second_imu(),
           .accelerometer = turned(devices_.accelerometer.read(), plan_.sensors.accelerometer),
+          .barometer = read_barometer(now),
           .encoders = devices_.encoder.read()};
   scales_ = {
       .imu = devices_.imu.scale(),
@@ -220,6 +237,7 @@ core::Inputs Avionics::read_devices(core::Microseconds now) {
                                               scales_.imu.specific_force_m_s2),
                          accelerometer_sample(raw_.accelerometer.time, raw_.accelerometer.specific_force,
                                               raw_.accelerometer.status, scales_.accelerometer_m_s2)},
+      .barometer = pressure_sample(raw_.barometer),
       .encoders = encoder_angles(raw_.encoders, plan_.canards),
       .arm_switch_closed = devices_.arm_switch.closed(),
       .arm_command = arm_command,

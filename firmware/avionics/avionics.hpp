@@ -20,6 +20,7 @@
 #include "core/flight_plan.hpp"
 #include "hal/accelerometer.hpp"
 #include "hal/backup_memory.hpp"
+#include "hal/barometer.hpp"
 #include "hal/board.hpp"
 #include "hal/can_bus.hpp"
 #include "hal/clock.hpp"
@@ -50,7 +51,8 @@ struct Devices {
   hal::Entropy& entropy;
   hal::Board& board;
   hal::BackupMemory& backup_memory;
-  hal::Imu* second_imu = nullptr;  ///< null where none can be fitted; read only where the plan asks for two gyros
+  hal::Imu* second_imu = nullptr;       ///< null where none can be fitted; read only where the plan asks for two gyros
+  hal::Barometer* barometer = nullptr;  ///< null where none can be fitted; read only where the plan asks for one
 };
 
 /// The application: reads the hardware layer, steps the autopilot, writes the hardware layer. A board's or a world's
@@ -76,6 +78,7 @@ class Avionics {
   void obey(const protocol::BenchRequest& message);
   [[gnu::cold]] void obey(const protocol::ArmRequest& message);
   [[nodiscard, gnu::cold]] std::optional<hal::ImuSample> read_second_imu();
+  [[nodiscard, gnu::cold]] std::optional<hal::BarometerSample> read_barometer(core::Microseconds now);
   [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
   void watch_board(const core::TickRecord& record, const FlashFacts& flash);
   void report(const core::TickRecord& record, const core::Inputs& inputs);
@@ -103,6 +106,7 @@ class Avionics {
   Situation situation_{};
   RawSamples raw_{};
   SampleScales scales_{};
+  core::Microseconds pressure_time_{};  ///< of the last one
   core::Microseconds tick_duration_{};
 };
 

@@ -39,6 +39,9 @@ protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& 
                                                                             .rate_counts = raw.second_imu->rate,
                                                                             .status = to_log(raw.second_imu->status)}}
                                     : std::nullopt,
+      .pressure = raw.barometer ? std::optional{protocol::LogPressure{.time = raw.barometer->time,
+                                                                      .pressure_pa = raw.barometer->pressure_pa}}
+                                : std::nullopt,
       .accelerometer_time = raw.accelerometer.time,
       .accelerometer_counts = raw.accelerometer.specific_force,
       .accelerometer_status = to_log(raw.accelerometer.status),
@@ -87,6 +90,10 @@ RawSamples raw_samples_of(const protocol::LogTick& tick) {
                                     .rate = tick.second_gyro->rate_counts,
                                     .status = from_log(tick.second_gyro->status)};
   }
+  if (tick.pressure) {
+    raw.barometer = hal::BarometerSample{
+        .time = tick.pressure->time, .pressure_pa = tick.pressure->pressure_pa, .status = hal::Status::ok};
+  }
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     raw.encoders.each[i] = {.counts = tick.encoder_counts[i], .status = from_log(tick.encoder_status[i])};
   }
@@ -110,6 +117,7 @@ core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales
                                               scales.imu.specific_force_m_s2),
                          accelerometer_sample(raw.accelerometer.time, raw.accelerometer.specific_force,
                                               raw.accelerometer.status, scales.accelerometer_m_s2)},
+      .barometer = pressure_sample(raw.barometer),
       .encoders = encoder_angles(raw.encoders, canards),
       .arm_switch_closed = tick.arm_switch_closed,
       .arm_command = tick.arm_command,

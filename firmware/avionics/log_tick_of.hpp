@@ -7,6 +7,7 @@
 #include "core/inputs.hpp"
 #include "core/tick_record.hpp"
 #include "hal/accelerometer.hpp"
+#include "hal/barometer.hpp"
 #include "hal/encoder.hpp"
 #include "hal/imu.hpp"
 #include "protocol/log_tick.hpp"
@@ -21,6 +22,7 @@ struct RawSamples {
   hal::ImuSample imu;
   std::optional<hal::ImuSample> second_imu{};  ///< empty where the plan asks for one gyro
   hal::AccelerometerSample accelerometer;
+  std::optional<hal::BarometerSample> barometer{};  ///< a new one that can be used, where the plan asks for one
   hal::EncoderReading encoders;
 };
 

@@ -132,7 +132,7 @@ bool RecordStream::begin_next() {
   } else if (checkpoint.size > 0 && checkpoint.before == ticks.first()) {
     begin_frame(LogRecord::checkpoint, time, {checkpoint.bytes()});
   } else {
-    begin_frame(LogRecord::tick, time, {ticks.tick()});
+    begin_frame(LogRecord::tick, time, {protocol::without_empty_room(ticks.tick())});
   }
   return true;
 }
@@ -142,7 +142,8 @@ void RecordStream::begin_header(core::Microseconds time) {
   const std::size_t begin_size =
       header_.second_rate_scale_rad_s ? header_begin_.size() : protocol::log_header_fixed_size;
   begin_frame(LogRecord::header, time,
-              {std::span{header_begin_}.first(begin_size), header_.plan_block, bytes_of(header_.schema)});
+              {std::span{header_begin_}.first(begin_size), header_.plan_block, bytes_of(header_.schema),
+               bytes_of(header_.rest_of_schema)});
 }
 
 void RecordStream::begin_frame(LogRecord type, core::Microseconds time, const LogFrameWriter::Parts& payload) {

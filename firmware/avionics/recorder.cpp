@@ -33,8 +33,9 @@ bool flies(Phase phase) { return phase != Phase::safe && phase != Phase::armed; 
 void Recorder::take_plan(const core::FlightPlan& plan) {
   protocol::write_plan_block(plan, plan_block_);
   canards_ = plan.canards;
-  queue_.ticks.take_ticks_of(plan.sensors.gyros == core::GyroRule::two_agree ? protocol::largest_log_tick
-                                                                             : protocol::log_tick_size);
+  has_barometer_ = plan.sensors.barometer != core::BarometerUse::none;
+  queue_.ticks.take_ticks_of(
+      protocol::log_tick_size_with(plan.sensors.gyros == core::GyroRule::two_agree, has_barometer_));
   rest_time_ = plan.motion.rest_time;
   threshold_m_s2_ = plan.recording.threshold_m_s2;
   stage_ = Stage::idle;
@@ -130,7 +131,8 @@ void Recorder::begin_flight(const Tick& tick, LogBegin why) {
        .vehicle = identity_.vehicle,
        .sensors = identity_.sensors,
        .plan_block = plan_block_,
-       .schema = tick.raw.second_imu ? protocol::log_schema_of_two_gyros() : protocol::log_schema()});
+       .schema = tick.raw.second_imu ? protocol::log_schema_of_two_gyros() : protocol::log_schema(),
+       .rest_of_schema = has_barometer_ ? protocol::log_schema_of_barometer() : ""});
   stage_ = Stage::flying;
   overflowed_ = false;
   dropped_ = 0;

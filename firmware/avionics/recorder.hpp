@@ -97,6 +97,7 @@ class Recorder {
     core::SensorState gyro = core::SensorState::fresh;
     core::SensorState accelerometer = core::SensorState::fresh;
     core::GyroVote gyro_vote = core::GyroVote::both;
+    core::BarometerState barometer = core::BarometerState::on_pad;
     core::CommandStatus command_status = core::CommandStatus::outside_control;
     hal::BoardFaults faults{};
     core::Microseconds next_faults{};  ///< not before: a plug that comes and goes does not fill the record
@@ -127,6 +128,7 @@ class Recorder {
   FlightRegion& region_;
   Identity identity_{};
   core::CanardsPlan canards_{};
+  bool has_barometer_ = false;  ///< by the plan
   std::array<std::byte, protocol::plan_block_size> plan_block_{};
 
   Stage stage_ = Stage::idle;

@@ -67,6 +67,8 @@ void Recorder::queue_changes(const core::TickRecord& record) {
   }
   tell(told_.gyro, worth_telling(record.motion.gyro), {.kind = LogEventKind::gyro_state});
   tell(told_.gyro_vote, record.gyro_vote.value_or(core::GyroVote::both), {.kind = LogEventKind::gyro_vote});
+  tell(told_.barometer, record.barometer_state.value_or(core::BarometerState::on_pad),
+       {.kind = LogEventKind::barometer_state});
   tell(told_.accelerometer, worth_telling(record.motion.accelerometer), {.kind = LogEventKind::accelerometer_state});
   tell(told_.command_status, record.command_status, {.kind = LogEventKind::command_status});
 }

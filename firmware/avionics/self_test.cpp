@@ -129,6 +129,8 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
   }
   if (const auto failure = judge_averages()) {
     fail(*failure);
+  } else if (record.barometer_state == core::BarometerState::silent) {
+    fail(SelfTestFailure::barometer_failed);
   } else if (const auto of_flash = judge_flash(flash)) {
     fail(*of_flash);
   } else {

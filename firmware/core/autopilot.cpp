@@ -19,7 +19,8 @@ constexpr std::optional<std::array<Angle, canard_count>> no_request;
 }  // namespace
 
 Autopilot::Autopilot(const FlightPlan& plan)
-    : dormancy_gate_{plan.dormancy},
+    : barometric_height_{plan.sensors, plan.dormancy},
+      dormancy_gate_{plan.dormancy},
       capture_{plan},
       controller_{plan.controller},
       gain_schedule_{plan.gain_schedule},
@@ -29,6 +30,7 @@ Autopilot::Autopilot(const FlightPlan& plan)
       flight_phase_{plan.run, plan.guide, plan.motion},
       is_gated_{plan.dormancy.until != DormantUntil::guide},
       captures_{plan.controller.entry == ControlEntry::capture},
+      has_barometer_{plan.sensors.barometer != BarometerUse::none},
       chirp_{plan.excitation},
       offset_estimator_{plan},
       canard_mixer_{plan.canards, plan.controller.canard_limit},
@@ -57,8 +59,17 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   const Phase before = flight_phase_.phase();
   const bool asks_both = before == Phase::launched || before == Phase::dormant;
   const bool agree = !asks_both || launch_detector_.agrees(inputs.time, inputs.accelerometers);
+  std::optional<float> by_barometer;
+  if (has_barometer_) {
+    barometric_height_.update(inputs, is_flight(before) || before == Phase::finished, record.motion);
+    record.barometer_state = barometric_height_.state();
+    by_barometer = barometric_height_.least_height_m();
+  }
   if (is_gated_ && is_flight(before)) {
-    dormancy_gate_.update(inputs.time, record.motion, agree || before == Phase::launched);
+    dormancy_gate_.update(inputs.time, record.motion, agree || before == Phase::launched, by_barometer);
+  }
+  if (has_barometer_) {
+    barometric_height_.correct(record.motion);
   }
   const bool changed = flight_phase_.update({.time = inputs.time,
                                              .arm_switch_closed = inputs.arm_switch_closed,
@@ -75,7 +86,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   record.reason = flight_phase_.reason();
   if (changed) {
     enter_phase(inputs.time, before, record.phase);
-    record.motion = motion_estimator_.motion(inputs.time);
+    record.motion = motion(inputs.time);
   }
 
   Angle asked_of_each;
@@ -107,16 +118,21 @@ void Autopilot::resume(const Inputs& first) {
   motion_estimator_.bridge(first);
   dormancy_gate_.interrupt();
   capture_.interrupt();
+  barometric_height_.interrupt();
   canard_monitor_.bridge();
   offset_estimator_.interrupt();
   last_time_.reset();
 }
 
 std::span<const std::byte> Autopilot::flight_memory() const {
-  const bool all = is_gated_ || captures_;
-  const auto* const begin =
-      all ? reinterpret_cast<const std::byte*>(&dormancy_gate_) : reinterpret_cast<const std::byte*>(&controller_);
-  return {begin, static_cast<const std::byte*>(motion_estimator_.end_of_flight_memory())};
+  const void* begin = &controller_;
+  if (has_barometer_) {
+    begin = &barometric_height_;
+  } else if (is_gated_ || captures_) {
+    begin = &dormancy_gate_;
+  }
+  return {static_cast<const std::byte*>(begin),
+          static_cast<const std::byte*>(motion_estimator_.end_of_flight_memory())};
 }
 
 Angle Autopilot::control(Microseconds since_control_start) {
@@ -185,6 +201,7 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
   if (to == Phase::launched) {
     motion_estimator_.begin_flight(time);
     dormancy_gate_.reset();
+    barometric_height_.begin_flight();
   } else if (from == Phase::launched && is_flight(to)) {
     motion_estimator_.leave_guide();
   } else if (to == Phase::controlling && from == Phase::armed) {
@@ -196,10 +213,18 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
     launch_detector_.reset();
   }
   if (to == Phase::controlling) {
-    begin_control(motion_estimator_.motion(time), time);
+    begin_control(motion(time), time);
   } else if (from == Phase::controlling) {
     offset_estimator_.interrupt();
   }
+}
+
+Motion Autopilot::motion(Microseconds now) const {
+  Motion motion = motion_estimator_.motion(now);
+  if (has_barometer_) {
+    barometric_height_.correct(motion);
+  }
+  return motion;
 }
 
 // A law that begins as published has no turns and no estimate to begin with.

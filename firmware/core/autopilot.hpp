@@ -25,7 +25,8 @@ namespace fantail::core {
 /// The flight law. Time and samples come in, canard commands and a record go out; there is no clock, no heap and no
 /// input or output in it, so the same object flies in the rocket, in the simulator and in a replay.
 ///
-///   motion_estimator -> launch_detector, dormancy_gate -> flight_phase -> roll_reference + capture + chirp
+///   motion_estimator, barometric_height -> launch_detector, dormancy_gate -> flight_phase -> roll_reference + capture
+///   + chirp
 ///     -> pd_controller, with gain_schedule and offset_estimator where the plan asks for them (clamp)
 ///     -> canard_sharing, while a canard does not follow -> canard_mixer (clamp each);  canard_monitor watches;  the
 ///     record holds all of it
@@ -72,6 +73,9 @@ class Autopilot {
     if (captures_) {
       visit(capture_, turns_);
     }
+    if (has_barometer_) {
+      visit(barometric_height_);
+    }
   }
 
  private:
@@ -79,6 +83,7 @@ class Autopilot {
   [[nodiscard]] bool watch_clock(Microseconds time);
   void enter_phase(Microseconds time, Phase from, Phase to);
   void begin_control(const Motion& motion, Microseconds time);
+  [[nodiscard]] Motion motion(Microseconds now) const;
   /// The roll command that each canard is asked for.
   [[nodiscard]] Angle control(Microseconds since_control_start);
   /// Whether the work of a canard that does not follow goes to the others.
@@ -88,7 +93,9 @@ class Autopilot {
 
   TickRecord record_;
 
-  // From here on flight_memory() where the plan waits for a gate or captures, and else from the law on.
+  // From here on flight_memory() where the plan has a barometer, from the gate on where it waits for one or captures,
+  // and else from the law on.
+  BarometricHeight barometric_height_;
   DormancyGate dormancy_gate_;
   Capture capture_;
   ControllerPlan controller_;
@@ -99,6 +106,7 @@ class Autopilot {
   FlightPhase flight_phase_;
   bool is_gated_;
   bool captures_;
+  bool has_barometer_;
   Angle turns_;  ///< of capture, on the reference
   Chirp chirp_;
   OffsetEstimator offset_estimator_;

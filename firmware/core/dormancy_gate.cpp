@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/height_error.hpp"
+
 namespace fantail::core {
 namespace {
 
@@ -29,7 +31,8 @@ float density_ratio(float height_m) {
 
 }  // namespace
 
-void DormancyGate::update(Microseconds now, const Motion& motion, bool accelerometers_agree) {
+void DormancyGate::update(Microseconds now, const Motion& motion, bool accelerometers_agree,
+                          std::optional<float> by_barometer) {
   if (plan_.until == DormantUntil::guide) {
     return;
   }
@@ -38,7 +41,7 @@ void DormancyGate::update(Microseconds now, const Motion& motion, bool accelerom
   const bool sure = moves_ && !is_unsure_ && accelerometers_agree;
   watch_burn(now, motion);
   watch_pressure(motion, sure);
-  watch_height(now, motion, sure);
+  watch_height(now, motion, sure, by_barometer);
 }
 
 // Meets DOR-2.
@@ -81,15 +84,9 @@ void DormancyGate::watch_pressure(const Motion& motion, bool sure) {
 }
 
 // Meets DOR-2.
-void DormancyGate::watch_height(Microseconds now, const Motion& motion, bool sure) {
-  const float flown_s = seconds(now - motion.thrust_since);
-  const float fallen_m = 0.5F * flown_s * flown_s;
-  // At rest a zero error looks like a tilt, of root 2 times as much with one on both axes across; what the rocket has
-  // gone to the side, that tilt takes for height.
-  const float tilt_error = 1.4143F / standard_gravity_m_s2 * plan_.bias_error_m_s2;
-  const float error_m = plan_.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
-                        plan_.bias_error_m_s2 * fallen_m + tilt_error * motion.horizontal_distance_m;
-  is_past_height_ = is_past_height_ || (sure && motion.height_m - error_m > plan_.height_m);
+void DormancyGate::watch_height(Microseconds now, const Motion& motion, bool sure, std::optional<float> by_barometer) {
+  const float least_m = motion.height_m - motion_error(plan_, now, motion).height_m;
+  is_past_height_ = is_past_height_ || (sure && std::max(least_m, by_barometer.value_or(least_m)) > plan_.height_m);
 }
 
 bool DormancyGate::is_open() const {

@@ -22,10 +22,10 @@ namespace fantail::core {
 /// lift-off, has fallen 2 % below its largest value; a new largest value closes the gate. The motor may still burn.
 ///
 /// Height. The low end of what the height can be, given the plan's errors of the accelerometer, has been above the
-/// plan's height. It never closes: what has been above it was. Without an accelerometer for longer than the plan's
-/// stale time, or with a gyro at the end of its range, nobody knows height or speed that well: then neither height nor
-/// dynamic pressure opens in this flight. Nor do they while two accelerometers disagree: at 20 g two good ones may, but
-/// one that lies goes on.
+/// plan's height, or what a barometer makes of that low end. It never closes: what has been above it was. Without an
+/// accelerometer for longer than the plan's stale time, or with a gyro at the end of its range, nobody knows height or
+/// speed that well: then neither height nor dynamic pressure opens in this flight. Nor do they while two accelerometers
+/// disagree: at 20 g two good ones may, but one that lies goes on.
 ///
 /// Nothing here opens by time alone: a gate that is never reached stays closed.
 class DormancyGate {
@@ -34,8 +34,10 @@ class DormancyGate {
   [[gnu::cold]] explicit DormancyGate(const DormancyPlan& plan) : plan_{plan} {}
 
   /// In every tick from the one after launch detection on, with the motion at `now`,
-  /// and whether beyond the guide two accelerometers agree on it.
-  void update(Microseconds now, const Motion& motion, bool accelerometers_agree = true);
+  /// and whether beyond the guide two accelerometers agree on it. `by_barometer`: the rocket is above this
+  /// (BarometricHeight::least_height_m()).
+  void update(Microseconds now, const Motion& motion, bool accelerometers_agree = true,
+              std::optional<float> by_barometer = std::nullopt);
 
   /// As of the last update(); true from the beginning for a plan that waits for the guide alone.
   [[nodiscard]] bool is_open() const;
@@ -59,7 +61,7 @@ class DormancyGate {
  private:
   void watch_burn(Microseconds now, const Motion& motion);
   void watch_pressure(const Motion& motion, bool sure);
-  void watch_height(Microseconds now, const Motion& motion, bool sure);
+  void watch_height(Microseconds now, const Motion& motion, bool sure, std::optional<float> by_barometer);
 
   DormancyPlan plan_;
   LowPass axial_{8.0F};

@@ -35,13 +35,22 @@ struct SensorMounting {
   SensorAxis along_y;
 };
 
-/// How the sensors stand in the rocket, and when two gyros agree.
+/// What a barometer is there for.
+enum class BarometerUse : std::uint8_t {
+  none,   ///< none is fitted, or nobody listens to it
+  fused,  ///< height and vertical speed follow it, see BarometricHeight
+};
+
+/// How the sensors stand in the rocket, when two gyros agree, and the air that a barometer is read in.
 struct SensorsPlan {
   GyroRule gyros;
   float gyro_disagreement_rad_s;  ///< on each axis; a twentieth of the largest rate is added
   SensorMounting imu;
   SensorMounting second_imu;
   SensorMounting accelerometer;  ///< the second one, outside of the IMU
+  BarometerUse barometer;
+  float air_temperature_c;        ///< at the pad, on the day of the launch ...
+  float air_temperature_error_k;  ///< ... and by how much it may be another one
 };
 
 /// Which accelerometers must see a launch.

@@ -78,7 +78,7 @@ struct PlanMember {
 [[nodiscard]] std::span<const PlanMember> flight_plan_members();
 
 /// The slots of all fields, and a length for each list.
-inline constexpr std::size_t flight_plan_words = 131;
+inline constexpr std::size_t flight_plan_words = 134;
 
 /// Every field at its default; passes validate().
 [[nodiscard]] FlightPlan default_plan();

@@ -36,6 +36,8 @@ inline constexpr std::array<std::string_view, 6> dormant_until_names{
 inline constexpr std::array<std::string_view, 2> control_entry_names{"as_published", "capture"};
 /// Names of GyroRule.
 inline constexpr std::array<std::string_view, 2> gyro_rule_names{"one", "two_agree"};
+/// Names of BarometerUse.
+inline constexpr std::array<std::string_view, 2> barometer_use_names{"none", "fused"};
 /// Names of SensorAxis.
 inline constexpr std::array<std::string_view, 6> sensor_axis_names{"+x", "-x", "+y", "-y", "+z", "-z"};
 /// Names of AccelerometerRule.
@@ -168,6 +170,9 @@ inline constexpr auto flight_plan_table = std::to_array<PlanField>({
   choice(MEMBER(sensors.second_imu.along_y), "sensors", "second_imu_along_y", sensor_axis_names, "and which along the rocket's y; the third follows", 2),
   choice(MEMBER(sensors.accelerometer.to_nose), "sensors", "accelerometer_to_nose", sensor_axis_names, "which axis of the second accelerometer points to the nose"),
   choice(MEMBER(sensors.accelerometer.along_y), "sensors", "accelerometer_along_y", sensor_axis_names, "and which along the rocket's y; the third follows", 2),
+  choice(MEMBER(sensors.barometer), "sensors", "barometer", barometer_use_names, "no barometer, or one that height and vertical speed follow while the rocket is slow"),
+  number(MEMBER(sensors.air_temperature_c), "sensors", "air_temperature_c", "", 15, {-50, 50}, "air at the pad in degrees Celsius, for a barometer's heights"),
+  number(MEMBER(sensors.air_temperature_error_k), "sensors", "air_temperature_error_k", "", 30, {0.5F, 60}, "and by so many kelvins it may be another one"),
 
   number(MEMBER(launch_detection.threshold_m_s2), "launch_detection", "threshold_g", "g", 2.5F, {1.5F, 15}, "axial specific force that counts as thrust"),
   number(MEMBER(launch_detection.hold), "launch_detection", "hold_s", "s", 0.1F, {0.02F, 2}, "the threshold must be exceeded for this long"),

@@ -45,6 +45,12 @@ struct AccelerometerSample {
   SampleQuality quality = SampleQuality::absent;
 };
 
+/// Pressure of the air around the rocket.
+struct PressureSample {
+  Microseconds time{};  ///< when it was measured, by the clock of Inputs::time
+  float pressure_pa = 0.0F;
+};
+
 /// Angle of one canard about its own shaft, encoder zero already taken off. Empty when the encoder had nothing valid.
 using EncoderAngles = std::array<std::optional<Angle>, canard_count>;
 
@@ -54,6 +60,7 @@ struct Inputs {
   GyroSample gyro{};
   std::optional<GyroSample> second_gyro{};              ///< empty where the plan asks for one
   std::array<AccelerometerSample, 2> accelerometers{};  ///< of the IMU, and the second one
+  std::optional<PressureSample> barometer{};            ///< in a tick in which it has a new one
   EncoderAngles encoders{};
   bool arm_switch_closed = false;  ///< debounced
   bool arm_command = false;        ///< the second, independent action: one tick long

@@ -65,6 +65,18 @@ std::string_view name(SensorState state) {
   return "unknown";
 }
 
+std::string_view name(BarometerState state) {
+  switch (state) {
+    case BarometerState::silent: return "silent";
+    case BarometerState::on_pad: return "on_pad";
+    case BarometerState::used: return "used";
+    case BarometerState::too_fast: return "too_fast";
+    case BarometerState::disagrees: return "disagrees";
+    case BarometerState::alone: return "alone";
+  }
+  return "unknown";
+}
+
 std::string_view name(GyroVote vote) {
   switch (vote) {
     case GyroVote::both: return "both";

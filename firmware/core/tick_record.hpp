@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/barometric_height.hpp"
 #include "core/canard_mixer.hpp"
 #include "core/canard_monitor.hpp"
 #include "core/flight_phase.hpp"
@@ -37,7 +38,8 @@ struct TickRecord {
   std::uint32_t overruns = 0;  ///< ticks that were due and did not come, since the first one
 
   Motion motion{};
-  std::optional<GyroVote> gyro_vote{};  ///< empty where the plan asks for one gyro
+  std::optional<GyroVote> gyro_vote{};              ///< empty where the plan asks for one gyro
+  std::optional<BarometerState> barometer_state{};  ///< empty where the plan asks for none
 
   /// R, with the turns of capture; zero outside of Controlling, as excitation and commands are.
   Angle reference{};
@@ -59,6 +61,7 @@ struct TickRecord {
 [[nodiscard]] std::string_view name(CanardVerdict verdict);
 [[nodiscard]] std::string_view name(SensorState state);
 [[nodiscard]] std::string_view name(GyroVote vote);
+[[nodiscard]] std::string_view name(BarometerState state);
 [[nodiscard]] std::string_view name(CommandStatus status);
 [[nodiscard]] std::string_view name(DetectionState state);
 

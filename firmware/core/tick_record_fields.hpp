@@ -19,8 +19,8 @@ struct SignalName {
 
 /// Shows every signal of a record once, in a fixed order: the one list that a digest, an export and a comparison go by.
 /// The visitor is called with the name and a value: Angle, std::optional<Angle>, float, bool, std::uint32_t,
-/// Microseconds, an enumeration or std::optional<GyroVote>, which is no signal where it is empty; for a record that may
-/// be written, so may what the visitor is shown.
+/// Microseconds, an enumeration or std::optional of GyroVote or BarometerState, which is no signal where it is empty;
+/// for a record that may be written, so may what the visitor is shown.
 template <typename Record, typename Visitor>
   requires std::same_as<std::remove_const_t<Record>, TickRecord>
 void visit_signals(Record& record, Visitor&& visit) {
@@ -50,6 +50,7 @@ void visit_signals(Record& record, Visitor&& visit) {
   visit(SignalName{"roll_is_bridged", ""}, motion.roll_is_bridged);
   visit(SignalName{"speed_is_lower_bound", ""}, motion.speed_is_lower_bound);
   visit(SignalName{"gyro_vote", ""}, record.gyro_vote);
+  visit(SignalName{"barometer_state", ""}, record.barometer_state);
   visit(SignalName{"at_rest_for", "us"}, motion.at_rest_for);
   visit(SignalName{"thrust_since", "us"}, motion.thrust_since);
 

@@ -92,6 +92,7 @@ constexpr unsigned choice(SelfTestFailure value) {
     case gyros_disagree: return CANARD_BUS_ARM_REPLY_FAILURE_GYROS_DISAGREE_CHOICE;
     case gyro_turns: return CANARD_BUS_ARM_REPLY_FAILURE_GYRO_TURNS_CHOICE;
     case second_gyro_turns: return CANARD_BUS_ARM_REPLY_FAILURE_SECOND_GYRO_TURNS_CHOICE;
+    case barometer_failed: return CANARD_BUS_ARM_REPLY_FAILURE_BAROMETER_FAILED_CHOICE;
   }
   return no_choice;
 }

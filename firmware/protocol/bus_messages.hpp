@@ -99,6 +99,7 @@ enum class SelfTestFailure : std::uint8_t {
   gyros_disagree,
   gyro_turns,  ///< reads a steady turn beyond largest_gyro_bias_rad_s(), as the following
   second_gyro_turns,
+  barometer_failed,  ///< the one that the plan asks for gives no usable pressure
 };
 
 /// Of the last ArmRequest, whatever it asked for. What is refused changes nothing; only a wrong nonce voids the right

@@ -13,7 +13,7 @@ namespace fantail::protocol {
 /// Lays one frame after the other into pages: a frame may be taken out in pieces of any size.
 class LogFrameWriter {
  public:
-  using Parts = std::array<std::span<const std::byte>, 3>;
+  using Parts = std::array<std::span<const std::byte>, 4>;
 
   LogFrameWriter() = default;
   LogFrameWriter(const LogFrameWriter&) = delete;  // it looks into itself
@@ -21,10 +21,10 @@ class LogFrameWriter {
 
   /// Bytes of a frame with this payload.
   [[nodiscard]] static std::size_t frame_size(const Parts& payload) {
-    return log_frame_overhead + payload[0].size() + payload[1].size() + payload[2].size();
+    return log_frame_overhead + payload[0].size() + payload[1].size() + payload[2].size() + payload[3].size();
   }
 
-  /// When the frame before is done(). The payload, in up to three parts and at most largest_log_payload bytes in all,
+  /// When the frame before is done(). The payload, in up to four parts and at most largest_log_payload bytes in all,
   /// stays where it is until this one is. The head's length is filled in here. Writes as much as write().
   std::size_t begin(LogFrameHead head, const Parts& payload, std::span<std::byte> out);
 
@@ -38,7 +38,7 @@ class LogFrameWriter {
   [[nodiscard]] bool done() const { return part_ == parts_.size(); }
 
  private:
-  static constexpr std::size_t tail = 4;  ///< the last part
+  static constexpr std::size_t tail = 5;  ///< the last part
 
   std::array<std::byte, log_head_size> head_{};
   std::array<std::byte, 4> tail_{};

@@ -44,6 +44,7 @@ struct LogHeader {
   std::string_view sensors{};
   std::span<const std::byte> plan_block{};  ///< plan_block.hpp
   std::string_view schema{};
+  std::string_view rest_of_schema{};  ///< to be written behind it; read, it is part of it
 };
 
 /// Everything before the plan block, except for the fields of two gyros.

@@ -17,6 +17,7 @@ std::size_t values(LogEventKind kind) {
     case LogEventKind::command_status: return core::command_statuses;
     case LogEventKind::resumed: return resumed_after_causes;
     case LogEventKind::gyro_vote: return core::gyro_votes;
+    case LogEventKind::barometer_state: return core::barometer_states;
     case LogEventKind::recording_began: return log_begins;
     case LogEventKind::records_dropped:
     case LogEventKind::longest_tick:
@@ -110,6 +111,7 @@ std::string_view name(LogEventKind kind) {
     case LogEventKind::board_faults: return "board_faults";
     case LogEventKind::resumed: return "resumed";
     case LogEventKind::gyro_vote: return "gyro_vote";
+    case LogEventKind::barometer_state: return "barometer_state";
   }
   return "unknown";
 }

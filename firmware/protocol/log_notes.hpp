@@ -28,8 +28,9 @@ enum class LogEventKind : std::uint8_t {
   board_faults,         ///< number: hal::BoardFaults::bits(), of which some came or went
   resumed,              ///< this record is the rest of a flight; value: ResumedAfter, number: resumes of it so far
   gyro_vote,            ///< value: core::GyroVote; of two gyros
+  barometer_state,      ///< value: core::BarometerState
 };
-inline constexpr std::size_t log_event_kinds = 12;
+inline constexpr std::size_t log_event_kinds = 13;
 
 /// Why a recording began.
 enum class LogBegin : std::uint8_t {

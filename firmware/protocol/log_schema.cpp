@@ -6,7 +6,8 @@
 
 namespace fantail::protocol {
 
-static_assert(log_tick_size == 50 && second_gyro_size == 9 && log_event_size == 8 && log_health_size == 23,
+static_assert(log_tick_size == 50 && second_gyro_size == 9 && pressure_size == 6 && log_event_size == 8 &&
+                  log_health_size == 23,
               "the lines below say so");
 
 namespace {
@@ -76,10 +77,17 @@ constexpr std::string_view all =
     "6 i16 rate_z count\n"
     "8 u8 status\n";
 
+constexpr std::string_view of_barometer =
+    "barometer 6\n"
+    "0 u16 age us\n"
+    "2 u32 pressure Pa\n";
+
 }  // namespace
 
 std::string_view log_schema() { return all.substr(0, all.find("second_gyro")); }
 
 std::string_view log_schema_of_two_gyros() { return all; }
+
+std::string_view log_schema_of_barometer() { return of_barometer; }
 
 }  // namespace fantail::protocol

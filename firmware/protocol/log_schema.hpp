@@ -15,4 +15,8 @@ namespace fantail::protocol {
 /// With a record second_gyro, which stands behind each tick, in its payload.
 [[nodiscard]] std::string_view log_schema_of_two_gyros();
 
+/// What follows in a log with a barometer: a record barometer, which stands behind all else in the payloads of those
+/// ticks in which it had something new. Such a tick is so many bytes longer.
+[[nodiscard]] std::string_view log_schema_of_barometer();
+
 }  // namespace fantail::protocol

@@ -27,7 +27,17 @@ static_assert(digest_at + 4 == log_tick_size);
 constexpr std::size_t second_age_at = log_tick_size;
 constexpr std::size_t second_rate_at = second_age_at + 2;
 constexpr std::size_t second_status_at = second_age_at + 8;
-static_assert(second_status_at + 1 == largest_log_tick);
+static_assert(second_status_at + 1 == log_tick_size + second_gyro_size);
+// From the end: pressure, and before it its age. A pressure of zero is none.
+constexpr std::size_t pressure_from_end = 4;
+constexpr std::size_t pressure_age_from_end = pressure_size;
+
+constexpr bool has_room_for_second_gyro(std::size_t size) {
+  return size == log_tick_size_with(true, false) || size == log_tick_size_with(true, true);
+}
+constexpr bool has_room_for_pressure(std::size_t size) {
+  return size == log_tick_size_with(false, true) || size == log_tick_size_with(true, true);
+}
 
 constexpr std::uint16_t old_sample = 0xFFFF;
 constexpr std::uint16_t encoder_mask = 0x3FFF;
@@ -115,16 +125,28 @@ void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out) {
   put<4>(out, digest_at, tick.digest);
   times.imu = tick.imu_time;
   times.accelerometer = tick.accelerometer_time;
-  if (tick.second_gyro && out.size() >= largest_log_tick) {
+  if (tick.second_gyro && has_room_for_second_gyro(out.size())) {
     put<2>(out, second_age_at, age(tick.time, tick.second_gyro->time));
     put_counts(out, second_rate_at, tick.second_gyro->rate_counts);
     put<1>(out, second_status_at, static_cast<std::uint32_t>(tick.second_gyro->status));
     times.second_gyro = tick.second_gyro->time;
   }
+  if (has_room_for_pressure(out.size())) {
+    const LogPressure pressure = tick.pressure.value_or(LogPressure{.time = tick.time});
+    put<2>(out, out.size() - pressure_age_from_end, age(tick.time, pressure.time));
+    put<4>(out, out.size() - pressure_from_end, pressure.pressure_pa);
+  }
+}
+
+std::span<const std::byte> without_empty_room(std::span<const std::byte> packed) {
+  const std::size_t size = packed.size();
+  const bool empty = has_room_for_pressure(size) && get<4>(packed, size - pressure_from_end) == 0;
+  return empty ? packed.first(size - pressure_size) : packed;
 }
 
 std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std::byte> payload, SampleTimes& times) {
-  if (payload.size() != log_tick_size && payload.size() != largest_log_tick) {
+  const std::size_t size = payload.size();
+  if (size != log_tick_size && !has_room_for_second_gyro(size) && !has_room_for_pressure(size)) {
     return std::nullopt;
   }
   LogTick tick{.time = time};
@@ -174,7 +196,7 @@ std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std:
   tick.command = core::Angle::from_radians(command_rad);
   tick.duration_before = core::Microseconds{static_cast<std::int64_t>(get<2>(payload, duration_at))};
   tick.digest = static_cast<std::uint32_t>(get<4>(payload, digest_at));
-  if (payload.size() == largest_log_tick) {
+  if (has_room_for_second_gyro(size)) {
     const auto status = static_cast<std::uint32_t>(get<1>(payload, second_status_at));
     if (status >= statuses) {
       return std::nullopt;
@@ -184,6 +206,13 @@ std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std:
     get_counts(payload, second_rate_at, second.rate_counts);
     second.status = static_cast<DeviceStatus>(status);
     times.second_gyro = second.time;
+  }
+  if (has_room_for_pressure(size)) {
+    const auto age_us = static_cast<std::int64_t>(get<2>(payload, size - pressure_age_from_end));
+    const auto pressure_pa = static_cast<std::uint32_t>(get<4>(payload, size - pressure_from_end));
+    if (pressure_pa > 0) {
+      tick.pressure = LogPressure{.time = time - core::Microseconds{age_us}, .pressure_pa = pressure_pa};
+    }
   }
   times.imu = tick.imu_time;
   times.accelerometer = tick.accelerometer_time;

@@ -26,6 +26,13 @@ struct LogSecondGyro {
   DeviceStatus status = DeviceStatus::no_reading;
 };
 
+/// A new reading of a barometer: most ticks have none. What a barometer says that cannot be used is not kept.
+struct LogPressure {
+  core::Microseconds time{};      ///< at most oldest_pressure before the tick
+  std::uint32_t pressure_pa = 0;  ///< not zero
+};
+inline constexpr core::Microseconds oldest_pressure{65'000};
+
 /// One tick as a log keeps it: what went into the flight law, and enough of what came out to see whether a replay gives
 /// the same. Everything else is made again by the law.
 struct LogTick {
@@ -37,6 +44,8 @@ struct LogTick {
   DeviceStatus imu_status = DeviceStatus::no_reading;
 
   std::optional<LogSecondGyro> second_gyro{};
+
+  std::optional<LogPressure> pressure{};
 
   core::Microseconds accelerometer_time{};
   std::array<std::int16_t, 3> accelerometer_counts{};
@@ -72,11 +81,17 @@ struct SampleTimes {
 
 inline constexpr std::size_t log_tick_size = 50;
 inline constexpr std::size_t second_gyro_size = 9;  ///< behind it, where two gyros fly
-inline constexpr std::size_t largest_log_tick = log_tick_size + second_gyro_size;
+inline constexpr std::size_t pressure_size = 6;     ///< behind these, with a barometer
+inline constexpr std::size_t largest_log_tick = log_tick_size + second_gyro_size + pressure_size;
 using PackedTick = std::array<std::byte, log_tick_size>;
 
-/// `times`: of the tick before; becomes those of this one. `out`: largest_log_tick with a second gyro, log_tick_size
-/// without one. A second gyro that comes although there is no room for it is left out: by a bit that flips in the plan.
+/// How large a packed tick is.
+[[nodiscard]] constexpr std::size_t log_tick_size_with(bool second_gyro, bool barometer) {
+  return log_tick_size + (second_gyro ? second_gyro_size : 0) + (barometer ? pressure_size : 0);
+}
+
+/// `times`: of the tick before; becomes those of this one. `out`: as log_tick_size_with(). A second gyro or a pressure
+/// that comes although there is no room for it is left out: by a bit that flips in the plan.
 void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out);
 /// Of one gyro.
 [[nodiscard]] inline PackedTick pack(const LogTick& tick, SampleTimes& times) {
@@ -84,6 +99,10 @@ void pack(const LogTick& tick, SampleTimes& times, std::span<std::byte> out);
   pack(tick, times, out);
   return out;
 }
+
+/// Without the room for a pressure where it has none: so it is written, because two gyros and a barometer in every tick
+/// would be more than the slowest flash takes.
+[[nodiscard]] std::span<const std::byte> without_empty_room(std::span<const std::byte> packed);
 
 /// Empty for a payload of another size and for values that no tick can have. `times` as in pack().
 [[nodiscard]] std::optional<LogTick> unpack_tick(core::Microseconds time, std::span<const std::byte> payload,

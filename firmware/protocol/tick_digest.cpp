@@ -27,7 +27,9 @@ class Digest {
     (*this)(name, value.value_or(core::Angle{}));
   }
   // A rocket with one gyro has no such signal.
-  void operator()(const core::SignalName& name, const std::optional<core::GyroVote>& value) {
+  template <typename T>
+    requires std::is_enum_v<T>
+  void operator()(const core::SignalName& name, const std::optional<T>& value) {
     if (value) {
       (*this)(name, *value);
     }

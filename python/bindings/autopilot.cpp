@@ -78,7 +78,8 @@ nb::object plain(const T& value) {
   if constexpr (std::is_same_v<T, core::Angle>) {
     return nb::float_{static_cast<double>(value.radians())};
   } else if constexpr (std::is_same_v<T, std::optional<core::Angle>> ||
-                       std::is_same_v<T, std::optional<core::GyroVote>>) {
+                       std::is_same_v<T, std::optional<core::GyroVote>> ||
+                       std::is_same_v<T, std::optional<core::BarometerState>>) {
     return value ? plain(*value) : nb::object{nb::none()};
   } else if constexpr (std::is_same_v<T, core::Microseconds>) {
     return nb::int_{value.count()};

@@ -18,6 +18,10 @@ using std::numbers::pi;
 // What core::Capture lets a share be.
 constexpr double largest_share = 0.9;
 
+// An offset beyond this share of the limit leaves so little to brake with that the last degrees take longer than the
+// linear loop says: no promise.
+constexpr double largest_promised_share = 0.8;
+
 double damping_rate_per_s(const RollAtEntry& e, double speed_m_s) {
   return e.plant.damping_rate_per_s(e.density_kg_m3, speed_m_s);
 }
@@ -112,9 +116,8 @@ double way_back_m(const RollAtEntry& e, double path) {
 }
 
 std::optional<double> captured_after_path_s(const RollAtEntry& e, std::optional<double> path) {
-  // Near the limit every little error counts. And an estimate of the offset that begins wrong drives the rocket away
-  // first, nobody knows how far.
-  if (!path || std::abs(e.offset_rad) > largest_share * e.limit_rad ||
+  // An estimate of the offset that begins wrong drives the rocket away first, nobody knows how far.
+  if (!path || std::abs(e.offset_rad) > largest_promised_share * e.limit_rad ||
       (e.rejects_offset() && !(e.has_model && e.share))) {
     return std::nullopt;
   }

@@ -50,7 +50,8 @@ std::string plan_fields() {
 std::string records() {
   std::string text;
   std::string fields;
-  std::istringstream lines{std::string{fantail::protocol::log_schema_of_two_gyros()}};
+  std::istringstream lines{std::string{fantail::protocol::log_schema_of_two_gyros()} +
+                           std::string{fantail::protocol::log_schema_of_barometer()}};
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words{line};
     std::string first;
@@ -90,7 +91,8 @@ std::string log_page(const Title& title, const std::string& folder) {
                      passages(folder + "/flight_log.md");
   page += heading("VALUES OF A RECORD");
   page += paragraph(sentence(
-      "Offset, type, name and unit of each. `second_gyro` stands in a log of two gyros only, behind each `tick`."));
+      "Offset, type, name and unit of each. `second_gyro` stands in a log of two gyros only, behind each `tick`; "
+      "`barometer` stands behind a tick with a new pressure."));
   page += records();
   page += heading("SIGNALS");
   page += paragraph(sentence("What a replay computes from a record, and `fantail log export` writes, with the unit."));

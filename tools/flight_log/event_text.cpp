@@ -33,6 +33,18 @@ std::string_view text(core::CommandStatus status) {
   return "unknown";
 }
 
+std::string_view text(core::BarometerState state) {
+  switch (state) {
+    case core::BarometerState::silent: return "the barometer gives no usable pressure";
+    case core::BarometerState::on_pad: return "the barometer reads the pressure of the pad";
+    case core::BarometerState::used: return "height and vertical speed follow the barometer";
+    case core::BarometerState::too_fast: return "the barometer is not used: the rocket is too fast";
+    case core::BarometerState::disagrees: return "the barometer is not used: it disagrees with the accelerometer";
+    case core::BarometerState::alone: return "the barometer is not used: no accelerometer measures the flight";
+  }
+  return "unknown";
+}
+
 std::string_view text(core::GyroVote vote) {
   switch (vote) {
     case core::GyroVote::both: return "the two gyros agree, and the first is used";
@@ -89,6 +101,7 @@ std::string event_text(const protocol::LogEvent& event, core::Microseconds log_b
     case Kind::command_status: return std::string{text(static_cast<core::CommandStatus>(event.value))};
     case Kind::records_dropped:
       return text::counted(event.number, "record was", "records were") + " not written, because the flash was too slow";
+    case Kind::barometer_state: return std::string{text(static_cast<core::BarometerState>(event.value))};
     case Kind::gyro_vote: return std::string{text(static_cast<core::GyroVote>(event.value))};
     case Kind::longest_tick: return fmt::format("longest tick so far: {} cycles of the processor", event.number);
     case Kind::board_faults: return board(event.number);

@@ -158,8 +158,10 @@ void FlightBuilder::add_header(const protocol::LogFrame& frame) {
   const auto reading = protocol::read_plan_block(header->plan_block);
   flight_.plan = reading.plan;
   flight_.plan_fault = reading.plan ? "" : fault_text(reading);
-  schema_is_ours_ = header->schema ==
-                    (header->second_rate_scale_rad_s ? protocol::log_schema_of_two_gyros() : protocol::log_schema());
+  const std::string_view schema =
+      header->second_rate_scale_rad_s ? protocol::log_schema_of_two_gyros() : protocol::log_schema();
+  const std::string_view rest = header->schema.substr(std::min(schema.size(), header->schema.size()));
+  schema_is_ours_ = header->schema.starts_with(schema) && (rest.empty() || rest == protocol::log_schema_of_barometer());
   add_waiting_ticks();
 }
 

@@ -56,6 +56,7 @@ std::string_view value_name(const protocol::LogEvent& event) {
     case LogEventKind::accelerometer_state: return name(static_cast<core::SensorState>(event.value));
     case LogEventKind::command_status: return name(static_cast<core::CommandStatus>(event.value));
     case LogEventKind::resumed: return name(static_cast<protocol::ResumedAfter>(event.value));
+    case LogEventKind::barometer_state: return name(static_cast<core::BarometerState>(event.value));
     case LogEventKind::gyro_vote: return name(static_cast<core::GyroVote>(event.value));
     case LogEventKind::recording_began:
     case LogEventKind::records_dropped:

@@ -133,6 +133,12 @@ void visit_logged(const flight_log::LoggedTick& logged, double time_s, bool repl
   for (std::size_t i = 0; i < second_rates.size(); ++i) {
     visit(second_rates[i], "count", of_second([i](const SecondGyro& gyro) { return gyro.rate_counts[i]; }));
   }
+  using Pressure = protocol::LogPressure;
+  const auto of_pressure = [&tick](auto value_of) {
+    return tick.pressure ? std::optional{value_of(*tick.pressure)} : std::nullopt;
+  };
+  visit("pressure", "pa", of_pressure([](const Pressure& pressure) { return pressure.pressure_pa; }));
+  visit("pressure_age", "us", of_pressure([&tick](const Pressure& pressure) { return tick.time - pressure.time; }));
   visit("duration_before", "us", tick.duration_before);
   visit("digest", "", tick.digest);
   visit("replayed", "", replayed);
@@ -192,9 +198,13 @@ std::string unknown_field(std::string_view name) {
 
 Selection every_field(const ReplayedFlight& source) {
   Selection all;
+  const auto& plan = source.flight().plan;
+  const bool has_barometer = plan && plan->sensors.barometer != core::BarometerUse::none;
   for (std::size_t i = 0; i < fields().size(); ++i) {
     const std::string& name = fields()[i].name;
-    if (source.flight().second_rate_scale_rad_s || (!name.starts_with("second_") && name != "gyro_vote")) {
+    const bool of_two_gyros = name.starts_with("second_") || name == "gyro_vote";
+    const bool of_barometer = name.starts_with("pressure") || name == "barometer_state";
+    if ((!of_two_gyros || source.flight().second_rate_scale_rad_s) && (!of_barometer || has_barometer)) {
       all.push_back(i);
     }
   }
