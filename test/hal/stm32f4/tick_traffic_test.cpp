@@ -5,9 +5,11 @@
 #include "fake_icm42688.hpp"
 #include "fake_ism330dhcx.hpp"
 #include "fake_kx134.hpp"
+#include "fake_ms5611.hpp"
 #include "fake_w25q.hpp"
 #include "hal/stm32f4/accelerometer.hpp"
 #include "hal/stm32f4/as5047p.hpp"
+#include "hal/stm32f4/barometer.hpp"
 #include "hal/stm32f4/encoder.hpp"
 #include "hal/stm32f4/flash.hpp"
 #include "hal/stm32f4/icm42688.hpp"
@@ -27,6 +29,7 @@ using test::FakeClock;
 using test::FakeIcm42688;
 using test::FakeIsm330dhcx;
 using test::FakeKx134;
+using test::FakeMs5611;
 using test::FakePort;
 using test::FakeSpi;
 using test::FakeW25q;
@@ -53,6 +56,7 @@ class TickTraffic : public testing::Test {
   std::array<FakeAs5047p, canards> fake_encoders{};
   FakeIsm330dhcx fake_second_imu{clock};
   FakeKx134 fake_accelerometer{clock};
+  FakeMs5611 fake_barometer{clock};
   FakeW25q fake_flash{clock};
 
   FakeCapture capture{world, clock, 84e6, [this] { return fake_imu.interrupt_1(); }};
@@ -64,6 +68,7 @@ class TickTraffic : public testing::Test {
       clock};
   SecondImu second_imu{SpiDevice{bus_3, Pin{port_b.block(), 11}, ism330dhcx::spi}, clock};
   Accelerometer accelerometer{SpiDevice{bus_3, Pin{port_c.block(), 4}, kx134::spi}, clock};
+  Barometer barometer{SpiDevice{bus_3, Pin{port_b.block(), 10}, ms5611::spi}, clock};
   Flash flash{SpiDevice{bus_3, Pin{port_a.block(), 15}, w25q::spi}, clock};
 
   void SetUp() override {
@@ -75,6 +80,7 @@ class TickTraffic : public testing::Test {
     spi_3.attach(port_c, 4, fake_accelerometer);
     spi_3.attach(port_a, 15, fake_flash);
     spi_3.attach(port_b, 11, fake_second_imu);
+    spi_3.attach(port_b, 10, fake_barometer);
     flash.start();
     imu.start(SensorStart::in_flight);
     for (int i = 0; i < 100; ++i) {
@@ -82,8 +88,9 @@ class TickTraffic : public testing::Test {
     }
   }
   void TearDown() override {
-    for (const auto& violations : {spi_1.violations, spi_2.violations, spi_3.violations, fake_imu.violations,
-                                   fake_second_imu.violations, fake_accelerometer.violations}) {
+    for (const auto& violations :
+         {spi_1.violations, spi_2.violations, spi_3.violations, fake_imu.violations, fake_second_imu.violations,
+          fake_accelerometer.violations, fake_barometer.violations}) {
       for (const std::string& violation : violations) {
         ADD_FAILURE() << violation;
       }
@@ -128,6 +135,24 @@ TEST_F(TickTraffic, ASecondImuTakesThirtyMicrosecondsMoreAndDisturbsNobodyOnItsB
   // Status, temperature and six axes behind their address, and the id.
   EXPECT_EQ(spi_3.bytes(), 1U + 16U + 2U);
   EXPECT_NEAR(spi_3.wire_us(), 19 * 8 / 5.25, 1e-9);
+}
+
+TEST_F(TickTraffic, ABarometerTakesAtMostElevenMicrosecondsMoreAndDisturbsNobodyOnItsBus) {
+  second_imu.start(SensorStart::in_flight);
+  barometer.start(SensorStart::power_up);
+  double most_us = 0.0;
+  BarometerSample sample{};
+  for (int i = 0; i < 200; ++i) {
+    read_sensors();
+    ASSERT_NE(second_imu.read().status, Status::error);
+    forget_traffic();
+    sample = barometer.read();
+    most_us = std::max(most_us, spi_3.wire_us());
+  }
+  EXPECT_EQ(sample.status, Status::ok);
+  EXPECT_EQ(second_imu.read().status, Status::ok);
+  // The last constant, twice, and the command of the first conversion.
+  EXPECT_NEAR(most_us, 7 * 8 / 5.25, 1e-9);
 }
 
 TEST_F(TickTraffic, WithAPageProgramOneTickHasLessThanHalfOfItsThreeHundredMicrosecondsOnTheWire) {
