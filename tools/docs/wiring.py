@@ -44,11 +44,12 @@ LEFT_DEVICES = [
 RIGHT_DEVICES = [
     *((f"Encoder {i} AS5047P", [("CLK", ("encoder clock",)), ("MISO", ("encoder data out",)), ("MOSI", ("encoder data in",)),
                                 ("CSn", (f"encoder {i} select",)), SUPPLY]) for i in (1, 2, 3, 4)),
-    *((name, [("SCLK", ("accelerometer, flash and second IMU clock",)), ("SDO", ("their data out",)), ("SDI", ("their data in",)),
+    *((name, [("SCLK", ("accelerometer, flash, second IMU and barometer clock",)), ("SDO", ("their data out",)), ("SDI", ("their data in",)),
               (select, (use, *parts)), *rest]) for name, select, use, parts, rest in (
         ("Accelerometer KX134", "nCS", "second accelerometer select", (), [SUPPLY]),
         ("Flash W25Q128JV", "/CS", "flash select", (None, "10 kΩ to 3.3 V"), [("/WP and /HOLD to 3.3 V", None), SUPPLY]),
-        ("2nd IMU ISM330DHCX", "CS", "second IMU select", (), [("optional; 3.3 V and GND", None)]))),
+        ("2nd IMU ISM330DHCX", "CS", "second IMU select", (), [("optional; 3.3 V and GND", None)]),
+        ("Barometer MS5611", "CSB", "barometer select", (), [("PS to GND; 100 nF", None), ("optional; 3.3 V and GND", None)]))),
     ("SWD probe", [("SWDIO", ("probe data",)), ("SWCLK", ("probe clock",)), ("GND, NRST", None)]),
     ("Battery divider", [("tap", ("battery divider",)), ("10 kΩ and 100 nF to GND", None), ("100 kΩ to battery +", None)])]
 NOTES = ("Wiring", "Lines are joined only where there is a dot. Pins stand in the order of their use, not of their place on the board.",

@@ -9,6 +9,7 @@
 #include "hal/stm32f4/ism330dhcx.hpp"
 #include "hal/stm32f4/kx134.hpp"
 #include "hal/stm32f4/memory_protection.hpp"
+#include "hal/stm32f4/ms5611.hpp"
 #include "hal/stm32f4/pin.hpp"
 #include "hal/stm32f4/pin_setup.hpp"
 #include "hal/stm32f4/registers/processor.hpp"
@@ -75,6 +76,7 @@ Hardware::Hardware()
       imu_{{imu_bus_, pin('A', 4), icm42688::spi}, clock_, {tim2(), tree_.frequencies.apb1_timers_hz}},
       second_imu_{{shared_bus_, pin('B', 11), ism330dhcx::spi}, clock_},
       accelerometer_{{shared_bus_, pin('C', 4), kx134::spi}, clock_},
+      barometer_{{shared_bus_, pin('B', 10), ms5611::spi}, clock_},
       encoder_{{encoder_on(encoder_bus_, 'B', 12), encoder_on(encoder_bus_, 'B', 0), encoder_on(encoder_bus_, 'B', 1),
                 encoder_on(encoder_bus_, 'C', 5)},
                clock_},
@@ -99,7 +101,8 @@ avionics::Devices Hardware::devices() {
           .entropy = entropy_,
           .board = board_,
           .backup_memory = backup_memory_,
-          .second_imu = &second_imu_};
+          .second_imu = &second_imu_,
+          .barometer = &barometer_};
 }
 
 void Hardware::start(SensorStart how) {
@@ -110,6 +113,7 @@ void Hardware::start(SensorStart how) {
   imu_.start(how);
   second_imu_.start(how);
   accelerometer_.start(how);
+  barometer_.start(how);
   flash_.start();
 
   if (const auto fault = can_bus_.start(tree_.frequencies.apb1_hz, protocol::bench_frame_ids())) {

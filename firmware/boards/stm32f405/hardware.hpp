@@ -6,6 +6,7 @@
 #include "hal/board.hpp"
 #include "hal/stm32f4/accelerometer.hpp"
 #include "hal/stm32f4/backup_memory.hpp"
+#include "hal/stm32f4/barometer.hpp"
 #include "hal/stm32f4/battery.hpp"
 #include "hal/stm32f4/board.hpp"
 #include "hal/stm32f4/buzzer.hpp"
@@ -74,6 +75,7 @@ class Hardware {
   hal::stm32f4::Imu imu_;
   hal::stm32f4::SecondImu second_imu_;
   hal::stm32f4::Accelerometer accelerometer_;
+  hal::stm32f4::Barometer barometer_;
   hal::stm32f4::Encoder encoder_;
   hal::stm32f4::Flash flash_;
   hal::stm32f4::CanBus can_bus_;

@@ -53,7 +53,8 @@ inline constexpr auto pin_map = std::to_array<PinSetup>({
     select('C', 4),  // second accelerometer select
     select('A', 15),  // flash select
     select('B', 11),  // second IMU select
-    spi('B', 3, 6),  // accelerometer, flash and second IMU clock, SPI3_SCK
+    select('B', 10),  // barometer select
+    spi('B', 3, 6),  // accelerometer, flash, second IMU and barometer clock, SPI3_SCK
     spi('B', 4, 6, PinPull::down),  // their data out, SPI3_MISO
     spi('B', 5, 6),  // their data in, SPI3_MOSI
 
