@@ -14,8 +14,8 @@
 namespace fantail::hal::stm32f4 {
 
 /// TE MS5611-01BA03, a pressure and a temperature in turn: a sample every 10 ms, with 1.8 Pa (15 cm) of noise. Why this
-/// one: it measures from 1 to 120 kPa, so to above 30 km; altimeters of rockets have flown it and its sibling for
-/// years, so how it fails is known; and it is sold on boards whose SPI pins are brought out.
+/// one: it measures from 1 to 120 kPa, so to above 30 km; altimeters of rockets have flown it or its sibling, the
+/// MS5607, for years, so how it fails is known; and it is sold on boards whose SPI pins are brought out.
 ///
 /// Nothing here waits, as with the other sensors: each read() carries reset, constants and conversions on by one step,
 /// with at most seven bytes on the wire. There may be none: then it says no_reading, and looks for one every 20 ms. The
