@@ -26,7 +26,17 @@ bool is_there(const Fault& fault, Microseconds since_ignition) {
   return on == Microseconds{0} || (since_ignition - from) % (on + nearest_tick(fault.off_s)) < on;
 }
 
+void keep_from_measuring(const Fault& fault, BarometerFault& barometer) {
+  barometer.hangs = barometer.hangs || is(fault, Behaviour::hangs);
+  barometer.blocked = barometer.blocked || is(fault, Behaviour::blocked);
+  barometer.lit = barometer.lit || is(fault, Behaviour::lit);
+}
+
 void keep_from_measuring(const Fault& fault, SensorFaults& sensors) {
+  if (fault.device == Device::barometer) {
+    keep_from_measuring(fault, sensors.barometer);
+    return;
+  }
   ImuFault& imu = fault.device == Device::second_imu ? sensors.second_imu : sensors.imu;
   if (const auto* offset = std::get_if<RateOffset>(&fault.how)) {
     imu.rate_offset_rad_s += offset->rate_rad_s;
@@ -43,7 +53,7 @@ ActiveFaults::ActiveFaults(const std::vector<Fault>& faults, Random random) : ra
   for (const Fault& fault : faults) {
     all_.push_back({.fault = fault});
     delays_ = delays_ || std::holds_alternative<Delayed>(fault.how);
-    samples_ = samples_ || fault.device <= Device::encoder;
+    samples_ = samples_ || fault.device <= Device::encoder || fault.device == Device::barometer;
   }
 }
 

@@ -13,6 +13,7 @@
 #include "hal/sim/can_bus.hpp"
 #include "hal/sim/flash.hpp"
 #include "hal/sim/world_side.hpp"
+#include "sim/barometer_model.hpp"
 #include "sim/canard_set.hpp"
 #include "sim/fault.hpp"
 #include "sim/flight_computer.hpp"
@@ -20,7 +21,7 @@
 
 namespace fantail::sim {
 
-/// What keeps an IMU from measuring now.
+/// What keeps a sensor from measuring now.
 struct ImuFault {
   bool hangs = false;
   bool frozen = false;
@@ -30,6 +31,7 @@ struct SensorFaults {
   ImuFault imu{};
   ImuFault second_imu{};
   bool accelerometer_hangs = false;
+  BarometerFault barometer{};
 };
 
 /// The faults of a run, as they come and go. Servos, and what keeps a sensor from measuring, come before the sensors;
@@ -90,6 +92,7 @@ class ActiveFaults {
   template <typename Sample>
   void spoil(Sample& sample, const Shown<Sample>& shown, const How& how);
   void spoil(hal::EncoderSample& own, std::size_t canard, const How& how);
+  void spoil(hal::BarometerSample& sample, const How& how);
   void keep_samples(const hal::sim::WorldSide& hardware);
   void note_shown(const hal::sim::WorldSide& hardware);
   [[nodiscard]] std::int16_t random_count();
@@ -102,6 +105,7 @@ class ActiveFaults {
   Shown<hal::ImuSample> second_imu_{};
   Shown<hal::AccelerometerSample> accelerometer_{};
   Shown<hal::EncoderReading> encoders_{};
+  hal::BarometerSample last_barometer_{};  ///< as it was shown
   std::deque<Pulses> written_{};
   Pulses heard_{};
   bool switch_stood_closed_ = false;

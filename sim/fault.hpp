@@ -27,8 +27,9 @@ enum class Device : std::uint8_t {
   abort_input,
   memory,
   processor,
+  barometer,
 };
-inline constexpr std::size_t devices = 12;
+inline constexpr std::size_t devices = 13;
 
 /// Each canard has one of its own.
 [[nodiscard]] constexpr bool is_of_canard(Device device) {
@@ -51,6 +52,8 @@ enum class Behaviour : std::uint8_t {
   pressed,          ///< stands as asks to abort, by the sense of the plan
   law_bit_flipped,  ///< once
   plan_bit_flipped,
+  blocked,  ///< the static ports are closed: the bay keeps its pressure
+  lit,      ///< light on the sensing element: it reads too low a pressure
 };
 
 /// Of a servo: its gear or its shaft is broken. `angle_rad` as Servo::fail.

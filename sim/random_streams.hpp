@@ -16,7 +16,8 @@ struct RandomStream {
     servo_spread,
     shaking,
     second_imu_noise,
-    faults
+    faults,
+    barometer_noise
   };
 };
 

@@ -72,7 +72,8 @@ void SimulatedBoard::begin() {
                                       .entropy = ports_.entropy,
                                       .board = devices_.board,
                                       .backup_memory = backup_memory,
-                                      .second_imu = &devices_.second_imu},
+                                      .second_imu = &devices_.second_imu,
+                                      .barometer = &devices_.barometer},
                     plan_, identity_);
 }
 

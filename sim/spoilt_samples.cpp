@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "sim/active_faults.hpp"
@@ -46,6 +47,7 @@ void ActiveFaults::note_shown(const hal::sim::WorldSide& hardware) {
   second_imu_.last = hardware.second_imu;
   accelerometer_.last = hardware.accelerometer;
   encoders_.last = hardware.encoders;
+  last_barometer_ = hardware.barometer;
 }
 
 void ActiveFaults::spoil_samples(const Fault& fault, hal::sim::WorldSide& hardware) {
@@ -54,6 +56,7 @@ void ActiveFaults::spoil_samples(const Fault& fault, hal::sim::WorldSide& hardwa
     case Device::second_imu: spoil(hardware.second_imu, second_imu_, fault.how); break;
     case Device::accelerometer: spoil(hardware.accelerometer, accelerometer_, fault.how); break;
     case Device::encoder: spoil(hardware.encoders.each[fault.canard], fault.canard, fault.how); break;
+    case Device::barometer: spoil(hardware.barometer, fault.how); break;
     default: break;  // has no samples
   }
 }
@@ -114,6 +117,26 @@ void ActiveFaults::spoil(hal::EncoderSample& own, std::size_t canard, const How&
       own.counts = static_cast<std::uint16_t>(random_.bits() % hal::encoder_counts_per_turn);
       break;
     default: break;  // no encoder has it
+  }
+}
+
+// Its samples come again and again for 10 ms, and what is wrong with one stays with it.
+void ActiveFaults::spoil(hal::BarometerSample& sample, const How& how) {
+  constexpr double lowest_pa = 30'000.0;  // what such a device can measure
+  constexpr double highest_pa = 110'000.0;
+  const auto* behaviour = std::get_if<Behaviour>(&how);
+  if (behaviour == nullptr) {
+    return;
+  }
+  switch (*behaviour) {
+    case Behaviour::dead: sample = {}; break;
+    case Behaviour::stuck: sample.pressure_pa = last_barometer_.pressure_pa; break;
+    case Behaviour::garbage:
+      sample.pressure_pa = sample.time == last_barometer_.time
+                               ? last_barometer_.pressure_pa
+                               : static_cast<std::uint32_t>(lowest_pa + (highest_pa - lowest_pa) * random_.uniform());
+      break;
+    default: break;  // keeps it from measuring, or no barometer has it
   }
 }
 

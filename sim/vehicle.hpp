@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/airframe.hpp"
+#include "sim/barometer_model.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "sim/canard_tolerances.hpp"
 #include "sim/compressibility.hpp"
@@ -58,6 +59,7 @@ struct Vehicle {
   bool second_imu_is_fitted = false;
   InertialParameters second_imu{};
   InertialParameters accelerometer{.full_scale_m_s2 = 32.0 * gravity_m_s2};
+  BarometerParameters barometer{};
   VibrationParameters vibration{};
   FeltMotionParameters imu_feels{};
   FeltMotionParameters second_imu_feels{};

@@ -101,6 +101,7 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
       imu_model_{scenario.vehicle.imu, Random{scenario.seed, RandomStream::imu_noise}},
       second_imu_model_{scenario.vehicle.second_imu, Random{scenario.seed, RandomStream::second_imu_noise}},
       accelerometer_model_{scenario.vehicle.accelerometer, Random{scenario.seed, RandomStream::accelerometer_noise}},
+      barometer_model_{scenario.vehicle.barometer, Random{scenario.seed, RandomStream::barometer_noise}},
       pad_{std::move(pad)},
       sensors_{sensors_in_record(scenario.changed_values)},
       board_{make(scenario.plan, with_memory_for(scenario, ports),
@@ -113,6 +114,7 @@ World::World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<
   hardware_.second_imu_is_fitted = scenario.vehicle.second_imu_is_fitted;
   hardware_.second_imu_scale = second_imu_model_.scale();
   hardware_.accelerometer_scale_m_s2 = accelerometer_model_.scale();
+  hardware_.barometer_is_fitted = scenario.vehicle.barometer.is_fitted;
   if (!scenario.faults.empty()) {
     faults_.emplace(scenario.faults, random_of_faults(scenario));
   }

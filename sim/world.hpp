@@ -14,6 +14,7 @@
 #include "hal/flash.hpp"
 #include "hal/sim/world_side.hpp"
 #include "sim/active_faults.hpp"
+#include "sim/barometer_model.hpp"
 #include "sim/canard_set.hpp"
 #include "sim/disturbance.hpp"
 #include "sim/environment.hpp"
@@ -153,6 +154,7 @@ class World {
   void note_resume();
   void spoil_hardware();
   void fill_hardware();
+  [[nodiscard]] AirAtPorts air_at_ports() const;
   struct LonePad;
   World(const Scenario& scenario, std::unique_ptr<LonePad> pad, const MakeFlightComputer& make);
   World(const Scenario& scenario, const BoardPorts& ports, std::unique_ptr<LonePad> pad,
@@ -194,6 +196,7 @@ class World {
   ImuModel imu_model_;
   ImuModel second_imu_model_;
   AccelerometerModel accelerometer_model_;
+  BarometerModel barometer_model_;
   SensorFaults sensor_faults_;
   bool roll_is_imposed_ = false;
   bool abort_is_pressed_ = false;

@@ -50,6 +50,7 @@ void World::put_samples_on_clock_of_board(Microseconds ahead) {
   hardware_.imu.time += ahead;
   hardware_.second_imu.time += ahead;
   hardware_.accelerometer.time += ahead;
+  hardware_.barometer.time += ahead;
   hardware_.encoders.time += ahead;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <optional>
 
 #include "sim/nearest_tick.hpp"
@@ -57,9 +58,22 @@ void World::fill_hardware() {
                                      at_second.specific_force_m_s2, wrong.second_imu.hangs),
             wrong.second_imu, hardware_.second_imu);
   }
+  if (hardware_.barometer_is_fitted) {
+    hardware_.barometer = barometer_model_.sample(now_, air_at_ports(), wrong.barometer);
+  }
   if (board_ahead_ != core::Microseconds{0}) {
     put_samples_on_clock_of_board(board_ahead_);
   }
+}
+
+AirAtPorts World::air_at_ports() const {
+  const double height_m = environment_.height_m();
+  const double speed_m_s = environment_.speed_m_s();
+  const std::optional<double> ejection_s = environment_.parachute_s();
+  return {.static_pa = scenario_.atmosphere.pressure_pa(height_m),
+          .dynamic_pa = 0.5 * environment_.density_kg_m3() * speed_m_s * speed_m_s,
+          .mach = std::abs(speed_m_s) / scenario_.atmosphere.speed_of_sound_m_s(height_m),
+          .since_ejection_s = ejection_s ? std::optional{in_seconds(now_ - ignition_) - *ejection_s} : std::nullopt};
 }
 
 }  // namespace fantail::sim

@@ -78,6 +78,35 @@ TEST(ServoSpread, IsRefusedOutOfRangeAndBeyondTheStop) {
             "--set servo.centre_spread_deg=1.5: servo.centre_spread_deg = 1.5; allowed: at most stop_deg = 1");
 }
 
+TEST(Barometer, IsNotFittedUnlessTheVehicleSaysSoAndHasItsNumbersEachInItsOwnField) {
+  EXPECT_FALSE(vehicle("tasha3_launch2").barometer.is_fitted);
+  const sim::BarometerParameters read =
+      vehicle("tasha3_launch2", {"barometer.fitted=yes", "barometer.noise_pa=2", "barometer.port_error=-0.05",
+                                 "barometer.vent_lag_s=0.2", "barometer.offset_pa=-300"})
+          .barometer;
+  EXPECT_TRUE(read.is_fitted);
+  EXPECT_EQ(read.noise_pa, 2.0);
+  EXPECT_EQ(read.port_error, -0.05);
+  EXPECT_EQ(read.vent_lag_s, 0.2);
+  EXPECT_EQ(read.offset_pa, -300.0);
+}
+
+TEST(Barometer, IsRefusedOutOfRange) {
+  const auto refused_with = [](const std::string& key, const std::string& value, const std::string& allowed) {
+    const std::string change = "barometer." + key + "=" + value;
+    EXPECT_EQ(refusal(change),
+              "--set " + change + ": barometer." + key + " = " + value + " is out of range; allowed: " + allowed);
+  };
+  refused_with("noise_pa", "-1", "0 to 500");
+  refused_with("noise_pa", "501", "0 to 500");
+  refused_with("port_error", "1.1", "-1 to 1");
+  refused_with("port_error", "-1.1", "-1 to 1");
+  refused_with("vent_lag_s", "-0.1", "0 to 5");
+  refused_with("vent_lag_s", "5.1", "0 to 5");
+  refused_with("offset_pa", "5001", "-5000 to 5000");
+  refused_with("offset_pa", "-5001", "-5000 to 5000");
+}
+
 TEST(VehicleFile, ARangeOfTheReferenceAreaIsTwoAreasAroundIt) {
   EXPECT_EQ(vehicle("tasha3_launch2", {}).reference_area_range_m2, (std::vector{3.2e-5, 7.7e-5}));
   for (const char* range : {"[3.2e-5]", "[6e-5, 7.7e-5]", "[7.7e-5, 3.2e-5]", "[3.2e-5, 4e-5]"}) {

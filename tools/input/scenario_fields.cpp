@@ -22,7 +22,8 @@ constexpr auto fields = std::to_array<Field<sim::Scenario>>({
   {"environment", "surroundings", choice(surroundings), may, AT(it.surroundings), "`tunnel` or `gimbal` for plans with `run.start = \"tunnel\"`, and only for them. `gimbal`: in a frame of three rings, turned by hand."},
   {"environment", "density", choice(densities), may, AT(it.atmosphere.model), "Air density over height: 1.225 kg/m3 exp(-h / 8500 m), the International Standard Atmosphere, or constant. Not for the tunnel."},
   {"environment", "density_kg_m3", number("kg/m3", {0.01, 5}), may, AT(it.atmosphere.constant_kg_m3), "Air density for `constant`, in flight."},
-  {"environment", "site_elevation_m", number("m", {-500, 6000}), may, AT(it.atmosphere.elevation_m), "Elevation of the launch site above sea level, for `exponential` and `isa`."},
+  {"environment", "site_elevation_m", number("m", {-500, 6000}), may, AT(it.atmosphere.elevation_m), "Elevation of the launch site above sea level, for `exponential`, `isa` and the barometer."},
+  {"environment", "air_temperature_c", number("C", {-60, 60}), may, AT(it.atmosphere.air_temperature_c), "Air temperature at the launch site, in degrees Celsius, for the barometer only: in cold air it reads too high a height. Absent: that of the standard atmosphere, 15 at sea level."},
 
   {"flight", "motion", choice(motions), may, AT(it.motion), "`straight`: along the line of the guide. `six_dof`: six degrees of freedom, in the wind; needs the vehicle's section `[airframe]`."},
 

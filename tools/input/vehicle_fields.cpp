@@ -149,6 +149,12 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   INERTIAL("second_imu", it.second_imu, it.second_imu_feels),
   INERTIAL("accelerometer", it.accelerometer, it.accelerometer_feels),
 
+  {"barometer", "fitted", choice(no_or_yes), may, AT(it.barometer.is_fitted), "Whether there is a barometer. It has a new sample every 10 ms."},
+  {"barometer", "noise_pa", number("Pa", {0, 500}), may, AT(it.barometer.noise_pa), "Standard deviation of each sample, white."},
+  {"barometer", "port_error", number("", {-1, 1}), may, AT(it.barometer.port_error), "Pressure coefficient at the static ports: share of the dynamic pressure that is added. Above zero, the height reads too low. Between Mach 0.9 and 1.1 a shock adds up to 0.1."},
+  {"barometer", "vent_lag_s", number("s", {0, 5}), may, AT(it.barometer.vent_lag_s), "Time constant with which the pressure in the bay follows the ports."},
+  {"barometer", "offset_pa", number("Pa", {-5000, 5000}), may, AT(it.barometer.offset_pa), "Added to every sample."},
+
   {"vibration", "specific_force_m_s2", number("m/s2", {0, 500}), may, AT(it.vibration.specific_force_m_s2), "Vibration of all sensors while the motor burns: standard deviation along each axis."},
   {"vibration", "rate_deg_s", number(deg_s, {0, 1000}), may, AT(it.vibration.rate_rad_s), "The same for the rate about each axis."},
   {"vibration", "frequency_hz", number("Hz", {1, 450}), may, AT(it.vibration.frequency_hz), "Middle frequency of its band; the width is a fifth of it."},
