@@ -218,6 +218,31 @@ void expect_safe_or_a_known_limit(Phase phase, int begin_ms) {
   }
 }
 
+// Control ends 10.4 s after ignition.
+TEST(FaultOfTheBarometer, IsHarmlessInEveryPhaseAndFlownOnlyWhereOneIsFitted) {
+  const sim::Scenario without = input::load_scenario("tasha3_launch2", {});
+  const Twins twins = fly_twins(
+      input::load_scenario("tasha3_launch2", input::parse_overrides(std::vector<std::string>{"barometer.fitted=yes"})),
+      1);
+  constexpr std::array begins_ms{-9500, -500, 300, 3000, 10'800};
+  std::size_t rows = 0;
+  for (const FaultRow& row : fault_table()) {
+    if (row.recipe.fault.device != sim::Device::barometer) {
+      continue;
+    }
+    ++rows;
+    EXPECT_EQ(why_not(row, without), "the rocket has no barometer");
+    ASSERT_EQ(why_not(row, twins.scenario), "");
+    for (std::size_t i = 0; i < phases; ++i) {
+      const Cell cell{.row = &row, .phase = static_cast<Phase>(i)};
+      const Findings findings = fly_run(twins, cell, {.seed = 0, .begin_ms = begins_ms[i]}, 0);
+      EXPECT_TRUE(findings.outcome(cell.expected())) << cell.name() << ": " << findings.what_it_was();
+      EXPECT_EQ(findings.breach, "") << cell.name();
+    }
+  }
+  EXPECT_EQ(rows, 11U);
+}
+
 TEST(FaultUnderControl, IsSafeOrAKnownLimit) { expect_safe_or_a_known_limit(Phase::controlling, 3000); }
 TEST(FaultOnceArmed, IsSafeOrAKnownLimit) { expect_safe_or_a_known_limit(Phase::armed, -1000); }
 

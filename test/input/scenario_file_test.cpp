@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
             "DeviceUnknown",
             "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"radio\"\nbehaviour = \"dead\"\n",
             ":7: faults.device = 'radio'; allowed: imu, second_imu, accelerometer, encoder, servo, bus, flash, supply, "
-            "arm_switch, abort_input, memory, processor"},
+            "arm_switch, abort_input, memory, processor, barometer"},
         Rule{"AbortInputThatIsNotFitted",
              "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"abort_input\"\nbehaviour = "
              "\"pressed\"\n",
@@ -111,6 +111,11 @@ INSTANTIATE_TEST_SUITE_P(
              "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"second_imu\"\nbehaviour = "
              "\"dead\"\n",
              ":7: faults.device = second_imu, and the vehicle has no second IMU (second_imu.fitted)"},
+        Rule{"BarometerThatIsNotFitted",
+             "[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 2\ndevice = \"barometer\"\nbehaviour = \"lit\"\n",
+             ":7: faults.device = barometer, and the vehicle has none (barometer.fitted)"},
+        Rule{"AirTemperature", "[environment]\nair_temperature_c = -61\n",
+             ":4: environment.air_temperature_c = -61 is out of range; allowed: -60 to 60"},
         Rule{"DeviceEndsBeforeItBegins",
              "[[faults]]\nkind = \"device\"\nfrom_s = 2\nuntil_s = 1\ndevice = \"imu\"\nbehaviour = \"dead\"\n",
              ":6: faults.until_s = 1 is out of range; allowed: later than from_s = 2, up to 3600"},

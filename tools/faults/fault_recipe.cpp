@@ -36,9 +36,13 @@ std::vector<std::string_view> device_names() {
 }
 
 std::string why_not(const FaultRow& row, const sim::Scenario& scenario) {
-  const bool is_fitted =
+  const sim::Device device = row.recipe.fault.device;
+  const bool two_imus =
       scenario.vehicle.second_imu_is_fitted && scenario.plan.sensors.gyros == core::GyroRule::two_agree;
-  return row.recipe.fault.device == sim::Device::second_imu && !is_fitted ? "the rocket does not use a second IMU" : "";
+  if (device == sim::Device::second_imu && !two_imus) {
+    return "the rocket does not use a second IMU";
+  }
+  return device == sim::Device::barometer && !scenario.vehicle.barometer.is_fitted ? "the rocket has no barometer" : "";
 }
 
 double end_of(const Recipe& recipe, double begin_s) {

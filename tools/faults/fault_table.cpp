@@ -96,6 +96,21 @@ constexpr std::array<FaultRow, 2> offsets(std::string_view name, Device device, 
   }};
 }
 
+// Nothing begins or ends on a barometer alone.
+constexpr auto of_barometer = std::to_array<FaultRow>({
+  {"barometer", "dead", "does not answer", broken(Device::barometer, Behaviour::dead), harmless},
+  {"barometer", "stuck", "repeats the pressure of its last sample as a new one", broken(Device::barometer, Behaviour::stuck), harmless},
+  {"barometer", "hangs", "repeats its last sample, with its old time", broken(Device::barometer, Behaviour::hangs), harmless},
+  {"barometer", "garbage", "random pressures, without an error", broken(Device::barometer, Behaviour::garbage), harmless},
+  {"barometer", "spike", "one random pressure in 5", again(Device::barometer, Behaviour::garbage, 0.01, 0.04), harmless},
+  {"barometer", "blocked", "its static ports are closed", broken(Device::barometer, Behaviour::blocked), harmless},
+  {"barometer", "lit", "sunlight: reads 125 m too high", broken(Device::barometer, Behaviour::lit), harmless},
+  {"barometer", "lit_100ms", "sunlight for 0.1 s of every 0.5 s", again(Device::barometer, Behaviour::lit, 0.1, 0.4), harmless},
+  {"barometer", "silent_50ms", "does not answer for 50 ms", silent_for(0.05, Device::barometer), harmless},
+  {"barometer", "silent_2s", "does not answer for 2 s", silent_for(2.0, Device::barometer), harmless},
+  {"barometer", "flickers_100ms", "does not answer for 0.1 s of every 0.5 s", again(Device::barometer, Behaviour::dead, 0.1, 0.4), harmless},
+});
+
 constexpr auto others = std::to_array<FaultRow>({
   {"encoder", "dead", "does not answer", broken(Device::encoder, Behaviour::dead), harmless},
   {"encoder", "stuck", "repeats its last reading", broken(Device::encoder, Behaviour::stuck), harmless},
@@ -182,7 +197,7 @@ constexpr auto joined(const std::array<FaultRow, sizes>&... parts) {
 constexpr auto table = joined(sensor("imu", Device::imu, of_imu), offsets("imu", Device::imu, of_imu.for_good),
                               sensor("second_imu", Device::second_imu, of_second_imu),
                               offsets("second_imu", Device::second_imu, of_second_imu.for_good),
-                              sensor("accelerometer", Device::accelerometer, of_accelerometer), others);
+                              sensor("accelerometer", Device::accelerometer, of_accelerometer), of_barometer, others);
 
 }  // namespace
 

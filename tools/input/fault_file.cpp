@@ -50,6 +50,9 @@ void check(Section& section, const sim::Fault& fault, const FaultWords& words, c
                    fmt::format("= {}, and the vehicle has no second IMU (second_imu.fitted)",
                                by_device ? name(fault.device) : words.kind));
   }
+  if (fault.device == sim::Device::barometer && !vehicle.barometer.is_fitted) {
+    section.refuse("device", "= barometer, and the vehicle has none (barometer.fitted)");
+  }
   if (fault.device == sim::Device::abort_input && plan.run.abort_input == core::AbortInput::none) {
     section.refuse("device", "= abort_input, and the plan has none (run.abort_input)");
   }

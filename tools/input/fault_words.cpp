@@ -96,6 +96,12 @@ constexpr auto of_devices = std::to_array<FaultWords>({
   by_device(Device::memory, "law_bit_flipped", "one random bit of the flight law flips, once", Behaviour::law_bit_flipped),
   by_device(Device::memory, "plan_bit_flipped", "one random bit of the plan flips, once", Behaviour::plan_bit_flipped),
   by_device(Device::processor, "dead", "has no ticks; nothing resets it, and the servos receive the last pulses", Behaviour::dead),
+  by_device(Device::barometer, "dead", "does not answer", Behaviour::dead),
+  by_device(Device::barometer, "stuck", "repeats the pressure of its last sample, with new times", Behaviour::stuck),
+  by_device(Device::barometer, "hangs", "measures nothing and repeats its last sample, with its old time", Behaviour::hangs),
+  by_device(Device::barometer, "garbage", "random pressures of 300 to 1100 hPa, with new times and no error", Behaviour::garbage),
+  by_device(Device::barometer, "blocked", "its static ports are closed: the bay keeps its pressure", Behaviour::blocked),
+  by_device(Device::barometer, "lit", "sunlight: reads 1500 Pa too low, at the ground 125 m too high", Behaviour::lit),
 });
 // clang-format on
 
@@ -114,11 +120,11 @@ constexpr auto cause_names = [] {
 constexpr auto memory_names = std::to_array<std::string_view>({"kept", "lost"});
 
 constexpr std::array<std::string_view, sim::devices> device_names{
-    "imu",   "second_imu", "accelerometer", "encoder",     "servo",  "bus",
-    "flash", "supply",     "arm_switch",    "abort_input", "memory", "processor"};
-constexpr auto behaviour_names =
-    std::to_array<std::string_view>({"dead", "stuck", "repeated", "saturated", "garbage", "nan", "delayed", "slow",
-                                     "cut", "sagging", "pressed", "law_bit_flipped", "plan_bit_flipped"});
+    "imu",    "second_imu", "accelerometer", "encoder", "servo",     "bus",      "flash",
+    "supply", "arm_switch", "abort_input",   "memory",  "processor", "barometer"};
+constexpr auto behaviour_names = std::to_array<std::string_view>(
+    {"dead", "stuck", "repeated", "saturated", "garbage", "nan", "delayed", "slow", "cut", "sagging", "pressed",
+     "law_bit_flipped", "plan_bit_flipped", "hangs", "blocked", "lit"});
 
 constexpr Unit number_from_one{.first = 1};
 
