@@ -57,7 +57,7 @@ set(FANTAIL_LAYERS
   "tools/hardover|core sim text json page result flight fly runs|fmt/"
   "tools/brief|core hal sim text json page result flight report fly campaign hardover|fmt/"
   "tools/predict|core sim text distributions json page result flight report stability airframe/model fly runs dormancy campaign|fmt/"
-  "tools/tune|core protocol sim text json page result input flight report stability fly runs dormancy campaign predict|fmt/"
+  "tools/tune|core protocol sim text json page result input flight report stability fly runs campaign predict|fmt/"
   "tools/paper|core sim text json page result input flight report identify identify/model identify/closed_loop tunnel fly|fmt/"
   "tools/detection|core sim text distributions json page result input runs|fmt/"
   "tools/faults|core sim text json page result input flight fly runs campaign|fmt/"

@@ -111,13 +111,13 @@ TEST(AdviceOnGains, IsForTheLawThatIsFlown) {
   sim::Scenario scenario = input::load_scenario("tasha3_launch1", {});
   const TunnelResult tunnel = read_tunnel_result(scenario.tunnel_result.value(), {});
   scenario.plan.offset.rejection = core::OffsetRejection::integral;
-  scenario.plan.offset.integral_gain_per_s = 0.2F;
+  scenario.plan.offset.integral_gain_per_s = 0.1F;
   scenario.plan.gain_schedule = {
       .speeds_count = 2, .speeds_m_s = {30.0F, 90.0F}, .factors_count = 2, .factors = {2.0F, 1.0F}};
   const Prediction p = predict(scenario, tunnel, {.runs = 12}, look_away);
   const GainAdvice advice = advice_on_gains(p, radians(45.0));
   ASSERT_TRUE(advice.gains) << advice.sentence;
-  for (const char* kept : {"integral", " 0.2 ", "schedule"}) {
+  for (const char* kept : {"integral", " 0.1 ", "schedule"}) {
     EXPECT_NE(advice.sentence.find(kept), std::string::npos) << advice.sentence;
   }
   EXPECT_EQ(figures(advice.sentence).size(), 8U) << "no angle where it settles: " << advice.sentence;

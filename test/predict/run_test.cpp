@@ -120,7 +120,7 @@ TEST(Run, WithoutRowsIsTheOneWhoseRowsAreKept) {
     EXPECT_EQ(flown.verdict, kept.verdict);
     EXPECT_EQ(flown.notes, kept.notes);
     EXPECT_EQ(flown.settle_rad, kept.settle_rad);
-    EXPECT_EQ(flown.speed_at_control_start_m_s, kept.speed_at_control_start_m_s);
+    EXPECT_EQ(flown.lowest_speed_m_s, kept.lowest_speed_m_s);
     EXPECT_EQ(flown.drift_m, kept.drift_m);
     return flown.roll_angle_rad.size();
   };

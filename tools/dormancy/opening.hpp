@@ -14,8 +14,7 @@ namespace fantail::dormancy {
 inline constexpr double captured_rad = report::held_error_rad;
 /// So long it must have stayed there: no rocket that only turns past it is captured.
 inline constexpr double shortest_capture_s = 0.5;
-/// Slower, the canards have next to no air, and nothing is asked of the roll.
-inline constexpr double slowest_held_m_s = 20.0;
+using flight::slowest_held_m_s;
 
 /// How a rocket moves as its canards first leave trim, and how soon its roll is captured.
 struct Opening {

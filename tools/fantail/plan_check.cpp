@@ -9,7 +9,6 @@
 #include <fmt/core.h>
 
 #include "campaign/flown_run.hpp"
-#include "dormancy/speeds.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/plan_outlook.hpp"
@@ -18,6 +17,7 @@
 #include "fantail/terminal.hpp"
 #include "fantail/weaker_plan.hpp"
 #include "flight/flight.hpp"
+#include "fly/fly_scenario.hpp"
 #include "input/plan_file.hpp"
 #include "input/shipped.hpp"
 #include "json/value.hpp"
@@ -119,7 +119,7 @@ struct LoopCheck {
 
 LoopCheck check_loop(const Subject& subject) {
   const sim::Scenario& scenario = *subject.scenario;
-  const std::vector<double> speeds_m_s = dormancy::speeds_under_control_m_s(scenario);
+  const std::vector<double> speeds_m_s = fly::speeds_under_control_m_s(scenario);
   if (speeds_m_s.empty()) {
     return {.sentence = fmt::format("in {}, control never begins, so the loop was not checked", scenario.name),
             .warns = true};

@@ -249,6 +249,9 @@ void end_control_with_outage(Flight& flight);
 /// Puts every time of the flight on the rows' clock, and notes the clock.
 void set_time_zero(Flight& flight, double zero_s);
 
+/// Slower, the canards have next to no air, and nothing is asked of the roll.
+inline constexpr double slowest_held_m_s = 20.0;
+
 /// The largest roll command this plan allows: the plan limit, or the hard limit where that is smaller.
 [[nodiscard]] double canard_limit_rad(const core::FlightPlan& plan);
 

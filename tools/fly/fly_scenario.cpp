@@ -259,9 +259,4 @@ std::vector<double> speeds_under_control_m_s(const sim::Scenario& scenario) {
   return speeds.take();
 }
 
-std::optional<stability::SpeedRange> speed_range_under_control(const sim::Scenario& scenario) {
-  const std::vector<double> all = speeds_under_control_m_s(scenario);
-  return all.empty() ? std::nullopt : std::optional{stability::SpeedRange{all.front(), std::ranges::max(all)}};
-}
-
 }  // namespace fantail::fly

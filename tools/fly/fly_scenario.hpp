@@ -10,7 +10,6 @@
 #include "flight/flight.hpp"
 #include "sim/flight_computer.hpp"
 #include "sim/scenario.hpp"
-#include "stability/speed_range.hpp"
 
 namespace fantail::fly {
 
@@ -37,12 +36,9 @@ using TakeRow = std::function<void(const flight::Row& row, const flight::Flight&
 /// The same flight without its rows and without Flight::side_moment_m3, which only rows have a use for.
 [[nodiscard]] flight::Flight fly_without_rows(const sim::Scenario& scenario, const TakeRow& take);
 
-/// Of every row under control, in order. Near apogee nothing flows: the lowest speed that counts is that at which
-/// control began, the first of the list.
+/// Of every row under control, in order. Near apogee nothing flows: the lowest speed that counts is
+/// flight::slowest_held_m_s, or that at which control began where it is lower.
 [[nodiscard]] std::vector<double> speeds_under_control_m_s(const sim::Scenario& scenario);
-
-/// From the lowest to the highest of them. Empty without control.
-[[nodiscard]] std::optional<stability::SpeedRange> speed_range_under_control(const sim::Scenario& scenario);
 
 /// Seconds from power-up to the end, where they are known beforehand: in the tunnel.
 [[nodiscard]] std::optional<double> expected_length_s(const sim::Scenario& scenario);

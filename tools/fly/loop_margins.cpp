@@ -13,7 +13,7 @@ std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario, std:
   if (speeds_m_s.empty()) {
     return {};
   }
-  const double lowest_m_s = speeds_m_s.front();
+  const double lowest_m_s = std::ranges::min(speeds_m_s);
   const double top_m_s = std::ranges::max(speeds_m_s);
   const auto middle = speeds_m_s.begin() + std::ssize(speeds_m_s) / 2;
   std::ranges::nth_element(speeds_m_s, middle);

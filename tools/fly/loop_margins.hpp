@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace fantail::fly {
 class SpeedsUnderControl {
  public:
   void add(const flight::Row& row) {
-    if (row.phase == core::Phase::controlling && (all_.empty() || !(row.truth->speed_m_s < all_.front()))) {
-      all_.push_back(row.truth->speed_m_s);
+    const double speed_m_s = row.truth->speed_m_s;
+    if (row.phase == core::Phase::controlling &&
+        (all_.empty() || !(speed_m_s < std::min(all_.front(), flight::slowest_held_m_s)))) {
+      all_.push_back(speed_m_s);
     }
   }
   [[nodiscard]] std::vector<double> take() { return std::move(all_); }
@@ -23,8 +26,8 @@ class SpeedsUnderControl {
   std::vector<double> all_;
 };
 
-/// The margins of the roll loop at the speed at which control begins, and at the median, the top and the worst speed
-/// from there on, by speed. Empty without control and where the gain of the loop never reaches one.
+/// The margins of the roll loop at the lowest, the median, the top and the worst of these speeds, by speed. Empty
+/// without control and where the gain of the loop never reaches one.
 [[nodiscard]] std::vector<flight::LoopMargin> loop_margins(const sim::Scenario& scenario,
                                                            std::vector<double> speeds_m_s);
 

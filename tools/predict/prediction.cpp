@@ -64,7 +64,7 @@ void count(Prediction& p) {
   };
   p.authority = share(number([](const Run& run) { return run.authority_margin_rad > same_angle_rad; }), p.runs.size());
   p.not_judged = came_to(report::Outcome::not_judged);
-  p.without_control = number([](const Run& run) { return !run.speed_at_control_start_m_s; });
+  p.without_control = number([](const Run& run) { return !run.lowest_speed_m_s; });
   p.held = share(came_to(report::Outcome::held), p.runs.size());
   p.outside_model = number([](const Run& run) { return flight::is_beyond_model(run.extremes); });
 }
@@ -94,11 +94,8 @@ std::vector<double> speeds_flown(const core::FlightPlan& plan, const std::vector
   std::optional<double> lowest;
   double highest = 0.0;
   for (const Run& run : runs) {
-    if (const auto start = run.speed_at_control_start_m_s) {
-      // Behind a gate the rocket may only become slower.
-      const bool waited = run.opening && run.opening->was_waited_for;
-      const double slowest = waited ? std::min(*start, dormancy::slowest_held_m_s) : *start;
-      lowest = std::min(lowest.value_or(slowest), slowest);
+    if (run.lowest_speed_m_s) {
+      lowest = std::min(lowest.value_or(*run.lowest_speed_m_s), *run.lowest_speed_m_s);
       highest = std::max(highest, run.top_speed_m_s);
     }
   }

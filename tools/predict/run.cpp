@@ -51,6 +51,10 @@ class Track {
     if (row.phase == core::Phase::controlling) {
       first_controlled_ = first_controlled_ ? first_controlled_ : row;
       last_controlled_ = row;
+      const double speed_m_s = row.truth->speed_m_s;
+      if (!(speed_m_s < std::min(first_controlled_->truth->speed_m_s, flight::slowest_held_m_s))) {
+        lowest_speed_m_s_ = std::min(lowest_speed_m_s_, speed_m_s);
+      }
       least_offset_rad_ = std::min(least_offset_rad_, row.truth->disturbance_rad);
       most_offset_rad_ = std::max(most_offset_rad_, row.truth->disturbance_rad);
     }
@@ -84,7 +88,7 @@ class Track {
       return;
     }
     run.opening = opening_.found(clock);
-    run.speed_at_control_start_m_s = first_controlled_->truth->speed_m_s;
+    run.lowest_speed_m_s = lowest_speed_m_s_;
     if (flight::authority_margin_rad(flight, last_controlled_->truth->disturbance_rad) > same_angle_rad) {
       flight::Row last = *last_controlled_;
       last.time_s = clock(last.time_s);
@@ -100,6 +104,7 @@ class Track {
   std::vector<flight::Row> points_;
   std::optional<flight::Row> first_controlled_;
   std::optional<flight::Row> last_controlled_;
+  double lowest_speed_m_s_ = std::numeric_limits<double>::infinity();
   double least_offset_rad_ = std::numeric_limits<double>::infinity();  // under control, as the next
   double most_offset_rad_ = -std::numeric_limits<double>::infinity();
   double top_speed_m_s_ = -1.0;

@@ -41,9 +41,9 @@ struct Run {
   std::optional<double> saturated_share{};
   std::optional<double> settle_rad{};            ///< R + u_d / kp as control ends, where the canards reach it
   std::optional<double> settle_reference_rad{};  ///< R then
-  std::optional<double> speed_at_control_start_m_s{};
-  std::optional<dormancy::Opening> opening{};  ///< after lift-off; empty: canards stay at trim
-  bool gate_stays_closed = false;              ///< to apogee
+  std::optional<double> lowest_speed_m_s{};      ///< under control, of fly::speeds_under_control_m_s()
+  std::optional<dormancy::Opening> opening{};    ///< after lift-off; empty: canards stay at trim
+  bool gate_stays_closed = false;                ///< to apogee
   double top_speed_m_s = 0.0;
   flight::Extremes extremes{};
   std::optional<double> apogee_m{};
@@ -63,7 +63,7 @@ inline void fields(runs::RowText& text, TunnelStep& step) {
 inline void fields(runs::RowText& text, Run& run) {
   text(run.seed, run.airframe, run.offset_rad, run.authority_margin_rad, run.outcome, run.verdict, run.ended_early,
        run.ended_by_tilt, run.largest_tilt_rad, run.notes, run.largest_hold_error_rad, run.saturated_share,
-       run.settle_rad, run.settle_reference_rad, run.speed_at_control_start_m_s, run.opening, run.gate_stays_closed,
+       run.settle_rad, run.settle_reference_rad, run.lowest_speed_m_s, run.opening, run.gate_stays_closed,
        run.top_speed_m_s, run.extremes.top_mach, run.extremes.static_margin_calibres, run.extremes.angle_of_attack_rad,
        run.apogee_m, run.drift_m, run.spin_rate_rad_s, run.roll_angle_rad, run.roll_rate_rad_s, run.reference_rad);
 }

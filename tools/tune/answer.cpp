@@ -98,7 +98,7 @@ constexpr auto pair_fields = result::fields<P>({
 using T = Tuning;
 constexpr auto tuning_fields = result::fields<T>({
     {"lowest_speed", "lowest speed", u::m_s, 0, [](const T& t) { return Cell{t.speeds.range.lowest_m_s}; },
-     "speed at which control begins"},
+     "lowest speed under control, 20 m/s or the speed at which control begins, if lower"},
     {"median_speed", "median speed", u::m_s, 0, [](const T& t) { return Cell{t.speeds.median_m_s}; },
      "median speed under control"},
     {"highest_speed", "highest speed", u::m_s, 0, [](const T& t) { return Cell{t.speeds.range.highest_m_s}; },

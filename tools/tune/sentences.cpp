@@ -180,13 +180,11 @@ std::vector<std::string> basis(const Tuning& t) {
   const bool rejects = r.rejection != core::OffsetRejection::none;
   std::vector<std::string> all;
   all.push_back(fmt::format(
-      "Speeds: {} to {} m/s, {}, median {} m/s. Damping and "
-      "torque: each anywhere within a factor of {} of the vehicle's. Servo lag {} ms, dead time {} "
-      "ms.",
-      fixed(t.speeds.range.lowest_m_s, 0), fixed(t.speeds.range.highest_m_s, 0),
-      t.before.plan.dormancy.until == core::DormantUntil::guide ? "from where control begins to the top"
-                                                                : "behind the gate",
-      fixed(t.speeds.median_m_s, 0), brief(r.spread, 2), brief(1e3 * t.servo_lag_s, 1), brief(1e3 * t.delay_s, 1)));
+      "Speeds: {} to {} m/s, those under control, median {} m/s. Damping and torque: each anywhere within a factor of "
+      "{} "
+      "of the vehicle's. Servo lag {} ms, dead time {} ms.",
+      fixed(t.speeds.range.lowest_m_s, 0), fixed(t.speeds.range.highest_m_s, 0), fixed(t.speeds.median_m_s, 0),
+      brief(r.spread, 2), brief(1e3 * t.servo_lag_s, 1), brief(1e3 * t.delay_s, 1)));
   all.push_back(fmt::format(
       "Only laws with a phase margin of {} degrees and a gain margin of two at every speed count. From {} s after a "
       "step of the reference, they stay within a tenth of it, at the median speed and above.",

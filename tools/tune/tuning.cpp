@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include "dormancy/speeds.hpp"
 #include "fly/fly_scenario.hpp"
 #include "predict/margins.hpp"
 #include "sim/canard_aerodynamics.hpp"
@@ -130,7 +129,7 @@ void say_why_not_found(Tuning& t, const Found& found) {
 }
 
 SpeedsFlown speeds_of(const sim::Scenario& scenario) {
-  std::vector<double> speeds_m_s = dormancy::speeds_under_control_m_s(scenario);
+  std::vector<double> speeds_m_s = fly::speeds_under_control_m_s(scenario);
   if (speeds_m_s.empty()) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       scenario.name + ": control never begins, so there is no loop to be tuned"};
