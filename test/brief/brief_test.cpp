@@ -68,6 +68,18 @@ TEST(Brief, TheWindLimitIsTheLastWindBeforeAFlightLeavesTheModelOrReachesTheTilt
   EXPECT_GT(largest_attack_deg(*limit.passed_m_s + wind_step_m_s), 15.0);
 }
 
+TEST(Brief, AWindFailsByTheTiltLimitWhereTheFlightReportCallsItAnEarlyEnd) {
+  const std::vector<std::string> from_guide{"flight.motion=six_dof", "launch_guide.tilt_deg=6",
+                                            "run.tilt_limit_deg=20"};
+  const WindLimit strict = wind_limit(scenario(from_guide), [] {});
+  EXPECT_FALSE(strict.passed_m_s);
+  EXPECT_EQ(strict.first_failure, "the tilt limit ends control more than 0.5 s before apogee");
+  std::vector<std::string> allowed = from_guide;
+  allowed.emplace_back("verdict.tilt_end_before_apogee_s=10");
+  const WindLimit later = wind_limit(scenario(allowed), [] {});
+  EXPECT_TRUE(later.passed_m_s) << later.first_failure;
+}
+
 // In wind the healthy rocket falls from apogee as a stone without air: h = g t^2 / 2, carried by its own speed alone.
 TEST(Brief, AFallWithoutParachuteIsThatOfAStoneWithoutAir) {
   const Brief brief = brief_of({"wind.speed_m_s=4"});

@@ -28,6 +28,7 @@ TEST(Verdict, ALimitThatEndsControlInTheLastHalfSecondIsNamedThoughTheRollIsHeld
   SyntheticFlight tilted;
   tilted.end_control(4.1, core::PhaseReason::tilted_too_far);
   EXPECT_EQ(verdict_of(tilted.flight).outcome, Outcome::held);
+  EXPECT_FALSE(verdict_of(tilted.flight).ended_by_tilt);
   EXPECT_TRUE(verdict_of(tilted.flight).text.ends_with("The tilt limit ended control 0.40 s before apogee."))
       << verdict_of(tilted.flight).text;
   SyntheticFlight usual;
@@ -36,6 +37,7 @@ TEST(Verdict, ALimitThatEndsControlInTheLastHalfSecondIsNamedThoughTheRollIsHeld
   SyntheticFlight early;
   early.end_control(3.9, core::PhaseReason::tilted_too_far);
   EXPECT_EQ(verdict_of(early.flight).outcome, Outcome::cut_short);
+  EXPECT_TRUE(verdict_of(early.flight).ended_by_tilt);
 }
 
 TEST(Verdict, NothingButTheTiltLimitMayEndControlAsEarlyAsTheScenarioAllowsIt) {

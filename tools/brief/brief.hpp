@@ -63,10 +63,11 @@ inline constexpr double most_wind_m_s = 15.0;
 inline constexpr double wind_step_m_s = 1.0;
 /// The scenario in steady winds of its own profile, wind_step_m_s apart, each from four directions: along the lean of
 /// the guide, against it and across. A wind passes when the flight stays within the roll model (flight/model_end.hpp)
-/// under control, which begins, and the tilt limit is not reached more than half a second before apogee.
+/// under control, which begins, and the tilt limit does not end control early (report::Verdict::ended_by_tilt).
 struct WindLimit {
-  std::optional<double> passed_m_s{};  ///< it and all smaller ones pass; empty: not even calm does
-  std::string first_failure{};         ///< of the next one, a clause; empty: none up to most_wind_m_s
+  std::optional<double> passed_m_s{};     ///< it and all smaller ones pass; empty: not even calm does
+  std::string first_failure{};            ///< of the next one, a clause; empty: none up to most_wind_m_s
+  double tilt_end_before_apogee_s = 0.0;  ///< so long before apogee the tilt limit may end control
 };
 /// Of a vehicle with an airframe: other flights know no wind.
 [[nodiscard]] WindLimit wind_limit(const sim::Scenario& scenario, const std::function<void()>& look);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <array>
 #include <numbers>
 
@@ -14,15 +13,7 @@
 namespace fantail::brief {
 namespace {
 
-constexpr double near_apogee_s = 0.5;
 constexpr std::array directions_rad{0.0, 0.5 * std::numbers::pi, std::numbers::pi, 1.5 * std::numbers::pi};
-
-bool reaches_tilt_limit(const flight::Flight& flight) {
-  return std::ranges::any_of(flight.phase_changes, [&](const flight::PhaseChange& change) {
-    return change.reason == core::PhaseReason::tilted_too_far &&
-           change.time_s < *flight.events.apogee_s - near_apogee_s;
-  });
-}
 
 /// A clause; empty: nothing.
 std::string what_fails(const sim::Scenario& scenario) {
@@ -33,8 +24,9 @@ std::string what_fails(const sim::Scenario& scenario) {
   if (std::string beyond = flight::how_far_beyond(flown.flight.extremes); !beyond.empty()) {
     return "the flight is outside the roll model: " + beyond;
   }
-  if (reaches_tilt_limit(flown.flight)) {
-    return "the tilt limit is reached before apogee";
+  if (flown.verdict.ended_by_tilt) {
+    return fmt::format("the tilt limit ends control more than {} s before apogee",
+                       text::brief(scenario.tilt_end_before_apogee_s, 2));
   }
   return flown.flight.events.control_start_s ? "" : "control does not begin";
 }
@@ -43,7 +35,7 @@ std::string what_fails(const sim::Scenario& scenario) {
 
 WindLimit wind_limit(const sim::Scenario& scenario, const std::function<void()>& look) {
   sim::Scenario tried = scenario;
-  WindLimit limit;
+  WindLimit limit{.tilt_end_before_apogee_s = scenario.tilt_end_before_apogee_s};
   for (double wind_m_s = 0.0; wind_m_s <= most_wind_m_s; wind_m_s += wind_step_m_s) {
     tried.wind.speed_m_s = wind_m_s;
     for (const double direction_rad : directions_rad) {

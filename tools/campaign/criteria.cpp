@@ -84,15 +84,13 @@ std::vector<std::string> failed_criteria(const JudgedFlight& judged) {
       all.emplace_back(name);
     }
   };
-  const bool tilted =
-      !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::tilted_too_far;
   add(outcome == Outcome::ascent_failed, "ascent");
   const bool closed = !judged.opening && !flight.phase_changes.empty() &&
                       flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;
   add(closed, "gate");
   add(outcome == Outcome::no_control && !closed, "no_control");
-  add(judged.verdict.ended_early && tilted, "tilt");
-  add(judged.verdict.ended_early && !tilted, "control_end");
+  add(judged.verdict.ended_by_tilt, "tilt");
+  add(judged.verdict.ended_early && !judged.verdict.ended_by_tilt, "control_end");
   add(is_beyond(flight::ModelEnd::mach, flight.extremes), "mach");
   add(is_beyond(flight::ModelEnd::stability, flight.extremes), "stability");
   add(is_beyond(flight::ModelEnd::attack, flight.extremes), "angle_of_attack");

@@ -156,7 +156,7 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
   run.outcome = verdict.outcome;
   run.verdict = verdict.text;
   run.ended_early = verdict.ended_early;
-  run.ended_by_tilt = verdict.ended_early && flight.phase_changes.back().reason == core::PhaseReason::tilted_too_far;
+  run.ended_by_tilt = verdict.ended_by_tilt;
   run.gate_stays_closed =
       !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;
   keep_notes(run, flight, scenario);

@@ -227,6 +227,7 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
   }
   if (ended_early(flight, f)) {
     v.ended_early = true;
+    v.ended_by_tilt = flight.phase_changes.back().reason == core::PhaseReason::tilted_too_far;
     const bool rolled_away = f.roll_after_end_rad.value_or(0.0) > held_error_rad;
     v.outcome = rolled_away || v.outcome == Outcome::not_held ? Outcome::not_held : Outcome::cut_short;
     begin_lower(v.text);

@@ -47,6 +47,7 @@ struct Verdict {
   Outcome outcome = Outcome::no_control;
   std::string text;             ///< plain sentences
   bool ended_early = false;     ///< whatever the outcome
+  bool ended_by_tilt = false;   ///< early, at the plan's tilt limit
   bool as_planned = false;      ///< no control, because the plan's gate stayed closed: nothing was asked of the roll
   bool roll_is_judged = false;  ///< there is a word about how well the roll was held, whatever became of it then
 };
