@@ -61,6 +61,10 @@ std::string obstacle_before(const Flight& flight, const core::FlightPlan& plan) 
       return "The flight law has a different state for two gyros than for one: sensors.gyros cannot be changed in a "
              "replay.";
     }
+    if (flight.plan && flight.plan->sensors.barometer != plan.sensors.barometer) {
+      return "The flight law has a different state with a barometer than without: sensors.barometer cannot be changed "
+             "in a replay.";
+    }
     return "It was flown with another version of the flight law.";
   }
   return flight.checkpoints.empty() ? "It contains no checkpoint from which a replay could start." : "";
