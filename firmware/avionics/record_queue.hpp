@@ -113,7 +113,7 @@ class NoteQueue {
 
 /// A state of the flight law, as a checkpoint's payload. One waits at a time.
 struct WaitingCheckpoint {
-  std::array<std::byte, 1856> payload{};  // the law of this version needs 1828 with two gyros
+  std::array<std::byte, 1984> payload{};  // the law that remembers most needs 1980
   std::size_t size = 0;                   ///< 0: none waits
   std::uint32_t before = 0;               ///< number of the tick that follows
   bool in_the_making = false;             ///< and that tick waits for it

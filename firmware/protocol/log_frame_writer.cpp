@@ -34,7 +34,7 @@ std::size_t LogFrameWriter::begin(LogFrameHead head, const Parts& payload, std::
     return write_whole(head, payload, out);
   }
   encode(head, head_);
-  parts_ = {head_, payload[0], payload[1], payload[2], tail_};
+  parts_ = {head_, payload[0], payload[1], payload[2], payload[3], tail_};
   part_ = 0;
   crc_ = 0;
   return write(out);

@@ -73,7 +73,7 @@ TEST(LogSchema, FindsEveryValueOfASecondGyroBehindTheTick) {
       .second_gyro = protocol::LogSecondGyro{
           .time = Microseconds{1'000'000 - 333}, .rate_counts = {-7, 8, -9}, .status = DeviceStatus::error}};
   protocol::SampleTimes times;
-  std::array<std::byte, protocol::largest_log_tick> bytes{};
+  std::array<std::byte, protocol::log_tick_size_with(true, false)> bytes{};
   protocol::pack(tick, times, bytes);
   const auto schema = parse_schema(protocol::log_schema_of_two_gyros());
   const SchemaRecord* record = find_record(schema, "second_gyro");
@@ -85,6 +85,22 @@ TEST(LogSchema, FindsEveryValueOfASecondGyroBehindTheTick) {
   for (const auto& [name, number] : expected) {
     EXPECT_EQ(value(*record->find(name), behind), number) << name;
   }
+}
+
+TEST(LogSchema, FindsThePressureBehindATick) {
+  const protocol::LogTick tick{.time = Microseconds{1'000'000},
+                               .pressure = protocol::LogPressure{.time = Microseconds{995'001}, .pressure_pa = 89'875}};
+  protocol::SampleTimes times;
+  std::array<std::byte, protocol::log_tick_size_with(false, true)> bytes{};
+  protocol::pack(tick, times, bytes);
+  const auto schema =
+      parse_schema(std::string{protocol::log_schema()} + std::string{protocol::log_schema_of_barometer()});
+  const SchemaRecord* record = find_record(schema, "barometer");
+  ASSERT_NE(record, nullptr);
+  const auto behind = std::span{bytes}.subspan(protocol::log_tick_size);
+  ASSERT_EQ(record->size, behind.size());
+  EXPECT_EQ(value(*record->find("age"), behind), 4'999.0);
+  EXPECT_EQ(value(*record->find("pressure"), behind), 89'875.0);
 }
 
 TEST(LogSchema, FindsEveryValueOfATick) {

@@ -50,12 +50,13 @@ TEST(ExportFields, EveryColumnThatALogCanFillOfFlightCsvIsAField) {
 
 // The house's rule for names, which the table of units does not know of.
 std::string_view unit_by_the_name(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> endings{{{"_deg_s", "deg/s"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> endings{{{"_deg_s", "deg/s"},
                                                                                   {"_m_s2", "m/s2"},
                                                                                   {"_m_s", "m/s"},
                                                                                   {"_count", "count"},
                                                                                   {"_deg", "deg"},
                                                                                   {"_us", "us"},
+                                                                                  {"_pa", "Pa"},
                                                                                   {"_s", "s"},
                                                                                   {"_m", "m"}}};
   const auto found = std::ranges::find_if(

@@ -57,7 +57,7 @@ const std::vector<Frame>& frames() {
       {"SessionReply", 0x120, {choice(0, 8, 2), choice(8, 8, 9), whole(16, 16)}, {}},
       {"ArmReply",
        0x121,
-       {choice(0, 8, 4), choice(8, 8, 20), choice(16, 4, 5), choice(21, 2, 4), choice(24, 8, 14), whole(32, 32)},
+       {choice(0, 8, 4), choice(8, 8, 21), choice(16, 4, 5), choice(21, 2, 4), choice(24, 8, 14), whole(32, 32)},
        {20}},
       {"PlanReply", 0x122, {choice(0, 8, 5), choice(8, 8, 8), whole(16, 8), choice(24, 8, 9), whole(32, 8)}, {40}},
       {"LogReply", 0x123, {choice(0, 4, 5), choice(4, 4, 7), whole(8, 4), whole(16, 32), whole(48, 16)}, {}},

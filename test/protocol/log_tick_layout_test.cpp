@@ -160,13 +160,14 @@ TEST(LogTickLayout, WhatLiesBehindATickIsNoneOfItsBusiness) {
   std::array<std::byte, 64> bytes{};
   bytes.fill(behind);
   SampleTimes packing;
-  pack(tick_of_known_bytes(), packing, bytes);
-  for (const std::size_t size : {log_tick_size, largest_log_tick}) {
+  constexpr std::size_t with_two_gyros = log_tick_size_with(true, false);
+  pack(tick_of_known_bytes(), packing, std::span{bytes}.first(with_two_gyros));
+  for (const std::size_t size : {log_tick_size, with_two_gyros}) {
     SampleTimes times;
     const auto tick = unpack_tick(time_of_tick, std::span{bytes}.first(size), times);
     ASSERT_TRUE(tick);
     EXPECT_EQ(tick->digest, 0x23242526U);
-    EXPECT_EQ(tick->second_gyro.has_value(), size == largest_log_tick);
+    EXPECT_EQ(tick->second_gyro.has_value(), size == with_two_gyros);
     EXPECT_TRUE(!tick->second_gyro || tick->second_gyro->status == DeviceStatus::error);
   }
 }

@@ -73,7 +73,7 @@ TEST(LogTick, ASecondGyroComesBackAndChangesNoOtherByte) {
   tick.second_gyro = {
       .time = tick_time - Microseconds{400}, .rate_counts = {10, -20, -32768}, .status = DeviceStatus::error};
   SampleTimes packing;
-  std::array<std::byte, largest_log_tick> bytes{};
+  std::array<std::byte, log_tick_size_with(true, false)> bytes{};
   pack(tick, packing, bytes);
   SampleTimes of_one;
   EXPECT_TRUE(std::ranges::equal(std::span{bytes}.first(log_tick_size), pack(some_tick(), of_one)));
@@ -87,6 +87,45 @@ TEST(LogTick, ASecondGyroComesBackAndChangesNoOtherByte) {
 
   bytes.back() = std::byte{3};
   EXPECT_FALSE(unpack_tick(tick_time, bytes, unpacking)) << "there are three states of a device";
+}
+
+// 101 325 Pa is 0x0001 8BCD; 4 999 us is 0x1387.
+TEST(LogTick, APressureStandsBehindAllElseWithItsAge) {
+  LogTick tick = some_tick();
+  tick.pressure = {.time = tick_time - Microseconds{4'999}, .pressure_pa = 101'325};
+  tick.second_gyro = {.time = tick_time, .rate_counts = {1, 2, 3}, .status = DeviceStatus::ok};
+  constexpr std::array<std::uint8_t, pressure_size> expected{0x87, 0x13, 0xCD, 0x8B, 0x01, 0x00};
+  for (const bool two_gyros : {false, true}) {
+    std::array<std::byte, largest_log_tick> room{};
+    const auto bytes = std::span{room}.first(log_tick_size_with(two_gyros, true));
+    SampleTimes times;
+    pack(tick, times, bytes);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(bytes[bytes.size() - pressure_size + i], std::byte{expected[i]}) << i;
+    }
+    EXPECT_EQ(without_empty_room(bytes).size(), bytes.size());
+    const auto back = unpack_tick(tick_time, bytes, times);
+    ASSERT_TRUE(back && back->pressure);
+    EXPECT_EQ(back->pressure->time, tick.pressure->time);
+    EXPECT_EQ(back->pressure->pressure_pa, 101'325U);
+    EXPECT_EQ(back->second_gyro.has_value(), two_gyros);
+  }
+}
+
+TEST(LogTick, WithoutANewPressureItIsAsLongAsWithoutABarometer) {
+  for (const bool two_gyros : {false, true}) {
+    std::array<std::byte, largest_log_tick> room{};
+    const auto bytes = std::span{room}.first(log_tick_size_with(two_gyros, true));
+    SampleTimes times;
+    pack(some_tick(), times, bytes);
+    const auto written = without_empty_room(bytes);
+    EXPECT_EQ(written.size(), log_tick_size_with(two_gyros, false));
+    for (const std::span<const std::byte> one : {written, std::span<const std::byte>{bytes}}) {
+      const auto back = unpack_tick(tick_time, one, times);
+      ASSERT_TRUE(back);
+      EXPECT_FALSE(back->pressure);
+    }
+  }
 }
 
 TEST(LogTick, ASecondGyroThatFindsNoRoomIsLeftOutAndNothingBehindTheTickIsWritten) {

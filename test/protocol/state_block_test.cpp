@@ -137,8 +137,9 @@ TEST(StateBlock, InFlightTwoFifthsOfTheStateAreEnough) {
   }
 }
 
-// Whatever else the plan says. A gate and capture have memories of their own, which a plan without them does not keep.
-TEST(StateBlock, EveryStateOfAsManyGyrosWithoutGateAndCaptureHasOneSizeAndOneLayout) {
+// Whatever else the plan says. A gate, capture and a barometer have memories of their own, which a plan without them
+// does not keep.
+TEST(StateBlock, EveryStateOfAsManyGyrosWithoutGateCaptureAndBarometerHasOneSizeAndOneLayout) {
   core::RandomStream random{test::seed(1)};
   std::array<std::uint32_t, 2> hashes{};
   for (const core::GyroRule rule : {core::GyroRule::one, core::GyroRule::two_agree}) {
@@ -147,6 +148,7 @@ TEST(StateBlock, EveryStateOfAsManyGyrosWithoutGateAndCaptureHasOneSizeAndOneLay
     Autopilot fresh{plan};
     plan = core::random_plan(random);
     plan.sensors.gyros = rule;
+    plan.sensors.barometer = core::BarometerUse::none;
     plan.dormancy = core::default_plan().dormancy;
     plan.controller.entry = core::ControlEntry::as_published;
     Autopilot other{plan};
