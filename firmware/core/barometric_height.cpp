@@ -55,6 +55,7 @@ void BarometricHeight::update(const Inputs& inputs, bool flies, const Motion& mo
   }
   if (!flies) {
     state_ = BarometerState::on_pad;
+    interrupt();
     if (is_new && motion.at_rest_for > Microseconds{0}) {
       pad_pressure_pa_.update(inputs.barometer->time, inputs.barometer->pressure_pa);
     }

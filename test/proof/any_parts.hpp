@@ -60,7 +60,14 @@ std::optional<Angle> CanardMixer::contribution(std::size_t, const std::optional<
   return proof::any_contribution();
 }
 
-void DormancyGate::update(Microseconds, const Motion&, bool) {}
+void BarometricHeight::update(const Inputs&, bool, const Motion&) {
+  state_ = proof::any_of<BarometerState>(barometer_states);
+  least_height_m_ = nondet_bool() ? std::optional{nondet_float()} : std::nullopt;
+  height_m_ = nondet_float();
+  vertical_speed_m_s_ = nondet_float();
+}
+
+void DormancyGate::update(Microseconds, const Motion&, bool, std::optional<float>) {}
 bool DormancyGate::is_open() const { return proof::gate_is_open; }
 
 Capture::Capture(const FlightPlan& plan) : observer_{plan.offset, plan.roll_model} {}

@@ -38,6 +38,7 @@ int main() {
                 .clearance_time = any_instant()};
   plan.motion.rest_time = any_instant();
   plan.dormancy.until = any_of<DormantUntil>(6);
+  plan.sensors.barometer = any_of<BarometerUse>(2);
   assume(plan.run.start == Start::launch || plan.dormancy.until == DormantUntil::guide);
   plan.offset.rejection = any_of<OffsetRejection>(3);
   plan.controller = {.proportional_gain = nondet_float(),

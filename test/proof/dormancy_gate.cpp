@@ -5,8 +5,9 @@
 //   - opens one by burn-out only with a measured specific force, and when the time since first thrust, less the pauses
 //     that ended in thrust again, has come to the plan's factor times its burn time; no pause is less than nothing;
 //   - closes one by burn-out when a pause has ended in thrust again;
-//   - opens one by height only where the height, less the error that the plan allows for, is above the plan's height,
-//     no tick lacked the accelerometer or had a gyro at the end of its range, and in this one the accelerometers agree;
+//   - opens one by height only where the height, less the error that the plan allows for, or what a barometer makes of
+//     that, is above the plan's height, no tick lacked the accelerometer or had a gyro at the end of its range, and in
+//     this one the accelerometers agree;
 //   - opens one by dynamic pressure only where the same is so, and not at a new largest one;
 //   - opens a gate by two of these only where both are so.
 // The low-pass may give any number, and so may the roots in the density of the air.
@@ -67,7 +68,8 @@ int main() {
 
   const DormancyGate before = gate;
   const bool agree = nondet_bool();
-  gate.update(now, motion, agree);
+  const std::optional<float> by_barometer = nondet_bool() ? std::optional{nondet_float()} : std::nullopt;
+  gate.update(now, motion, agree, by_barometer);
 
   const bool by_guide = plan.until == DormantUntil::guide;
   const bool by_burn_out = plan.until == DormantUntil::burn_out || plan.until == DormantUntil::burn_out_and_height;
@@ -94,7 +96,8 @@ int main() {
   const float tilt_error = 1.4143F / standard_gravity_m_s2 * plan.bias_error_m_s2;
   const float error_m = plan.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +
                         plan.bias_error_m_s2 * fallen_m + tilt_error * motion.horizontal_distance_m;
-  CLAIM(!high || (moved && !unsure && motion.height_m - error_m > plan.height_m));
+  CLAIM(!high || (moved && !unsure &&
+                  (motion.height_m - error_m > plan.height_m || (by_barometer && *by_barometer > plan.height_m))));
   CLAIM(!past || (moved && !unsure));
   CLAIM(by_guide || gate.largest_pressure_ <= before.largest_pressure_ || !gate.is_past_pressure_);
   CLAIM(!gate.is_open() || !by_burn_out || gate.is_burnt_out_);
@@ -106,5 +109,6 @@ int main() {
   REACHABLE(3, opened && plan.until == DormantUntil::max_dynamic_pressure);
   REACHABLE(4, before.is_open() && !gate.is_open() && plan.until == DormantUntil::burn_out);
   REACHABLE(5, opened && plan.until == DormantUntil::burn_out_and_height && !high);
+  REACHABLE(6, high && !(motion.height_m - error_m > plan.height_m));
   return 0;
 }

@@ -7,6 +7,7 @@ MIXER = "core/canard_mixer.cpp"
 PHASE = "core/flight_phase.cpp"
 DETECTOR = "core/launch_detector.cpp"
 AUTOPILOT = "core/autopilot.cpp"
+BAROMETER = "core/barometric_height.cpp"
 GATE = "core/dormancy_gate.cpp"
 
 NO_CLAMP = Bug(
@@ -135,13 +136,30 @@ PROOFS = [
             ),
             Bug("a pause is added to the clock", GATE, "seconds(now - motion.thrust_since - pauses_)", "seconds(now - motion.thrust_since)"),
             Bug("thrust again does not close it", GATE, "    is_burnt_out_ = false;\n", ""),
-            Bug("the margin is left out", GATE, "motion.height_m - error_m > plan_.height_m", "motion.height_m > plan_.height_m"),
+            Bug("the margin is left out", GATE, "motion.height_m - motion_error(plan_, now, motion).height_m", "motion.height_m"),
             Bug("a height that nobody measured", GATE, "const bool sure = moves_ && !is_unsure_ &&", "const bool sure = moves_ &&"),
             Bug("one of two is enough", GATE, "is_burnt_out_ && is_past_height_", "is_burnt_out_ || is_past_height_"),
             Bug("a rocket that is carried", GATE, "motion.speed_m_s > least_speed_m_s", "true"),
             Bug("the guide alone is not enough", GATE, "case DormantUntil::guide: return true;", "case DormantUntil::guide: return is_burnt_out_;"),
         ),
         options=INSIDE,
+        stubs=("any_filter",),
+        seconds=300,
+    ),
+    Proof(
+        "barometric_height",
+        "A barometer adds to height and vertical speed no more than the accelerometer may be wrong by, only below 100 m/s "
+        "and where both agree; alone it adds nothing and opens nothing",
+        "barometric_height.cpp",
+        4,
+        (
+            Bug("height is not bounded", BAROMETER, "height_m_ = within(height_m_, most.height_m);", ""),
+            Bug("used while fast", BAROMETER, "if (!(motion.speed_squared_m2_s2 <= fastest_m_s * fastest_m_s)) {", "if (false) {"),
+            Bug("used without an accelerometer", BAROMETER, "motion.accelerometer == SensorState::failed || ", ""),
+            Bug("alone it opens a gate", BAROMETER, "std::min(height_m - own_error_m, believed_m)", "height_m - own_error_m"),
+            Bug("a lie that was added stays", BAROMETER, "return reject(BarometerState::disagrees);", "return;"),
+        ),
+        options=("--unwind", "14", "-f", "no-access-control"),
         stubs=("any_filter",),
         seconds=300,
     ),

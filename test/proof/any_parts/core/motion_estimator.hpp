@@ -20,6 +20,7 @@ struct Motion {
   Vector3 gyro_bias_rad_s;       ///< what is taken off
   Vector3 specific_force_m_s2;   ///< the sample that was integrated
   float height_m = 0.0F;         ///< above the place of lift-off, as far as `height_origin` lets it be known
+  float horizontal_distance_m = 0.0F;
   float distance_along_guide_m = 0.0F;
   float speed_m_s = 0.0F;           ///< along the guide
   float vertical_speed_m_s = 0.0F;  ///< earth frame, positive up
