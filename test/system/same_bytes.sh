@@ -49,7 +49,8 @@ fly() { # NAME FLY_ALONE
     case "$name" in bench*) continue ;; esac # without an airframe
     "$2" "$scenario" "$work/flights/$1/$name-six_dof" flight.motion=six_dof launch_guide.tilt_deg=4 \
       launch_guide.azimuth_deg=110 wind.speed_m_s=6 wind.exponent=0.14 wind.turbulence=0.15 wind.gust_m_s=3 \
-      imu.position_m=0.3 imu.across_m=0.01 vibration.specific_force_m_s2=10 recovery.drag_area_m2=0.5
+      imu.position_m=0.3 imu.across_m=0.01 vibration.specific_force_m_s2=10 recovery.drag_area_m2=0.5 \
+      barometer.fitted=yes environment.air_temperature_c=-5
   done
 }
 
