@@ -49,7 +49,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   record.encoders = inputs.encoders;
 
   motion_estimator_.update(inputs);
-  record.motion = motion_estimator_.motion(inputs.time);
+  motion_estimator_.motion(inputs.time, record.motion);
   if (motion_estimator_.votes()) {
     record.gyro_vote = motion_estimator_.gyro_vote();  // else empty for ever
   }

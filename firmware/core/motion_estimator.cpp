@@ -265,36 +265,35 @@ void MotionEstimator::zero_roll(Microseconds now) {
   roll_angle_rad_.add(-bridged_roll_rad(now));
 }
 
-// Nothing is written twice, which would cost a call to memset in every tick.
-Motion MotionEstimator::motion(Microseconds now) const {
+// Field by field into its place: a Motion that is made and then copied costs a step 60 instructions.
+void MotionEstimator::motion(Microseconds now, Motion& motion) const {
   const auto& a = trajectory_.attitude;
   const Vector3f axis = Quaternionf{a.w, a.x, a.y, a.z}.toRotationMatrix().col(0);
   const Vector3f guide = eigen(trajectory_.guide_axis);
-  const Angle tilt = atan2(std::sqrt(axis.x() * axis.x() + axis.y() * axis.y()), axis.z());
-  const std::optional<Angle> tilt_from_guide =
-      tilts_from_guide_ ? std::optional{atan2(axis.cross(guide).norm(), axis.dot(guide))} : std::nullopt;
   const Vector3& position = trajectory_.position_m;
-  return {.roll_angle = Angle::from_radians(roll_angle_rad_.value() + bridged_roll_rad(now)),
-          .roll_rate_rad_s = rate_rad_s_.x,
-          .gyro_bias_rad_s = pad_window_.average().value_or(PadAverage{}).gyro_bias_rad_s,
-          .specific_force_m_s2 = specific_force_m_s2_,
-          .height_m = position.z,
-          .horizontal_distance_m = std::sqrt(position.x * position.x + position.y * position.y),
-          .distance_along_guide_m = eigen(position).dot(guide),
-          .speed_m_s = eigen(trajectory_.velocity_m_s).dot(guide),
-          .vertical_speed_m_s = trajectory_.velocity_m_s.z,
-          .speed_squared_m2_s2 = eigen(trajectory_.velocity_m_s).squaredNorm(),
-          .tilt = tilt,
-          .tilt_from_guide = tilt_from_guide,
-          .gyro = gyro_,
-          .accelerometer = accelerometer_,
-          .rate_is_lower_bound = rate_is_lower_bound_,
-          .roll_is_bridged = roll_is_bridged_,
-          .speed_is_lower_bound = trajectory_.is_lower_bound,
-          .at_rest_for = pad_window_.at_rest_for(now),
-          .has_moved = pad_window_.movement().has_moved(),
-          .has_fallen = pad_window_.movement().has_fallen(),
-          .thrust_since = trajectory_.since};
+  const Vector3f velocity = eigen(trajectory_.velocity_m_s);
+  motion.roll_angle = Angle::from_radians(roll_angle_rad_.value() + bridged_roll_rad(now));
+  motion.roll_rate_rad_s = rate_rad_s_.x;
+  motion.gyro_bias_rad_s = pad_window_.average().value_or(PadAverage{}).gyro_bias_rad_s;
+  motion.specific_force_m_s2 = specific_force_m_s2_;
+  motion.height_m = position.z;
+  motion.horizontal_distance_m = std::sqrt(position.x * position.x + position.y * position.y);
+  motion.distance_along_guide_m = eigen(position).dot(guide);
+  motion.speed_m_s = velocity.dot(guide);
+  motion.vertical_speed_m_s = velocity.z();
+  motion.speed_squared_m2_s2 = velocity.squaredNorm();
+  motion.tilt = atan2(std::sqrt(axis.x() * axis.x() + axis.y() * axis.y()), axis.z());
+  motion.tilt_from_guide =
+      tilts_from_guide_ ? std::optional{atan2(axis.cross(guide).norm(), axis.dot(guide))} : std::nullopt;
+  motion.gyro = gyro_;
+  motion.accelerometer = accelerometer_;
+  motion.rate_is_lower_bound = rate_is_lower_bound_;
+  motion.roll_is_bridged = roll_is_bridged_;
+  motion.speed_is_lower_bound = trajectory_.is_lower_bound;
+  motion.at_rest_for = pad_window_.at_rest_for(now);
+  motion.has_moved = pad_window_.movement().has_moved();
+  motion.has_fallen = pad_window_.movement().has_fallen();
+  motion.thrust_since = trajectory_.since;
 }
 
 }  // namespace fantail::core

@@ -105,7 +105,12 @@ class MotionEstimator {
   void bridge(const Inputs& inputs);
 
   /// The estimate at `now`; the last rate bridges the time since the last gyro sample, at most the plan's stale time.
-  [[nodiscard]] Motion motion(Microseconds now) const;
+  void motion(Microseconds now, Motion& motion) const;
+  [[nodiscard]] Motion motion(Microseconds now) const {
+    Motion made;
+    motion(now, made);
+    return made;
+  }
 
   /// Between two gyros, as the plan asks.
   [[nodiscard]] bool votes() const { return votes_; }

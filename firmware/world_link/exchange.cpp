@@ -11,6 +11,7 @@ std::uint32_t layout() {
   visit_scales(world, layout);
   visit_inputs(world, layout);
   visit_second_imu(world, layout);
+  visit_barometer(world, layout);
   visit_outputs(world, layout);
   const hal::CanFrame frame{};
   visit_frame(frame, layout);

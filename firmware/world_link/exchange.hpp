@@ -23,6 +23,7 @@ void visit_scales(World& world, Visitor& visit) {
   visit(world.second_imu_is_fitted);
   visit(world.second_imu_scale.rate_rad_s);
   visit(world.second_imu_scale.specific_force_m_s2);
+  visit(world.barometer_is_fitted);
 }
 
 template <typename World, typename Visitor>
@@ -33,7 +34,14 @@ void visit_second_imu(World& world, Visitor& visit) {
   visit(world.second_imu.status);
 }
 
-/// What the world put in; a second IMU where visit_scales() has said that there is one.
+template <typename World, typename Visitor>
+void visit_barometer(World& world, Visitor& visit) {
+  visit(world.barometer.time);
+  visit(world.barometer.pressure_pa);
+  visit(world.barometer.status);
+}
+
+/// What the world put in; a second IMU and a barometer where visit_scales() has said that there is one.
 template <typename World, typename Visitor>
 void visit_inputs(World& world, Visitor& visit) {
   visit(world.time);
@@ -43,6 +51,9 @@ void visit_inputs(World& world, Visitor& visit) {
   visit(world.imu.status);
   if (world.second_imu_is_fitted) {
     visit_second_imu(world, visit);
+  }
+  if (world.barometer_is_fitted) {
+    visit_barometer(world, visit);
   }
   visit(world.accelerometer.time);
   visit(world.accelerometer.specific_force);

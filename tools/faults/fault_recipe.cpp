@@ -42,7 +42,9 @@ std::string why_not(const FaultRow& row, const sim::Scenario& scenario) {
   if (device == sim::Device::second_imu && !two_imus) {
     return "the rocket does not use a second IMU";
   }
-  return device == sim::Device::barometer && !scenario.vehicle.barometer.is_fitted ? "the rocket has no barometer" : "";
+  const bool has_barometer =
+      scenario.vehicle.barometer.is_fitted && scenario.plan.sensors.barometer != core::BarometerUse::none;
+  return device == sim::Device::barometer && !has_barometer ? "the rocket does not use a barometer" : "";
 }
 
 double end_of(const Recipe& recipe, double begin_s) {
