@@ -152,10 +152,12 @@ bool Environment::can_roll() const {
 
 std::optional<Path> Environment::path() const {
   if (prescribed_) {
-    return Path{.position_m = {.x = prescribed_->across_m(), .z = prescribed_->height_m()},
-                .velocity_m_s = {.x = prescribed_->across_m_s(), .z = prescribed_->up_m_s()},
-                .tilt_rad = prescribed_->tilt_rad(),
-                .angle_of_attack_rad = 0.0};
+    return Path{
+        .position_m = {.x = prescribed_->across_m(), .z = prescribed_->height_m()},
+        .velocity_m_s = {.x = prescribed_->across_m_s(), .z = prescribed_->up_m_s()},
+        .tilt_rad = prescribed_->tilt_rad(),
+        .tilt_from_guide_rad = std::abs(prescribed_->tilt_rad() - scenario_.path.value().samples.front().tilt_rad),
+        .angle_of_attack_rad = 0.0};
   }
   if (!flight_) {
     return std::nullopt;
@@ -163,6 +165,7 @@ std::optional<Path> Environment::path() const {
   return Path{.position_m = flight_->state().position_m,
               .velocity_m_s = flight_->state().velocity_m_s,
               .tilt_rad = flight_->tilt_rad(),
+              .tilt_from_guide_rad = flight_->tilt_from_guide_rad(),
               .angle_of_attack_rad = angle_of_attack_rad(flight_->air_speed_m_s())};
 }
 

@@ -23,6 +23,7 @@ struct Path {
                        ///< path, wherever that points), zero, up
   Vector3 velocity_m_s;
   double tilt_rad;             ///< of the axis, from the vertical
+  double tilt_from_guide_rad;  ///< of the axis, from where it pointed at rest
   double angle_of_attack_rad;  ///< between the axis and the way through the air; prescribed: zero, because not known
 };
 

@@ -42,6 +42,11 @@ double RigidFlight::tilt_rad() const {
   return angle_off(axis.z, std::sqrt(axis.x * axis.x + axis.y * axis.y));
 }
 
+double RigidFlight::tilt_from_guide_rad() const {
+  const Vector3 axis = rotated_back(attitude_in(parameters_.guide), rotated(state_.attitude, {.x = 1.0}));
+  return angle_off(axis.x, std::sqrt(axis.y * axis.y + axis.z * axis.z));
+}
+
 RigidFlight::Body RigidFlight::body_at(double time_s) const {
   const Airframe& airframe = parameters_.airframe;
   const double propellant_kg = parameters_.motor.propellant_kg();

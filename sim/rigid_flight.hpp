@@ -60,6 +60,7 @@ class RigidFlight {
   [[nodiscard]] double speed_m_s() const { return length(state_.velocity_m_s); }  ///< over ground
   [[nodiscard]] const Vector3& air_speed_m_s() const { return air_speed_m_s_; }   ///< frame of the rocket
   [[nodiscard]] double tilt_rad() const;                                          ///< of the axis, from the vertical
+  [[nodiscard]] double tilt_from_guide_rad() const;                               ///< of the axis, from the guide
   [[nodiscard]] double twist_rad() const { return twist_.rad(); }                 ///< of its frame, since the pad
   [[nodiscard]] double mass_kg() const { return body_.inertia.mass_kg; }
   [[nodiscard]] double roll_inertia_kg_m2() const { return body_.inertia.roll_kg_m2; }

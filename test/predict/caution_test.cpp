@@ -127,6 +127,9 @@ TEST(Caution, AGoNearTheTiltLimitNamesTheTilt) {
   ASSERT_EQ(d.cautions.size(), 1U);
   EXPECT_EQ(figures(d.cautions[0]), (Numbers{"58.0", "60"}));
   EXPECT_TRUE(d.text.ends_with(d.cautions[0] + ".")) << d.text;
+  EXPECT_NE(d.text.find("from the vertical"), std::string::npos) << d.text;
+  p.flown.plan.run.tilt_from = core::TiltOrigin::guide;
+  EXPECT_NE(tilt_caution(p).find("from the launch guide"), std::string::npos) << tilt_caution(p);
   p.runs[11].largest_tilt_rad = text::radians(59.97);
   EXPECT_EQ(figures(tilt_caution(p)), (Numbers{"59.97", "60"}));
   p.runs[11].largest_tilt_rad = text::radians(54.9);

@@ -144,6 +144,26 @@ TEST(GravityTurn, LeavesTheGuideAtItsTrueEnd) {
   EXPECT_GT(truly_long_m, short_m + 1.0);
 }
 
+TEST(GravityTurn, CountsTheTiltFromWhereThePlanCountsIt) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.guide.tilt_rad = 10.0 * sim::radians_per_degree;
+  const fly::GravityTurn vertical = fly::gravity_turn(scenario);
+  scenario.plan.run.tilt_from = core::TiltOrigin::guide;
+  const fly::GravityTurn guide = fly::gravity_turn(scenario);
+  EXPECT_NEAR(guide.tilts_rad.front(), 0.0, 1e-9);
+  EXPECT_NEAR(vertical.tilts_rad.at(3000) - guide.tilts_rad.at(3000), scenario.guide.tilt_rad, 1e-9);
+  EXPECT_GT(guide.tilt_limit_s.value(), vertical.tilt_limit_s.value());
+}
+
+// Without wind a rocket bends over in the plane of its guide: both tilts are apart by the lean of the guide.
+TEST(SixDegreesOfFreedom, KnowTheTiltFromTheGuide) {
+  const flight::Flight flight = six_dof({"launch_guide.tilt_deg=8", "launch_guide.azimuth_deg=40"});
+  const flight::PathPoint& late = *flight::point_at(flight.path, *flight.events.apogee_s - 2.0);
+  EXPECT_NEAR(flight.path.front().tilt_from_guide_rad, 0.0, 1e-9);
+  EXPECT_GT(late.tilt_from_guide_rad, 0.05);
+  EXPECT_NEAR(late.tilt_rad - late.tilt_from_guide_rad, 8.0 * sim::radians_per_degree, 0.02);
+}
+
 // What the page of a held rocket shows of all three axes.
 
 using flight::TurnPoint;

@@ -216,6 +216,10 @@ void set_time_zero(Flight& flight, double zero_s) {
   std::ranges::for_each(flight.tunnel_readings, [&](auto& reading) { move(reading.time_s); });
 }
 
+std::string_view tilt_origin(const core::FlightPlan& plan) {
+  return plan.run.tilt_from == core::TiltOrigin::guide ? "the launch guide" : "the vertical";
+}
+
 double canard_limit_rad(const core::FlightPlan& plan) {
   return static_cast<double>(std::min(plan.controller.canard_limit, core::hard_canard_limit).radians());
 }

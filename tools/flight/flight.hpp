@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/flight_plan.hpp"
@@ -254,6 +255,9 @@ inline constexpr double slowest_held_m_s = 20.0;
 
 /// The largest roll command this plan allows: the plan limit, or the hard limit where that is smaller.
 [[nodiscard]] double canard_limit_rad(const core::FlightPlan& plan);
+
+/// Where the plan counts the tilt of its limit from: "the vertical" or "the launch guide".
+[[nodiscard]] std::string_view tilt_origin(const core::FlightPlan& plan);
 
 /// How far the canards can deflect in one sense of roll (the sign of `sense`), mean of the four: what the simulation
 /// says, or else each as far as the smallest of plan limit, hard limit and its mechanical stop in the plan lets it,

@@ -27,6 +27,7 @@ struct PathPoint {
   double east_m_s = 0.0;
   double up_m_s = 0.0;
   double tilt_rad = 0.0;             ///< of the long axis, from the vertical
+  double tilt_from_guide_rad = 0.0;  ///< of the long axis, from where it pointed at rest; no file has it
   double angle_of_attack_rad = 0.0;  ///< between the long axis and the way through the air
 };
 

@@ -48,6 +48,7 @@ flight::PathPoint to_report(const sim::Path& path, double time_s) {
           .east_m_s = -speed.y,
           .up_m_s = speed.z,
           .tilt_rad = path.tilt_rad,
+          .tilt_from_guide_rad = path.tilt_from_guide_rad,
           .angle_of_attack_rad = path.angle_of_attack_rad};
 }
 

@@ -66,6 +66,7 @@ GravityTurn gravity_turn(const sim::Scenario& scenario) {
   constexpr int most_steps = 600'000;
   const Flight flight{scenario};
   const auto limit_rad = static_cast<double>(scenario.plan.run.tilt_limit.radians());
+  const double zero_rad = scenario.plan.run.tilt_from == core::TiltOrigin::guide ? scenario.guide.tilt_rad : 0.0;
   GravityTurn result;
   State s;
   std::optional<double> liftoff_s;
@@ -87,7 +88,7 @@ GravityTurn gravity_turn(const sim::Scenario& scenario) {
     }
     result.apogee_m = s.z_m;
     result.apogee_s = time_s - *liftoff_s;
-    result.tilts_rad.push_back(std::atan2(s.vx_m_s, s.vz_m_s));
+    result.tilts_rad.push_back(std::abs(std::atan2(s.vx_m_s, s.vz_m_s) - zero_rad));
     if (!result.tilt_limit_s && result.tilts_rad.back() > limit_rad) {
       result.tilt_limit_s = time_s - *liftoff_s;
     }

@@ -19,8 +19,9 @@ struct GravityTurn {
   double apogee_m = 0.0;
   double apogee_s = 0.0;  ///< after lift-off
   std::optional<double>
-      tilt_limit_s{};               ///< after lift-off, before apogee: the path leans more than the plan's tilt limit
-  std::vector<double> tilts_rad{};  ///< of the path from lift-off to apogee, every gravity_turn_step_s
+      tilt_limit_s{};  ///< after lift-off, before apogee: the path tilts by more than the plan's tilt limit
+  std::vector<double> tilts_rad{};  ///< of the path, counted from where the plan counts them (run.tilt_from), from
+                                    ///< lift-off to apogee, every gravity_turn_step_s
 };
 
 /// A launch without wind and without lift: m dv/dt = (thrust - drag) along the path + m g down. On the guide the path

@@ -30,8 +30,10 @@ std::optional<std::string> leaning_guide(const sim::Scenario& scenario, const fl
       "would reach {:.0f} m",
       degrees(scenario.guide.tilt_rad), turn.apogee_m);
   if (turn.tilt_limit_s) {
-    text += fmt::format(" and pass the plan's tilt limit of {:.0f} deg {:.1f} s after lift-off, which ends control",
-                        degrees(static_cast<double>(scenario.plan.run.tilt_limit.radians())), *turn.tilt_limit_s);
+    text +=
+        fmt::format(" and pass the plan's tilt limit of {:.0f} deg from {} {:.1f} s after lift-off, which ends control",
+                    degrees(static_cast<double>(scenario.plan.run.tilt_limit.radians())),
+                    flight::tilt_origin(scenario.plan), *turn.tilt_limit_s);
   }
   return text + ".";
 }

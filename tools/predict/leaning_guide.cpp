@@ -97,9 +97,10 @@ std::optional<Criterion> tilt_limit(const Prediction& p) {
               .judgement = pass.too_early() ? Judgement::not_met : Judgement::met};
   if (pass.too_early()) {
     c.clause = fmt::format(
-        "with a guide that leans by {} degrees, a point mass passes the plan's tilt limit of {} degrees {} s after "
-        "lift-off, which ends control. The simulated rocket stays on the line of its guide and does not show this",
-        brief(degrees(p.flown.guide.tilt_rad), 1), limit, fixed(*pass.at_s, 1));
+        "with a guide that leans by {} degrees, a point mass passes the plan's tilt limit of {} degrees from {} {} s "
+        "after lift-off, which ends control. The simulated rocket stays on the line of its guide and does not show "
+        "this",
+        brief(degrees(p.flown.guide.tilt_rad), 1), limit, flight::tilt_origin(p.flown.plan), fixed(*pass.at_s, 1));
   }
   return c;
 }
@@ -110,9 +111,10 @@ std::string tilt_caution(const Prediction& p) {
   if (!tilt_rad || *tilt_rad < limit_rad - near_tilt_limit_rad) {
     return {};
   }
-  return fmt::format("{} tilts by up to {} degrees under control, and the plan's tilt limit is {} degrees",
+  return fmt::format("{} tilts by up to {} degrees from {} under control, and the plan's tilt limit is {} degrees",
                      asks_a_point_mass(p) ? "with this guide, a point mass" : "the rocket",
-                     text::apart(degrees(*tilt_rad), degrees(limit_rad), 1), brief(degrees(limit_rad), 1));
+                     text::apart(degrees(*tilt_rad), degrees(limit_rad), 1), flight::tilt_origin(p.flown.plan),
+                     brief(degrees(limit_rad), 1));
 }
 
 std::string advice_on_tilt(const Prediction& p) {

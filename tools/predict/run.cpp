@@ -123,13 +123,15 @@ void keep_notes(Run& run, const flight::Flight& flight, const sim::Scenario& sce
 }
 
 std::optional<double> largest_tilt_rad(const flight::Flight& flight) {
+  const auto tilt = flight.plan.run.tilt_from == core::TiltOrigin::guide ? &flight::PathPoint::tilt_from_guide_rad
+                                                                         : &flight::PathPoint::tilt_rad;
   std::optional<double> largest_rad;
   const std::optional<double> end_s =
       flight.events.control_end_s ? flight.events.control_end_s : flight.events.apogee_s;
   for (const flight::PathPoint& point : flight.path) {
     if (flight.events.control_start_s && point.time_s >= *flight.events.control_start_s &&
         point.time_s <= end_s.value_or(point.time_s)) {
-      largest_rad = std::max(largest_rad.value_or(0.0), point.tilt_rad);
+      largest_rad = std::max(largest_rad.value_or(0.0), point.*tilt);
     }
   }
   return largest_rad;

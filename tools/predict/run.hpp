@@ -34,8 +34,8 @@ struct Run {
   std::string verdict{};                     ///< what the flight report says of it
   bool ended_early = false;                  ///< control; whatever the outcome
   bool ended_by_tilt = false;                ///< likewise, at the plan's tilt limit
-  std::optional<double> largest_tilt_rad{};  ///< of the long axis from the vertical, under control; in six degrees of
-                                             ///< freedom
+  std::optional<double> largest_tilt_rad{};  ///< of the long axis from where the plan counts it, under control; in six
+                                             ///< degrees of freedom
   std::vector<std::string> notes{};  ///< whatever the outcome, without what was assumed beforehand, a sentence each
   std::optional<double> largest_hold_error_rad{};
   std::optional<double> saturated_share{};
