@@ -23,6 +23,20 @@ Words with(Words words, const Words& more) {
   return words;
 }
 
+// In six degrees of freedom a rocket on a leaning guide bends over and does not reach this gate.
+TEST(Rules, OfABriefAreThoseOfTheRulesVerb) {
+  const Folder folder;
+  const Words low{"--set", "launch_guide.tilt_deg=12", "--set", "dormancy.until=height",
+                  "--set", "dormancy.height_m=402",    "--set", "dormancy.scale_error=0",
+                  "--set", "dormancy.bias_error_g=0"};
+  const json::Value alone = asked(folder, with({"rules", "euroc", "tasha3_launch2"}, low), 1);
+  const json::Value brief = asked(folder, with({"brief", "tasha3_launch2", "--rules", "euroc", "--step", "10"}, low));
+  EXPECT_TRUE(brief["control_start_s"].is_null());
+  EXPECT_EQ(outcomes(brief["rules"]), outcomes(alone));
+  EXPECT_EQ(brief["rules"]["sentence"], alone["sentence"]);
+  expect_said(brief["rules"]["flown"].text(), {"as written, along a straight line"});
+}
+
 TEST(Rules, FailThePublishedLaunchByNameAtIrecAndEuroc) {
   const Folder folder;
   const json::Value irec = asked(folder, {"rules", "irec", "tasha3_launch2"}, 1);

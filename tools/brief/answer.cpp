@@ -93,12 +93,20 @@ result::Data rule_data(const std::optional<Rules>& rules) {
     clauses.push_back({{"id", clause.id}, {"outcome", clause.outcome}});
   }
   return {"rules",
-          {{"pack", rules->pack}, {"sentence", rules->sentence}, {"caution", rules->caution}, {"clauses", clauses}}};
+          {{"pack", rules->pack},
+           {"sentence", rules->sentence},
+           {"flown", rules->flown},
+           {"caution", rules->caution},
+           {"clauses", clauses}}};
 }
 
 std::vector<std::string> rule_sentences(const std::optional<Rules>& rules) {
-  return rules ? std::vector{fmt::format("{}: {}", rules->pack, rules->sentence), rules->caution}
-               : std::vector<std::string>{"rules: not checked (--rules PACK)"};
+  if (!rules) {
+    return {"rules: not checked (--rules PACK)"};
+  }
+  std::vector<std::string> all{fmt::format("{}: {}", rules->pack, rules->sentence), rules->flown, rules->caution};
+  std::erase(all, "");
+  return all;
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Rules {
   std::string pack;      ///< its title and date
   std::string sentence;  ///< the verdict
   std::string caution;   ///< which document counts
+  std::string flown{};   ///< a sentence, where the flight that was judged moves in another way than those of the sheet
   std::vector<Clause> clauses{};
 };
 

@@ -117,8 +117,9 @@ std::string rules(const Brief& of) {
     return page::section("Rules", page::paragraph("rules: not checked"));
   }
   const Rules& all = *of.rules;
-  return page::section("Rules", few_lines(fmt::format("{}: {}.", all.pack, counts(all))) + few_lines(clauses(all)) +
-                                    few_lines(all.caution));
+  return page::section(
+      "Rules", few_lines(fmt::format("{}: {}.{}{}", all.pack, counts(all), all.flown.empty() ? "" : " ", all.flown)) +
+                   few_lines(clauses(all)) + few_lines(all.caution));
 }
 
 constexpr const char* signatures =

@@ -38,12 +38,17 @@ std::optional<rules::Pack> pack_of(const BriefOptions& options) {
   return options.pack.empty() ? std::nullopt : std::optional{rules::load_pack(options.pack)};
 }
 
-brief::Rules held_against(const rules::Pack& pack, const sim::Scenario& scenario) {
+/// As `fantail rules` judges it: the scenario as written, which may fly along a straight line.
+brief::Rules held_against(const rules::Pack& pack, const ScenarioOptions& options) {
+  const sim::Scenario scenario = load(options);
   const std::vector<rules::Judged> judged =
       rules::judge(pack, rules::subject_of(scenario, fly::fly_scenario(scenario)));
   brief::Rules found{.pack = fmt::format("{} ({})", pack.title, pack.date),
                      .sentence = rules::verdict(judged).sentence,
                      .caution = rules::caution(pack)};
+  if (scenario.vehicle.airframe && scenario.motion != sim::FlightMotion::six_dof) {
+    found.flown = "The rules judge the scenario as written, along a straight line.";
+  }
   for (const rules::Judged& one : judged) {
     found.clauses.push_back({.id = one.clause.id, .outcome = std::string{rules::name(one.outcome)}});
   }
@@ -55,7 +60,7 @@ brief::Brief make(const BriefOptions& options, const std::optional<rules::Pack>&
   std::size_t winds = 0;
   std::size_t last_of = 0;
   const std::string name = scenario.name;
-  std::optional<brief::Rules> rules = pack ? std::optional{held_against(*pack, scenario)} : std::nullopt;
+  std::optional<brief::Rules> rules = pack ? std::optional{held_against(*pack, options.scenario)} : std::nullopt;
   return brief::make({.scenario = std::move(scenario),
                       .step_s = options.step_s,
                       .threads = options.threads,
@@ -111,7 +116,8 @@ void fill(const Verb& verb) {
   verb.flag("--json", options->json, "Print brief.json instead of the text");
   verb.examples(
       "brief.html is one page of A4: print it, fill in the blanks and sign it. All flights are in six degrees of "
-      "freedom if the vehicle has the section [airframe].\n"
+      "freedom if the vehicle has the section [airframe]. Only the rules judge the scenario as written, as fantail "
+      "rules does.\n"
       "Examples:\n"
       "  fantail brief tasha3_launch2 --rules irec          the sheet of the shipped launch, with a competition's "
       "rules\n"
