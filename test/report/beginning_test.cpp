@@ -34,6 +34,7 @@ void roll(SyntheticFlight& made, const std::function<double(double)>& off_deg) {
   made.each_controlled([&](flight::Row& row) {
     row.roll_angle_rad = text::radians(settles_deg + off_deg(row.time_s - opens_s));
     row.truth->roll_angle_rad = row.roll_angle_rad;
+    row.speed_m_s = row.truth->speed_m_s = 50.0;
   });
 }
 
@@ -102,6 +103,17 @@ TEST(Capture, IsNotWhatTheRollPassesThrough) {
   const Capture c = figures(made.flight).capture;
   EXPECT_FALSE(c.after_s);
   EXPECT_NEAR(c.watched_s.value(), 3.5, 1e-6);
+}
+
+TEST(Capture, IsWatchedInFlightUntilTheAirIsTooSlow) {
+  for (const auto& [slow_s, captured] : {std::pair{0.7, false}, {0.9, true}}) {
+    SyntheticFlight made = dormant_flight();
+    roll(made, [](double t) { return t < 0.3 ? 50.0 : 0.0; });
+    made.each_controlled([slow_s](flight::Row& row) {
+      row.truth->speed_m_s = row.time_s < opens_s + slow_s ? 50.0 : flight::slowest_held_m_s - 1.0;
+    });
+    EXPECT_EQ(figures(made.flight).capture.after_s.has_value(), captured) << slow_s;
+  }
 }
 
 TEST(Capture, NeedsHalfASecondWhereTheReferenceChanges) {

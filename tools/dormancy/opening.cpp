@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dormancy/opening.hpp"
 
-#include <cmath>
-
 namespace fantail::dormancy {
 
 void OpeningWatch::add(const flight::Row& row, const flight::Flight& so_far) {
@@ -16,35 +14,20 @@ void OpeningWatch::add(const flight::Row& row, const flight::Flight& so_far) {
                        .rate_rad_s = row.truth ? row.truth->roll_rate_rad_s : row.roll_rate_rad_s,
                        .angle_rad = row.roll_angle_rad,
                        .offset_rad = row.truth ? row.truth->disturbance_rad : 0.0};
-    reference_rad_ = row.reference_rad;
   }
-  if (opening_ && !is_over_) {
-    const double speed_m_s = row.truth ? row.truth->speed_m_s : row.speed_m_s;
-    is_over_ = !controls || row.reference_rad != reference_rad_ || speed_m_s < slowest_held_m_s;
-    if (!is_over_) {
-      watch_capture(row, so_far);
-    }
-  }
-}
-
-void OpeningWatch::watch_capture(const flight::Row& row, const flight::Flight& so_far) {
-  last_s_ = row.time_s;
-  const auto settles_rad = flight::settle_point_rad(row, so_far);
-  const bool is_within =
-      settles_rad && std::abs(row.truth->roll_angle_rad - zero_.rad() - *settles_rad) <= captured_rad;
-  if (!is_within) {
-    within_since_s_.reset();
-  } else if (!within_since_s_) {
-    within_since_s_ = row.time_s;
+  if (opening_ && !controls) {
+    capture_.end();
+  } else if (opening_) {
+    const auto settles_rad = report::holds_an_angle(so_far) ? flight::settle_point_rad(row, so_far) : std::nullopt;
+    capture_.add(row,
+                 settles_rad ? std::optional{row.truth->roll_angle_rad - zero_.rad() - *settles_rad} : std::nullopt);
   }
 }
 
 std::optional<Opening> OpeningWatch::found(const flight::Clock& clock) const {
   std::optional<Opening> all = opening_;
   if (all) {
-    if (within_since_s_ && last_s_ - *within_since_s_ >= shortest_capture_s) {
-      all->captured_after_s = *within_since_s_ - all->time_s;
-    }
+    all->captured_after_s = capture_.found(clock).after_s;
     all->time_s = clock(all->time_s);
   }
   return all;

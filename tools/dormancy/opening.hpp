@@ -4,16 +4,16 @@
 #include <optional>
 
 #include "flight/flight.hpp"
+#include "report/beginning.hpp"
 #include "report/running_figures.hpp"
-#include "report/verdict.hpp"
 #include "runs/row_text.hpp"
 
 namespace fantail::dormancy {
 
 /// Farther than this from where the law settles, a roll angle is not captured.
-inline constexpr double captured_rad = report::held_error_rad;
+inline constexpr double captured_rad = report::Capture::near_rad;
 /// So long it must have stayed there: no rocket that only turns past it is captured.
-inline constexpr double shortest_capture_s = 0.5;
+inline constexpr double shortest_capture_s = report::Capture::stays_at_end_s;
 using flight::slowest_held_m_s;
 
 /// How a rocket moves as its canards first leave trim, and how soon its roll is captured.
@@ -25,8 +25,7 @@ struct Opening {
   double rate_rad_s = 0.0;                   ///< likewise
   double angle_rad = 0.0;                    ///< as the law has it, whole turns and all
   double offset_rad = 0.0;                   ///< of the fins, where truth is known
-  std::optional<double> captured_after_s{};  ///< from then on within captured_rad of where the law settles, until the
-                                             ///< reference moves, the air is too slow or control ends. Empty: never
+  std::optional<double> captured_after_s{};  ///< report::Capture::after_s; empty: never
 };
 
 inline void fields(runs::RowText& text, Opening& opening) {
@@ -37,7 +36,7 @@ inline void fields(runs::RowText& text, Opening& opening) {
 /// Looks at a flight row by row.
 class OpeningWatch {
  public:
-  explicit OpeningWatch(bool tunnel) : zero_{tunnel} {}
+  explicit OpeningWatch(bool tunnel) : zero_{tunnel}, capture_{tunnel} {}
 
   /// Each row, in order, and the flight as far as it is known by then.
   void add(const flight::Row& row, const flight::Flight& so_far);
@@ -46,14 +45,9 @@ class OpeningWatch {
   [[nodiscard]] std::optional<Opening> found(const flight::Clock& clock = {}) const;
 
  private:
-  void watch_capture(const flight::Row& row, const flight::Flight& so_far);
-
   report::TrueZero zero_;
   std::optional<Opening> opening_{};
-  double reference_rad_ = 0.0;
-  bool is_over_ = false;
-  std::optional<double> within_since_s_{};
-  double last_s_ = 0.0;
+  report::CaptureWatch capture_;
 };
 
 }  // namespace fantail::dormancy

@@ -71,7 +71,9 @@ void CaptureWatch::add(const flight::Row& row, const std::optional<double>& erro
   if (!first_s_) {
     reference_rad_ = row.reference_rad;
   }
-  is_over_ = is_over_ || !error_rad || row.reference_rad != reference_rad_;
+  const bool is_slow =
+      !tunnel_ && flight::best_known(row, &flight::Truth::speed_m_s, row.speed_m_s) < flight::slowest_held_m_s;
+  is_over_ = is_over_ || !error_rad || is_slow || row.reference_rad != reference_rad_;
   if (is_over_) {
     return;
   }
@@ -112,7 +114,7 @@ bool holds_an_angle(const flight::Flight& flight) {
 }
 
 Capture measured_capture(const flight::Flight& flight) {
-  CaptureWatch watch;
+  CaptureWatch watch{flight.tunnel};
   const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
   const auto begin = std::ranges::find_if(flight.rows, is_control);
   if (!holds_an_angle(flight) || begin == flight.rows.end()) {

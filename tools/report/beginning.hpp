@@ -74,9 +74,14 @@ struct Capture {
   friend bool operator==(const Capture&, const Capture&) = default;
 };
 
+/// The one judge of capture, for reports, predictions and campaigns.
 class CaptureWatch {
  public:
-  /// Each row under control, in order; `error_rad`: from where its roll is to stay, empty: not known.
+  /// In a tunnel the roll is held in slow air, too.
+  explicit CaptureWatch(bool tunnel) : tunnel_{tunnel} {}
+
+  /// Each row under control, in order; `error_rad`: from where its roll is to stay, empty: not known. In flight it ends
+  /// where the air is slower than flight::slowest_held_m_s.
   void add(const flight::Row& row, const std::optional<double>& error_rad);
   /// Control pauses, or is over.
   void end() { is_over_ = is_over_ || first_s_; }
@@ -89,6 +94,7 @@ class CaptureWatch {
     std::size_t saturated = 0;
   };
 
+  bool tunnel_;
   bool is_over_ = false;
   bool knows_saturation_ = true;
   double reference_rad_ = 0.0;

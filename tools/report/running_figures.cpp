@@ -59,7 +59,7 @@ void TrueZero::add(const flight::Row& row) {
   last_s_ = row.time_s;
 }
 
-RunningFigures::RunningFigures(bool tunnel) : zero_{tunnel}, oscillation_{tunnel ? 2.0 : 1.0} {}
+RunningFigures::RunningFigures(bool tunnel) : zero_{tunnel}, capture_{tunnel}, oscillation_{tunnel ? 2.0 : 1.0} {}
 
 void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   begins_under_control_ = begins_under_control_ || (rows_ == 0 && row.phase == core::Phase::controlling);

@@ -102,7 +102,7 @@ class RunningFigures {
   CameraRollWatch camera_roll_{};
   NeutralWatch neutral_{};
   OpeningWatch opening_{};
-  CaptureWatch capture_{};
+  CaptureWatch capture_;
   std::optional<double> turn_{};  ///< that capture chose
 
   Stage stage_ = Stage::before_control;
