@@ -58,7 +58,7 @@ void make_inputs(core::Inputs* made, std::int64_t time_us, const std::optional<V
                  const std::optional<Vector>& specific_force_m_s2, const Four& encoders_rad, bool arm_switch_closed,
                  bool arm_command, bool start_command, const std::optional<Vector>& second_rate_rad_s,
                  const std::optional<Vector>& second_specific_force_m_s2, std::optional<std::int64_t> sample_time_us,
-                 bool rate_saturated, bool specific_force_saturated) {
+                 bool rate_saturated, bool specific_force_saturated, bool abort) {
   const std::int64_t measured_us = sample_time_us.value_or(time_us);
   new (made) core::Inputs{
       .time = core::Microseconds{time_us},
@@ -69,7 +69,8 @@ void make_inputs(core::Inputs* made, std::int64_t time_us, const std::optional<V
       .encoders = angles(encoders_rad),
       .arm_switch_closed = arm_switch_closed,
       .arm_command = arm_command,
-      .start_command = start_command};
+      .start_command = start_command,
+      .abort = abort};
 }
 
 /// A number, a flag, a word or None.
@@ -110,7 +111,9 @@ constexpr const char* inputs_text =
     "a step is due every 1000 us.\nrate_rad_s: angular rate (x, y, z) in the body frame, x to the nose; None: no "
     "reading.\nspecific_force_m_s2: (x, y, z) likewise; x reads +9.80665 on the pad.\nencoders_rad: angle of each "
     "canard about its shaft; None: unknown.\narm_switch_closed, arm_command: together they arm; the command lasts one "
-    "step.\nstart_command: starts control with run.start = \"tunnel\", one step long.\nsecond_...: of a second gyro or "
+    "step.\nstart_command: starts control with run.start = \"tunnel\", one step long.\nabort: the abort input asks to "
+    "end control, by the plan's "
+    "run.abort_input.\nsecond_...: of a second gyro or "
     "accelerometer, if the plan requires one.\nsample_time_us: time of the measurement, if it is not time_us; a "
     "repeated sample keeps its time.\n..._saturated: the reading is at the end of its range.";
 
@@ -127,7 +130,7 @@ void bind_autopilot(nb::module_& m) {
            nb::arg("arm_switch_closed") = false, nb::arg("arm_command") = false, nb::arg("start_command") = false,
            nb::arg("second_rate_rad_s").none() = nb::none(), nb::arg("second_specific_force_m_s2").none() = nb::none(),
            nb::arg("sample_time_us").none() = nb::none(), nb::arg("rate_saturated") = false,
-           nb::arg("specific_force_saturated") = false)
+           nb::arg("specific_force_saturated") = false, nb::arg("abort") = false)
       .def_prop_ro("time_us", [](const core::Inputs& inputs) { return inputs.time.count(); });
 
   nb::class_<TickRecord>(m, "Tick", "Result of one step of the control law.")

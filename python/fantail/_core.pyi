@@ -196,12 +196,13 @@ class Inputs:
     encoders_rad: angle of each canard about its shaft; None: unknown.
     arm_switch_closed, arm_command: together they arm; the command lasts one step.
     start_command: starts control with run.start = "tunnel", one step long.
+    abort: the abort input asks to end control, by the plan's run.abort_input.
     second_...: of a second gyro or accelerometer, if the plan requires one.
     sample_time_us: time of the measurement, if it is not time_us; a repeated sample keeps its time.
     ..._saturated: the reading is at the end of its range.
     """
 
-    def __init__(self, time_us: int, rate_rad_s: Sequence[float] | None = None, specific_force_m_s2: Sequence[float] | None = None, encoders_rad: Sequence[float | None] = [None, None, None, None], *, arm_switch_closed: bool = False, arm_command: bool = False, start_command: bool = False, second_rate_rad_s: Sequence[float] | None = None, second_specific_force_m_s2: Sequence[float] | None = None, sample_time_us: int | None = None, rate_saturated: bool = False, specific_force_saturated: bool = False) -> None: ...
+    def __init__(self, time_us: int, rate_rad_s: Sequence[float] | None = None, specific_force_m_s2: Sequence[float] | None = None, encoders_rad: Sequence[float | None] = [None, None, None, None], *, arm_switch_closed: bool = False, arm_command: bool = False, start_command: bool = False, second_rate_rad_s: Sequence[float] | None = None, second_specific_force_m_s2: Sequence[float] | None = None, sample_time_us: int | None = None, rate_saturated: bool = False, specific_force_saturated: bool = False, abort: bool = False) -> None: ...
 
     @property
     def time_us(self) -> int: ...

@@ -60,6 +60,12 @@ def test_a_gyro_that_says_nothing_is_no_rate_of_zero():
     assert law.step(fantail.Inputs(1000)).signals["gyro_state"] != law.step(fantail.Inputs(2000, *STILL)).signals["gyro_state"]
 
 
+def test_an_abort_ends_control():
+    _, _, step = launched(fantail.plan("tasha3_launch2", set={"run.abort_input": "open_aborts"}))
+    tick = step(*STILL, abort=True)
+    assert tick.phase == "finished" and tick.command_rad == 0
+
+
 def test_inputs_are_typed():
     with pytest.raises(TypeError):
         fantail.Inputs(0.5)
