@@ -19,6 +19,14 @@ std::string refusal_of(const auto& call) {
   return "nothing was refused";
 }
 
+TEST(FaultExtent, OfAnAbortInputNeedsAPlanThatFitsOne) {
+  Campaign campaign;
+  campaign.scenario = "tasha3_launch2";
+  campaign.device = "abort_input";
+  const std::string said = refusal_of([&] { (void)extent_of(campaign); });
+  EXPECT_NE(said.find("the plan fits no abort input (run.abort_input)"), std::string::npos) << said;
+}
+
 TEST(FaultExtent, TooManyFlightsAreRefusedBeforeTheyAreListed) {
   Campaign campaign;
   campaign.scenario = "tasha3_launch2";

@@ -36,6 +36,36 @@ void quiet(std::uint64_t /*done*/) {}
 
 std::string said_of(const Result& result) { return result::json(answer(result)); }
 
+Campaign of(const char* scenario, const char* device) {
+  Campaign campaign;
+  campaign.scenario = scenario;
+  campaign.device = device;
+  campaign.every = 1000;
+  return campaign;
+}
+
+TEST_F(FaultCampaign, OfAnAbortInputIsSafeInBothSenses) {
+  Campaign fitted = of("tasha3_launch2", "abort_input");
+  for (const std::string sense : {"open_aborts", "closed_aborts"}) {
+    fitted.changes = {input::Override{"run", "abort_input", sense}};
+    const Result result = fly_campaign(fitted, folder_ / sense, "v", 2, quiet);
+    EXPECT_EQ(result.cells.size(), 15U);
+    for (const CellResult& cell : result.cells) {
+      EXPECT_EQ(cell.colour, Colour::green) << sense << ' ' << cell.cell.name() << ' ' << cell.figure;
+    }
+  }
+}
+
+TEST_F(FaultCampaign, OfAGateThatNeverOpensAsksForCanardsAtTrim) {
+  const Result result = fly_campaign(of("tasha3_launch2_euroc", "arm_switch"), folder_, "v", 2, quiet);
+  for (const CellResult& cell : result.cells) {
+    const bool is_control = cell.cell.phase == Phase::controlling;
+    EXPECT_EQ(cell.colour, is_control ? Colour::not_applicable : Colour::green)
+        << cell.cell.name() << ' ' << cell.figure;
+    EXPECT_EQ(cell.cell.safe().find("held"), std::string::npos) << cell.cell.safe();
+  }
+}
+
 TEST_F(FaultCampaign, IsTheSameByAnyNumberOfThreadsAndAfterAnInterruption) {
   const std::string whole = said_of(fly_campaign(switches(), folder_ / "one", "v", 1, quiet));
   EXPECT_EQ(said_of(fly_campaign(switches(), folder_ / "three", "v", 3, quiet)), whole);

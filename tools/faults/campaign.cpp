@@ -166,11 +166,15 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
 
 Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uint64_t number) {
   const Twins& twins = prepared.twins;
-  const Cell cell = cell_of(cell_name);
+  Cell cell = cell_of(cell_name);
+  cell.stays_at_trim = twins.stay_at_trim;
   if (const std::string why = why_not(*cell.row, twins.scenario); !why.empty()) {
     refuse(cell_name + ": " + why);
   }
   const Grid grid{twins, cell.phase, prepared.campaign.step_ms, prepared.campaign.every};
+  if (grid.size() == 0) {
+    refuse(fmt::format("{}: {} has no time in this phase", cell_name, twins.scenario.name));
+  }
   if (number >= grid.size()) {
     refuse(fmt::format("{}: run {}; allowed: 0 to {}", cell_name, number, grid.size() - 1), text::ErrorKind::usage);
   }

@@ -39,6 +39,9 @@ std::string why_not(const FaultRow& row, const sim::Scenario& scenario) {
   const sim::Device device = row.recipe.fault.device;
   const bool two_imus =
       scenario.vehicle.second_imu_is_fitted && scenario.plan.sensors.gyros == core::GyroRule::two_agree;
+  if (device == sim::Device::abort_input && scenario.plan.run.abort_input == core::AbortInput::none) {
+    return "the plan fits no abort input (run.abort_input)";
+  }
   if (device == sim::Device::second_imu && !two_imus) {
     return "the rocket does not use a second IMU";
   }

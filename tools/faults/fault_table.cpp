@@ -171,6 +171,10 @@ constexpr auto others = std::to_array<FaultRow>({
   {"arm_switch", "chatters", "open for 30 ms of every 60", again(Device::arm_switch, Behaviour::dead, 0.03, 0.03), harmless},
   {"arm_switch", "open_50ms", "open for 50 ms", silent_for(0.05, Device::arm_switch), {any_of(not_armed, no_control, holds), never, not_seen_or_holds, holds_on, stays}},
 
+  {"abort_input", "dead", "its wire is broken: the contact is open", broken(Device::abort_input, Behaviour::dead), {any_of(not_armed, no_control, holds), not_seen_or_holds, any_of(no_control, holds, over), any_of(holds, over), stays}},
+  {"abort_input", "pressed", "asks to abort", broken(Device::abort_input, Behaviour::pressed), {unfit, never, any_of(no_control, over), stays, stays}},
+  {"abort_input", "chatters", "asks to abort for 30 ms of every 60", again(Device::abort_input, Behaviour::pressed, 0.03, 0.03), harmless},
+
   {"memory", "flight_law", "one bit of the flight law flips", broken(Device::memory, Behaviour::law_bit_flipped), {whatever, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays}},
   {"memory", "plan", "one bit of the plan flips", broken(Device::memory, Behaviour::plan_bit_flipped), {whatever, at_trim_or_holds, at_trim_or_holds, at_trim_or_holds, stays}},
 

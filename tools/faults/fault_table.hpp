@@ -44,6 +44,15 @@ struct Expected {
 
 [[nodiscard]] constexpr Expected any_of(auto... each) { return {.allowed = (static_cast<unsigned>(each) | ...)}; }
 
+/// The same in a flight whose gate stays closed: no control, where more than what holds for every flight is asked.
+[[nodiscard]] constexpr Expected at_trim(Expected expected) {
+  if (expected.applies() && !expected.allows(Outcome::anything)) {
+    expected.allowed =
+        (expected.allowed & static_cast<unsigned>(Outcome::not_armed)) | static_cast<unsigned>(Outcome::no_control);
+  }
+  return expected;
+}
+
 /// "not armed, or no control". Of one that does not apply: "not applicable".
 [[nodiscard]] std::string sentence(const Expected& expected);
 

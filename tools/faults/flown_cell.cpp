@@ -63,21 +63,24 @@ Stretch stretch_of(const Twin& twin, Phase phase, std::size_t ignition) {
     return static_cast<std::size_t>(std::ranges::find(twin.phases, wanted) - twin.phases.begin());
   };
   const std::size_t armed = first(core::Phase::armed);
+  const std::size_t finished = first(core::Phase::finished);
+  const std::size_t begin = twin.control_begin.value_or(finished);
+  const std::size_t end = twin.control_end ? *twin.control_end + 1 : finished;
   switch (phase) {
     case Phase::pad: return {0, armed};
     case Phase::armed: return {armed, ignition};
-    case Phase::launched: return {ignition, *twin.control_begin};
-    case Phase::controlling: return {*twin.control_begin, *twin.control_end + 1};
+    case Phase::launched: return {ignition, begin};
+    case Phase::controlling: return {begin, end};
     case Phase::after_control: break;
   }
-  return {*twin.control_end + 1, twin.phases.size()};
+  return {end, twin.phases.size()};
 }
 
 Twin fly_twin(sim::Scenario scenario, std::uint64_t seed, const Limits& limits) {
   scenario.seed = seed;
   Twin twin;
   fly(scenario, [&twin](const Moment& moment) { twin.add(moment); });
-  if (!twin.control_begin) {
+  if (!twin.control_begin && std::ranges::find(twin.phases, core::Phase::dormant) == twin.phases.end()) {
     throw text::Error{
         text::ErrorKind::bad_configuration,
         fmt::format(
@@ -128,6 +131,15 @@ Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds, unsigned threa
   runs::parallel_for(
       seeds, threads, [&](std::size_t i) { twins.twins[i] = fly_twin(scenario, twins.seeds[i], twins.limits); },
       look ? look : [](std::size_t) {});
+  const auto closed = std::ranges::find_if(twins.twins, [](const Twin& twin) { return !twin.control_begin; });
+  twins.stay_at_trim =
+      std::ranges::none_of(twins.twins, [](const Twin& twin) { return twin.control_begin.has_value(); });
+  if (closed != twins.twins.end() && !twins.stay_at_trim) {
+    throw text::Error{text::ErrorKind::bad_configuration,
+                      fmt::format("{}: the plan's gate stays closed with seed {} and opens with others; allowed: seeds "
+                                  "that agree",
+                                  scenario.name, twins.seeds[static_cast<std::size_t>(closed - twins.twins.begin())])};
+  }
   return twins;
 }
 

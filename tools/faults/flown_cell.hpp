@@ -17,9 +17,10 @@ namespace fantail::faults {
 struct Cell {
   const FaultRow* row = nullptr;
   Phase phase = Phase::pad;
+  bool stays_at_trim = false;  ///< Twins
 
   [[nodiscard]] std::string name() const;  ///< imu/dead/controlling
-  [[nodiscard]] const Expected& expected() const { return row->expect(phase); }
+  [[nodiscard]] Expected expected() const { return stays_at_trim ? at_trim(row->expect(phase)) : row->expect(phase); }
   /// What is safe, with what a failed servo may do meanwhile.
   [[nodiscard]] std::string safe() const;
 };
@@ -33,11 +34,12 @@ struct Twins {
   std::vector<std::uint64_t> seeds;  ///< the first is the scenario's own
   std::vector<Twin> twins;           ///< one a seed
   Limits limits;
+  bool stay_at_trim = false;  ///< the plan's gate opens with none of the seeds: nothing but canards at trim is safe
 };
 
 /// Flies them, on several threads (0: as many as the machine has). `look` is called with how many are done, a few times
-/// a second, from this thread; what it throws ends it. Throws text::Error (bad_configuration) when one is not armed or
-/// never controls: then no phase can be told from another.
+/// a second, from this thread; what it throws ends it. Throws text::Error (bad_configuration) when one never
+/// controls for another reason than a gate that stays closed with all seeds: then no phase can be told from another.
 [[nodiscard]] Twins fly_twins(const sim::Scenario& scenario, std::size_t seeds, unsigned threads = 0,
                               const std::function<void(std::size_t done)>& look = {});
 

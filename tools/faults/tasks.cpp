@@ -49,8 +49,8 @@ std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
       if (!wanted) {
         continue;
       }
-      Task task{.cell = {.row = &row, .phase = phase}, .grid = {}};
-      if (task.cell.expected().applies() && why_not(row, twins.scenario).empty()) {
+      Task task{.cell = {.row = &row, .phase = phase, .stays_at_trim = twins.stay_at_trim}, .grid = {}};
+      if (task.cell.expected().applies() && why_not(row, twins.scenario).empty() && grids[i]->size() > 0) {
         task.grid = grids[i];
       }
       tasks.push_back(std::move(task));
