@@ -70,6 +70,24 @@ class ACampaign : public testing::Test {
   Campaign asked;
 };
 
+TEST_F(ACampaign, NotesTheRunsWhoseControlBeganInTheLaunchGuide) {
+  asked.runs = 2;
+  asked.changes = {input::Override{"launch_guide", "length_m", "12"}};
+  for (const FlownRun& run : fly("long_guide")) {
+    EXPECT_TRUE(run.note.starts_with(begun_on_guide_note)) << run.note;
+  }
+}
+
+TEST(JudgedFlight, HasOneTimeOfCapture) {
+  sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  scenario.plan.dormancy.until = core::DormantUntil::max_dynamic_pressure;
+  scenario.plan.controller.entry = core::ControlEntry::capture;
+  scenario.plan.excitation.form = core::ExcitationForm::none;
+  const JudgedFlight flown = fly_and_judge(scenario);
+  EXPECT_GT(flown.opening.value().captured_after_s.value(), 0.0);
+  EXPECT_NEAR(*flown.opening->captured_after_s, flown.figures.capture.after_s.value(), 1e-9);
+}
+
 TEST_F(ACampaign, IsTheSameBytesWithEveryNumberOfThreadsAndAfterAnInterruption) {
   const auto runs = fly("one", 1);
   const std::string bytes = content(folder / "one" / "runs.csv.gz");

@@ -215,6 +215,15 @@ TEST(Criteria, InFlightsThatOnlyTheFinOffsetFailsTheOffsetIsNamedFirst) {
   EXPECT_LT(report.flown.runs[a.worst.front().index].numbers[1], -5.0);
 }
 
+TEST(Criteria, TheHeadlineSaysThatControlBeganInTheLaunchGuide) {
+  auto made = made_runs(1.4, 9.0);
+  EXPECT_EQ(headline(report_on(made)).find("launch guide"), std::string::npos);
+  made.runs[2].note = std::string{begun_on_guide_note} + "0.250 s before the rocket left the launch guide";
+  const std::string text = headline(report_on(made));
+  EXPECT_NE(text.find("In 1 run control began inside the launch guide"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with(" 0.250 s before the rocket left the launch guide.")) << text;
+}
+
 TEST(Criteria, AGateThatNeverOpensIsTheOnlyCriterionOfItsRun) {
   JudgedFlight judged;
   judged.verdict.outcome = report::Outcome::no_control;

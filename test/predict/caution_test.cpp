@@ -140,6 +140,17 @@ TEST(Caution, AGoNearTheTiltLimitNamesTheTilt) {
   EXPECT_EQ(tilt_caution(p), "") << "such a run is named as one that ends early";
 }
 
+TEST(Caution, ControlThatBeginsInTheLaunchGuideIsNoGo) {
+  Prediction p = all_held();
+  p.runs[3].begun_on_guide_s = 0.25;
+  p.runs[9].begun_on_guide_s = 0.125;
+  const Decision d = decide(p, {});
+  EXPECT_FALSE(d.go);
+  EXPECT_EQ(judgement_of(d, "guide"), Judgement::not_met);
+  EXPECT_EQ(figures(d.text), (Numbers{"2", "200", "0.250"}));
+  EXPECT_NE(d.text.find("check guide.length_m in the plan"), std::string::npos) << d.text;
+}
+
 // 73 of 73 is the least that can promise 95 %: 73 / (73 + 1.96^2) = 0.950.
 TEST(Caution, RunsThatAreTooFewToTellAreNoGo) {
   Prediction p = all_held();

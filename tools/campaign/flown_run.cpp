@@ -28,6 +28,10 @@ void take_figures(FlownRun& flown, const JudgedFlight& judged) {
   const report::Figures& figures = judged.figures;
   flown.outcome = report::name(judged.verdict.outcome);
   flown.failed_by = failed_criteria(judged);
+  if (judged.verdict.begun_on_guide_s) {
+    flown.note = fmt::format("{}{} s before the rocket left the launch guide", begun_on_guide_note,
+                             text::fixed(*judged.verdict.begun_on_guide_s, 3));
+  }
   flown.figures = {text::in_degrees(figures.largest_hold_error_rad),
                    figures.saturated_fraction,
                    text::in_degrees(figures.authority_margin_rad),

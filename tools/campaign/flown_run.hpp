@@ -60,6 +60,9 @@ inline constexpr std::size_t gate_time_column = figure_columns.size() - 8;
 /// The place of the first of the last three, which are flight::Extremes.
 inline constexpr std::size_t top_mach_column = figure_columns.size() - 3;
 
+/// The note of a run whose control began in the launch guide begins with it.
+inline constexpr std::string_view begun_on_guide_note = "control began ";
+
 /// One flight of a campaign, as it stands in a row.
 struct FlownRun {
   std::uint64_t run = 0;
@@ -71,7 +74,7 @@ struct FlownRun {
   std::string outcome{};
   std::array<std::optional<double>, figure_columns.size()> figures{};
   std::vector<std::string> failed_by{};  ///< the criteria that it does not meet (campaign/criteria.hpp)
-  std::string note{};                    ///< of a run without a flight's outcome: why
+  std::string note{};  ///< of a run without a flight's outcome: why; of others, that control began in the launch guide
 
   friend bool operator==(const FlownRun&, const FlownRun&) = default;
 };

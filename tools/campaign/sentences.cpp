@@ -55,6 +55,21 @@ void add_count(std::vector<std::string>& all, const Report& report, std::string_
   }
 }
 
+/// Such a flight may be held in the simulation all the same. With a space before it; empty: there is none.
+std::string begun_on_guide(const Report& report) {
+  const auto begins_there = [](const FlownRun& run) { return run.note.starts_with(begun_on_guide_note); };
+  const std::vector<FlownRun>& flown = report.flown.runs;
+  const auto count = std::ranges::count_if(flown, begins_there);
+  if (count == 0) {
+    return {};
+  }
+  const FlownRun& first = *std::ranges::find_if(flown, begins_there);
+  return fmt::format(
+      " In {} control began inside the launch guide, where moving canards can jam the rocket: check "
+      "guide.length_m in the plan. The first is run {}: {}.",
+      runs(static_cast<std::size_t>(count)), first.run, first.note);
+}
+
 std::vector<flight::Extremes> extremes_of_all(const Report& report) {
   std::vector<flight::Extremes> all;
   std::ranges::transform(report.flown.runs, std::back_inserter(all), extremes_of);
@@ -118,9 +133,10 @@ result::Answer answer_of(const Report& report) {
 std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
   return outside_the_model(report) + judged(report) +
-         fmt::format("{}: {} of {}, {} %; 95 % confidence interval {} to {} %.{}{}", a.question.words(), a.share.count,
-                     runs(a.share.of), percent(100.0 * a.share.value), end_percent(a.share.low, std::floor, a.required),
-                     end_percent(a.share.high, std::ceil, a.required), reasons(a), strongest_influence(a));
+         fmt::format("{}: {} of {}, {} %; 95 % confidence interval {} to {} %.{}{}{}", a.question.words(),
+                     a.share.count, runs(a.share.of), percent(100.0 * a.share.value),
+                     end_percent(a.share.low, std::floor, a.required), end_percent(a.share.high, std::ceil, a.required),
+                     reasons(a), strongest_influence(a), begun_on_guide(report));
 }
 
 std::string reasons(const Analysis& analysis) {

@@ -189,7 +189,7 @@ FlightCheck check_flight(const sim::Scenario& scenario) {
   if (std::string against = stability::works_against(scenario); !against.empty()) {
     found.warnings.push_back(std::move(against));
   }
-  if (flown.verdict.outcome != report::Outcome::held) {
+  if (flown.verdict.outcome != report::Outcome::held || flown.verdict.begun_on_guide_s) {
     found.warnings.push_back(fmt::format("a flight of {} with this plan: {}", scenario.name, found.verdict));
   }
   return found;

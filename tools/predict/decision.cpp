@@ -119,6 +119,9 @@ Decision decide(const Prediction& prediction, const Thresholds& thresholds, cons
   if (const auto opens = gate(prediction, thresholds.held_share)) {
     d.criteria.push_back(*opens);
   }
+  if (const auto guide = beyond_guide(prediction)) {
+    d.criteria.push_back(*guide);
+  }
   if (const auto tilt = tilt_limit(prediction)) {
     d.criteria.push_back(*tilt);
   }

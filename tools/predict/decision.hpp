@@ -74,6 +74,9 @@ struct Decision {
 /// a guide that hardly leans, and without a run under control.
 [[nodiscard]] std::optional<Criterion> tilt_limit(const Prediction& prediction);
 
+/// Control begins beyond the launch guide. Empty where it does in every run.
+[[nodiscard]] std::optional<Criterion> beyond_guide(const Prediction& prediction);
+
 /// A clause on a tilt under control that is less than five degrees below the plan's tilt limit, or, where the avionics
 /// measured less than the truth, above it; empty: there is none.
 /// In six degrees of freedom the largest of the runs, without those that come to the limit; with a leaning guide and

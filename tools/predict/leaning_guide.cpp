@@ -7,6 +7,7 @@
 
 #include "fly/gravity_turn.hpp"
 #include "predict/decision.hpp"
+#include "predict/sentences.hpp"
 #include "text/apart.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -98,11 +99,33 @@ std::optional<Criterion> tilt_limit(const Prediction& p) {
   if (pass.too_early()) {
     c.clause = fmt::format(
         "with a guide that leans by {} degrees, a point mass passes the plan's tilt limit of {} degrees from {} {} s "
-        "after lift-off, which ends control. The simulated rocket stays on the line of its guide and does not show "
+        "after lift-off. That ends control. The simulated rocket stays on the line of its guide and does not show "
         "this",
         brief(degrees(p.flown.guide.tilt_rad), 1), limit, flight::tilt_origin(p.flown.plan), fixed(*pass.at_s, 1));
   }
   return c;
+}
+
+std::optional<Criterion> beyond_guide(const Prediction& p) {
+  std::size_t count = 0;
+  double longest_s = 0.0;
+  for (const Run& run : p.runs) {
+    count += run.begun_on_guide_s ? 1 : 0;
+    longest_s = std::max(longest_s, run.begun_on_guide_s.value_or(0.0));
+  }
+  if (count == 0) {
+    return std::nullopt;
+  }
+  const std::string these =
+      count == p.runs.size() ? "in all runs" : fmt::format("in {} of {}", count, runs(p.runs.size()));
+  return Criterion{.key = "guide",
+                   .label = "Control begins beyond the launch guide",
+                   .found = "inside it " + these,
+                   .required = "in every run",
+                   .judgement = Judgement::not_met,
+                   .clause = fmt::format("{} control begins inside the launch guide, up to {} s before the rocket "
+                                         "leaves it. Moving canards can jam it there: check guide.length_m in the plan",
+                                         these, fixed(longest_s, 3))};
 }
 
 std::string tilt_caution(const Prediction& p) {

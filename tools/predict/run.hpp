@@ -44,6 +44,7 @@ struct Run {
   std::optional<double> lowest_speed_m_s{};      ///< under control, of fly::speeds_under_control_m_s()
   std::optional<dormancy::Opening> opening{};    ///< after lift-off; empty: canards stay at trim
   bool gate_stays_closed = false;                ///< to apogee
+  std::optional<double> begun_on_guide_s{};      ///< report::Verdict
   double top_speed_m_s = 0.0;
   flight::Extremes extremes{};
   std::optional<double> apogee_m{};
@@ -64,8 +65,9 @@ inline void fields(runs::RowText& text, Run& run) {
   text(run.seed, run.airframe, run.offset_rad, run.authority_margin_rad, run.outcome, run.verdict, run.ended_early,
        run.ended_by_tilt, run.largest_tilt_rad, run.notes, run.largest_hold_error_rad, run.saturated_share,
        run.settle_rad, run.settle_reference_rad, run.lowest_speed_m_s, run.opening, run.gate_stays_closed,
-       run.top_speed_m_s, run.extremes.top_mach, run.extremes.static_margin_calibres, run.extremes.angle_of_attack_rad,
-       run.apogee_m, run.drift_m, run.spin_rate_rad_s, run.roll_angle_rad, run.roll_rate_rad_s, run.reference_rad);
+       run.begun_on_guide_s, run.top_speed_m_s, run.extremes.top_mach, run.extremes.static_margin_calibres,
+       run.extremes.angle_of_attack_rad, run.apogee_m, run.drift_m, run.spin_rate_rad_s, run.roll_angle_rad,
+       run.roll_rate_rad_s, run.reference_rad);
 }
 
 /// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's

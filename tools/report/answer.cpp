@@ -143,7 +143,7 @@ result::Document summary(const flight::Flight& flight, const Figures& figures, c
                       .sentence = verdict.text,
                       .beside = beside_the_verdict(flight, figures, verdict),
                       // Steady, though not where it was commanded to be, or not off the guide yet.
-                      .with_caution = verdict.outcome == Outcome::off_command || !begun_on_guide(flight).empty()},
+                      .with_caution = verdict.outcome == Outcome::off_command || verdict.begun_on_guide_s},
           .facts = facts(flight, figures, verdict),
           .sections = {figures_section(flight, figures, verdict),
                        events_section(flight, verdict),

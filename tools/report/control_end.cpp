@@ -192,14 +192,19 @@ std::string no_control(const flight::Flight& flight, const Figures& f) {
                                           : fmt::format("No control: {}.", why_no_control(flight));
 }
 
-std::string begun_on_guide(const flight::Flight& flight) {
+std::optional<double> begun_on_guide_s(const flight::Flight& flight) {
   const auto& [start_s, clear_s] = std::pair{flight.events.control_start_s, flight.events.guide_clear_s};
-  return flight.tunnel || !start_s || !clear_s || *start_s >= *clear_s
-             ? ""
-             : fmt::format(
-                   " Control began {} s before the rocket left the launch guide, where moving canards can jam "
-                   "it: check guide.length_m in the plan.",
-                   text::fixed(*clear_s - *start_s, 3));
+  const bool is_on_guide = !flight.tunnel && start_s && clear_s && *start_s < *clear_s;
+  return is_on_guide ? std::optional{*clear_s - *start_s} : std::nullopt;
+}
+
+std::string begun_on_guide(const flight::Flight& flight) {
+  const auto before_s = begun_on_guide_s(flight);
+  return before_s ? fmt::format(
+                        " Control began {} s before the rocket left the launch guide, where moving canards can jam "
+                        "it: check guide.length_m in the plan.",
+                        text::fixed(*before_s, 3))
+                  : "";
 }
 
 bool nothing_controls_roll(const flight::Flight& flight) {

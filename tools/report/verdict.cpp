@@ -266,6 +266,7 @@ Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
   Verdict v = figures.control_time_s ? judge_flight(flight, figures)
                                      : Verdict{.outcome = Outcome::no_control, .text = no_control(flight, figures)};
   v.as_planned = !figures.control_time_s && gate_stayed_closed(flight);
+  v.begun_on_guide_s = begun_on_guide_s(flight);
   v.text += begun_on_guide(flight) + outages(flight) + unknown_roll(flight, figures) + unmeasured(flight) +
             canard_faults(flight);
   if (flight.trajectory_end_s) {

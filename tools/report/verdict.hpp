@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,9 +46,10 @@ inline constexpr std::array outcomes{Outcome::held,        Outcome::not_held,   
 
 struct Verdict {
   Outcome outcome = Outcome::no_control;
-  std::string text;             ///< plain sentences
-  bool ended_early = false;     ///< whatever the outcome
-  bool ended_by_tilt = false;   ///< early, at the plan's tilt limit
+  std::string text;                          ///< plain sentences
+  bool ended_early = false;                  ///< whatever the outcome
+  bool ended_by_tilt = false;                ///< early, at the plan's tilt limit
+  std::optional<double> begun_on_guide_s{};  ///< control began so long before the rocket left its launch guide
   bool as_planned = false;      ///< no control, because the plan's gate stayed closed: nothing was asked of the roll
   bool roll_is_judged = false;  ///< there is a word about how well the roll was held, whatever became of it then
 };

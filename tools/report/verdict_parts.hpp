@@ -21,6 +21,9 @@ inline constexpr double near_apogee_s = 0.5;
 /// The canards waited at trim for a gate that did not open in this flight: the plan asks for that, and nothing failed.
 [[nodiscard]] bool gate_stayed_closed(const flight::Flight& flight);
 
+/// Control began so long before the rocket left the launch guide. Empty: it did not.
+[[nodiscard]] std::optional<double> begun_on_guide_s(const flight::Flight& flight);
+
 /// " Control began 0.12 s before the rocket left the launch guide.", where that is known: canards that move in a guide
 /// can jam the rocket. Empty: it did not.
 [[nodiscard]] std::string begun_on_guide(const flight::Flight& flight);
