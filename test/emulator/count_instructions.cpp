@@ -35,7 +35,7 @@ struct Mode {
 /// Each alone, beside a flight without any.
 const std::array<Mode, 4> modes{
     Mode{"with_schedule", 40.0, {"gain_schedule.speeds_m_s=[20,40,60,80]", "gain_schedule.factors=[1.5,1.2,0.9,0.7]"}},
-    Mode{"with_integral", 56.0, {"offset.rejection=integral"}},
+    Mode{"with_integral", 57.5, {"offset.rejection=integral"}},
     Mode{"with_observer",
          71.0,
          {"offset.rejection=observer", "roll_model.roll_inertia_kg_m2=0.00393",
