@@ -183,8 +183,9 @@ std::vector<std::string> wind_sentences(const Brief& of) {
   }
   return {
       fmt::format("Simulated in steps of {} m/s, from four directions: up to {} m/s the flight stays within the roll "
-                  "model, and the tilt limit does not end control more than {} s before apogee.",
-                  text::brief(wind_step_m_s, 0), text::brief(*limit.passed_m_s, 0),
+                  "model.",
+                  text::brief(wind_step_m_s, 0), text::brief(*limit.passed_m_s, 0)),
+      fmt::format("Up to there the tilt limit ends control at most {} s before apogee.",
                   text::brief(limit.tilt_end_before_apogee_s, 2)),
       limit.first_failure.empty() ? "Stronger wind was not tried."
                                   : fmt::format("A{}.", limit.first_failure.substr(1))};
