@@ -59,18 +59,7 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
   const Phase before = flight_phase_.phase();
   const bool asks_both = before == Phase::launched || before == Phase::dormant;
   const bool agree = !asks_both || launch_detector_.agrees(inputs.time, inputs.accelerometers);
-  std::optional<float> by_barometer;
-  if (has_barometer_) {
-    barometric_height_.update(inputs, is_flight(before) || before == Phase::finished, record.motion);
-    record.barometer_state = barometric_height_.state();
-    by_barometer = barometric_height_.least_height_m();
-  }
-  if (is_gated_ && is_flight(before)) {
-    dormancy_gate_.update(inputs.time, record.motion, agree || before == Phase::launched, by_barometer);
-  }
-  if (has_barometer_) {
-    barometric_height_.correct(record.motion);
-  }
+  watch_height(inputs, before, agree);
   const bool changed = flight_phase_.update({.time = inputs.time,
                                              .arm_switch_closed = inputs.arm_switch_closed,
                                              .arm_command = inputs.arm_command,
@@ -216,6 +205,23 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
     begin_control(motion(time), time);
   } else if (from == Phase::controlling) {
     offset_estimator_.interrupt();
+  }
+}
+
+// The gate is asked about the motion as the accelerometer has it.
+void Autopilot::watch_height(const Inputs& inputs, Phase before, bool agree) {
+  TickRecord& record = record_;
+  std::optional<float> by_barometer;
+  if (has_barometer_) {
+    barometric_height_.update(inputs, is_flight(before) || before == Phase::finished, record.motion);
+    record.barometer_state = barometric_height_.state();
+    by_barometer = barometric_height_.least_height_m();
+  }
+  if (is_gated_ && is_flight(before)) {
+    dormancy_gate_.update(inputs.time, record.motion, agree || before == Phase::launched, by_barometer);
+  }
+  if (has_barometer_) {
+    barometric_height_.correct(record.motion);
   }
 }
 

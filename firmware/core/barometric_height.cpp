@@ -101,7 +101,11 @@ void BarometricHeight::follow(Microseconds time, float difference_m, const Motio
   const float left_m = difference_m - height_m_;
   height_m_ += dt_s * (vertical_speed_m_s_ + 2.0F * bandwidth_rad_s * left_m);
   vertical_speed_m_s_ += dt_s * bandwidth_rad_s * bandwidth_rad_s * left_m;
-  const auto within = [](float value, float limit) { return std::clamp(value, -std::abs(limit), std::abs(limit)); };
+  // Written so that what is no number comes to the limit.
+  const auto within = [](float value, float limit) {
+    const float largest = std::abs(limit);
+    return std::abs(value) <= largest ? value : std::copysign(largest, value);
+  };
   height_m_ = within(height_m_, most.height_m);
   vertical_speed_m_s_ = within(vertical_speed_m_s_, most.vertical_speed_m_s);
 }

@@ -32,6 +32,7 @@ int main() {
   Anything anything;
   height.visit_state(anything);
   const BarometricHeight before = height;
+  assume(!before.used_at_ || (before.last_time_ && *before.used_at_ <= *before.last_time_));
   assume(!before.least_height_m_ || before.state_ == BarometerState::used);
   assume(before.height_m_ == before.height_m_ && before.vertical_speed_m_s_ == before.vertical_speed_m_s_);  // numbers
 

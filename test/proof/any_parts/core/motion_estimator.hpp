@@ -71,6 +71,7 @@ class MotionEstimator {
     motion.has_fallen = nondet_bool();
     return motion;
   }
+  void motion(Microseconds now, Motion& made) const { made = motion(now); }
   [[nodiscard]] bool votes() const { return nondet_bool(); }
   [[nodiscard]] GyroVote gyro_vote() const { return proof::any_of<GyroVote>(gyro_votes); }
   [[nodiscard]] const void* end_of_flight_memory() const { return this + 1; }
