@@ -91,7 +91,10 @@ void BarometricHeight::compare(const Inputs& inputs, const Motion& motion) {
     return;
   }
   state_ = BarometerState::used;
-  least_height_m_ = std::min(height_m - own_error_m, believed_m);
+  // Both may be right and yet differ by more than the barometer alone may err. But then one of them is near the end of
+  // what it may be wrong by, and nobody knows which.
+  least_height_m_ = std::abs(difference_m) <= own_error_m ? std::optional{std::min(height_m - own_error_m, believed_m)}
+                                                          : std::nullopt;
   follow(time, difference_m, most);
 }
 

@@ -60,7 +60,8 @@ class BarometricHeight {
   }
 
   /// The rocket is above this, by the barometer with its error, and by the accelerometer without: neither alone opens a
-  /// gate. Empty while the barometer is not used.
+  /// gate. A barometer that is wrong by more than its error may make it too high, by as much as the accelerometer reads
+  /// too high. Empty while the barometer is not used, or differs by more than its own error.
   [[nodiscard]] std::optional<float> least_height_m() const { return least_height_m_; }
 
   /// Of the last update().

@@ -69,7 +69,7 @@ TEST(Gate, IsNamedByThePlan) {
   EXPECT_EQ(gate_name(with_gate(height)), "1500 m");
   EXPECT_EQ(gate_name(with_gate(burn_out_and_height)), "burn-out and 1500 m");
   EXPECT_EQ(gate_has_opened(with_gate(max_dynamic_pressure_and_height)),
-            "past the largest dynamic pressure and surely above 1500 m");
+            "past the largest dynamic pressure and the low end of its height above 1500 m");
   EXPECT_FALSE(gate_height_m(with_gate(burn_out)));
   EXPECT_EQ(gate_height_m(with_gate(burn_out_and_height)), 1500.0);
   EXPECT_FALSE(has_gate(with_gate(guide)));

@@ -64,9 +64,9 @@ int main() {
   CLAIM(!alone || silent || height.state_ == BarometerState::on_pad ||
         (height.height_m_ == 0.0F && height.vertical_speed_m_s_ == 0.0F));
   CLAIM(height.state_ != BarometerState::disagrees || height.state_ == before.state_ || height.height_m_ == 0.0F);
-  CLAIM(!used || (height.least_height_m_ &&
-                  !(*height.least_height_m_ >
-                    motion.height_m - motion.vertical_speed_m_s * seconds(inputs.time - *height.used_at_))));
+  CLAIM(!used || !height.least_height_m_ ||
+        !(*height.least_height_m_ >
+          motion.height_m - motion.vertical_speed_m_s * seconds(inputs.time - *height.used_at_)));
   CLAIM(!height.least_height_m_ || height.state_ == BarometerState::used);
 
   REACHABLE(1, used && moved);

@@ -11,16 +11,21 @@ namespace fantail::brief {
 namespace {
 
 /// Over ground where the flight has a path.
-double speed_m_s(const flight::Row& row, const flight::Flight& so_far) {
-  if (so_far.path.empty()) {
-    return row.truth->speed_m_s;
+double speed_m_s(const flight::PathPoint& at) { return std::hypot(at.north_m_s, at.east_m_s, at.up_m_s); }
+
+/// Points of a path are ten ticks apart; without a path the row has it.
+double speed_at(const std::vector<flight::PathPoint>& path, const Moment& moment) {
+  const flight::PathPoint* before = flight::point_at(path, moment.time_s);
+  if (before == nullptr || before == &path.back()) {
+    return before == nullptr ? moment.speed_m_s : speed_m_s(*before);
   }
-  const flight::PathPoint& at = so_far.path.back();
-  return std::hypot(at.north_m_s, at.east_m_s, at.up_m_s);
+  const flight::PathPoint& after = *(before + 1);
+  return std::lerp(speed_m_s(*before), speed_m_s(after),
+                   (moment.time_s - before->time_s) / (after.time_s - before->time_s));
 }
 
-Moment moment(const flight::Row& row, const flight::Flight& so_far) {
-  return {.time_s = row.time_s, .height_m = row.truth->height_m, .speed_m_s = speed_m_s(row, so_far)};
+Moment moment(const flight::Row& row) {
+  return {.time_s = row.time_s, .height_m = row.truth->height_m, .speed_m_s = row.truth->speed_m_s};
 }
 
 }  // namespace
@@ -31,10 +36,10 @@ NominalFlight fly_nominal(const sim::Scenario& scenario) {
   const campaign::JudgedFlight flown =
       campaign::fly_and_judge(scenario, [&](const flight::Row& row, const flight::Flight& so_far) {
         if (so_far.events.guide_clear_s && !guide_exit) {
-          guide_exit = moment(row, so_far);
+          guide_exit = moment(row);
         }
         if (so_far.events.control_start_s && !control_start) {
-          control_start = moment(row, so_far);
+          control_start = moment(row);
         }
       });
   const flight::Events& events = flown.flight.events;
@@ -44,6 +49,7 @@ NominalFlight fly_nominal(const sim::Scenario& scenario) {
   }
   for (std::optional<Moment>* one : {&guide_exit, &control_start}) {
     if (*one) {
+      (*one)->speed_m_s = speed_at(flown.flight.path, **one);
       (*one)->time_s = flown.flight.clock((*one)->time_s);
     }
   }

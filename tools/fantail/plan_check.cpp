@@ -11,6 +11,7 @@
 #include "campaign/flown_run.hpp"
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
+#include "fantail/plan_against_scenario.hpp"
 #include "fantail/plan_outlook.hpp"
 #include "fantail/plan_rules.hpp"
 #include "fantail/scenario_options.hpp"
@@ -185,6 +186,9 @@ FlightCheck check_flight(const sim::Scenario& scenario) {
         text::brief(static_cast<double>(core::seconds(scenario.plan.run.control_time)), 3),
         text::fixed(*found.before_apogee_s, 2), scenario.name,
         text::fixed(*events.apogee_s - *events.control_start_s, 2)));
+  }
+  for (std::string& otherwise : plan_against_scenario(scenario)) {
+    found.warnings.push_back(std::move(otherwise));
   }
   if (std::string against = stability::works_against(scenario); !against.empty()) {
     found.warnings.push_back(std::move(against));

@@ -153,9 +153,10 @@ void fill(const Verb& plan) {
   auto options = std::make_shared<PlanOptions>();
   const Verb check = add(plan, checking, options);
   check
-      .option("--scenario", options->scenario,
-              "A scenario whose rocket is to fly it. The phase margin of the loop is checked from the speed at control "
-              "start to top speed. Below 45 degrees is a warning; an unstable loop is refused")
+      .option(
+          "--scenario", options->scenario,
+          "A scenario whose rocket is to fly it. The phase margin of the loop is checked from 20 m/s, or control start "
+          "if that is slower, to top speed. Below 45 degrees is a warning; an unstable loop is refused")
       .offers(shipped(input::Shipped::scenario));
   check
       .option("--rules", options->rules,

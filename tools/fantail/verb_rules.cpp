@@ -95,7 +95,8 @@ void check_rules(const RulesOptions& options) {
   const rules::Pack pack = rules::load_pack(options.pack);
   const Held held =
       is_log(options.scenario.scenario) ? hold_log(options, pack.file) : hold_scenario(options, pack.file);
-  const std::string name = fmt::format("{}+{}", pack.name, held.name);
+  const std::string name =
+      fmt::format("{}+{}{}", pack.name, held.name, is_log(options.scenario.scenario) ? "_flown" : "");
   deliver(rules::answer(pack, held.subject, rules::judge(pack, held.subject), held.made),
           {.folder = results_folder(options.out, "rules", short_name(name), {}),
            .name = "rules",
@@ -115,7 +116,8 @@ void fill(const Verb& verb) {
                        ", which is flown once. Or a flight log (.ftl), a table with the columns of flight.csv, or a "
                        "flight folder");
   verb.option("--out", options->out,
-              "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO, with the changes in the name]")
+              "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO, with the changes in the name; of a log "
+              "out/rules/PACK+LOG_flown]")
       .offers(folders);
   verb.flag("--json", options->json, "Print rules.json instead of the text");
   verb.examples(

@@ -61,7 +61,7 @@ std::string gate_has_opened(const Flight& flight) {
   return both(gate.burn_out   ? "burn-out detected"
               : gate.pressure ? "past the largest dynamic pressure"
                               : "",
-              gate.height ? "surely above " + height(flight) : "");
+              gate.height ? "the low end of its height above " + height(flight) : "");
 }
 
 std::string gate_has_closed(const Flight& flight) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "flight/gate.hpp"
 #include "fly/gravity_turn.hpp"
 #include "sim/units.hpp"
 
@@ -131,7 +132,7 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
     angle_rad = largest->angle_of_attack_rad;
     text =
         fmt::format("The angle of attack is {:.0f} deg at the end of the guide", degrees(point->angle_of_attack_rad));
-    if (largest != point) {
+    if (largest != point && !flight::has_gate(flight)) {
       text += fmt::format(", and up to {:.0f} deg later, at {:.2f} s", degrees(angle_rad), largest->time_s);
     }
   } else {
@@ -139,6 +140,15 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
         "A wind of {:.3g} m/s, which is not simulated, meets the rocket at the end of its guide ({:.0f} m/s) at {:.0f} "
         "deg",
         scenario.wind.speed_m_s, *exit_speed_m_s, degrees(angle_rad));
+  }
+  if (flight::has_gate(flight)) {  // until then the canards stand at trim
+    const flight::PathPoint* start = flight::point_at(flight.path, flight.events.control_start_s.value_or(-1.0));
+    if (start == nullptr) {
+      return text + ".";
+    }
+    const flight::PathPoint* largest = largest_angle_of_attack(flight, *start, flight.events.apogee_s);
+    angle_rad = largest->angle_of_attack_rad;
+    text += fmt::format(", and up to {:.1f} deg under control, at {:.2f} s", degrees(angle_rad), largest->time_s);
   }
   const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(flight::model_ends_at_attack_rad);
   const double limit_rad = flight::canard_limit_rad(scenario.plan);

@@ -88,7 +88,9 @@ std::vector<result::Block> stability(const P& p, const Decision& decision) {
   margin.chart.levels = {
       {.value = asked_deg, .label = fmt::format("{} degrees required", brief(asked_deg, 1)), .role = Role::limit}};
   margin.caption = fmt::format(
-      "How far the loop is from oscillating, between the speed at control start and top speed. The servo lag is {} ms, "
+      "How far the loop is from oscillating, from 20 m/s, or from control start if that is slower, to the top speed. "
+      "The "
+      "servo lag is {} ms, "
       "the dead time {} ms.",
       brief(1e3 * p.servo_lag_s, 1), brief(1e3 * p.delay_s, 1));
   std::vector<result::Block> all{margin, over_speed};
