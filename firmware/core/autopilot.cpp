@@ -69,13 +69,17 @@ const TickRecord& Autopilot::step(const Inputs& inputs) {
                                              .timing_fault = record.timing_fault,
                                              .canard_fault = canard_fault_,
                                              .gate_is_open = !is_gated_ || dormancy_gate_.is_open(),
-                                             .abort = inputs.abort},
+                                             .abort = inputs.abort,
+                                             .climbs = has_barometer_ && barometric_height_.climbs(record.motion)},
                                             record.motion);
   record.phase = flight_phase_.phase();
   record.reason = flight_phase_.reason();
   if (changed) {
     enter_phase(inputs.time, before, record.phase);
-    record.motion = motion(inputs.time);
+    motion_estimator_.motion(inputs.time, record.motion);
+  }
+  if (has_barometer_) {
+    barometric_height_.correct(record.motion);
   }
 
   Angle asked_of_each;
@@ -202,13 +206,13 @@ void Autopilot::enter_phase(Microseconds time, Phase from, Phase to) {
     launch_detector_.reset();
   }
   if (to == Phase::controlling) {
-    begin_control(motion(time), time);
+    begin_control(motion_estimator_.motion(time), time);
   } else if (from == Phase::controlling) {
     offset_estimator_.interrupt();
   }
 }
 
-// The gate is asked about the motion as the accelerometer has it.
+// Gate and phase are asked about the motion as the accelerometer has it.
 void Autopilot::watch_height(const Inputs& inputs, Phase before, bool agree) {
   TickRecord& record = record_;
   std::optional<float> by_barometer;
@@ -220,17 +224,6 @@ void Autopilot::watch_height(const Inputs& inputs, Phase before, bool agree) {
   if (is_gated_ && is_flight(before)) {
     dormancy_gate_.update(inputs.time, record.motion, agree || before == Phase::launched, by_barometer);
   }
-  if (has_barometer_) {
-    barometric_height_.correct(record.motion);
-  }
-}
-
-Motion Autopilot::motion(Microseconds now) const {
-  Motion motion = motion_estimator_.motion(now);
-  if (has_barometer_) {
-    barometric_height_.correct(motion);
-  }
-  return motion;
 }
 
 // A law that begins as published has no turns and no estimate to begin with.

@@ -84,7 +84,6 @@ class Autopilot {
   void enter_phase(Microseconds time, Phase from, Phase to);
   void begin_control(const Motion& motion, Microseconds time);
   void watch_height(const Inputs& inputs, Phase before, bool agree);
-  [[nodiscard]] Motion motion(Microseconds now) const;
   /// The roll command that each canard is asked for.
   [[nodiscard]] Angle control(Microseconds since_control_start);
   /// Whether the work of a canard that does not follow goes to the others.

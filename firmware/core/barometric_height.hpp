@@ -34,8 +34,8 @@ inline constexpr std::size_t barometer_states = 6;
 ///
 /// The accelerometer's integral goes on untouched. What is added to it follows the difference to the barometer with a
 /// critically damped filter of 1 rad/s, and is never more than the plan says the accelerometer may be wrong by. So a
-/// barometer that lies can do no more than an accelerometer as bad as the plan allows, and neither begins a launch nor
-/// ends one by itself.
+/// barometer that lies can do no more than an accelerometer as bad as the plan allows. It begins no launch. Apogee is
+/// where the accelerometer says so and both together do: it never comes early for the barometer's sake.
 ///
 /// Its own error: the air at the pad is colder or warmer than planned, and every height scales with it; flow over the
 /// ports, a tenth of the dynamic pressure; air that comes late through them; 5 m for all else. Above 100 m/s it is not
@@ -57,6 +57,11 @@ class BarometricHeight {
   void correct(Motion& motion) const {
     motion.height_m += height_m_;
     motion.vertical_speed_m_s += vertical_speed_m_s_;
+  }
+
+  /// By both together. Where they are wrong, apogee may be noticed late, and never early for the barometer's sake.
+  [[nodiscard]] bool climbs(const Motion& motion) const {
+    return motion.vertical_speed_m_s + vertical_speed_m_s_ >= 0.0F;
   }
 
   /// The rocket is above this, by the barometer with its error, and by the accelerometer without: neither alone opens a

@@ -10,7 +10,10 @@ constexpr Angle steepest_guide = Angle::from_degrees(45.0F);
 // Longer than any rocket climbs that this law was made for. Where the speed is only a lower bound nobody sees apogee.
 constexpr Microseconds longest_dormancy{120'000'000};
 
-bool falls(const Motion& motion) { return motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound; }
+// Meets BAR-1.
+bool falls(const PhaseInputs& inputs, const Motion& motion) {
+  return motion.vertical_speed_m_s < 0.0F && !motion.speed_is_lower_bound && !inputs.climbs;
+}
 
 }  // namespace
 
@@ -170,7 +173,7 @@ std::optional<PhaseReason> FlightPhase::fault_in_flight(const PhaseInputs& input
 std::optional<PhaseReason> FlightPhase::end_of_control(const PhaseInputs& inputs, const Motion& motion) const {
   // Near apogee there is no flow over the canards, and after it the recovery system works.
   // A speed that is a lower bound comes to zero too early: then time and tilt end control.
-  if (run_.start == Start::launch && falls(motion)) {
+  if (run_.start == Start::launch && falls(inputs, motion)) {
     return PhaseReason::apogee;
   }
   if (inputs.time - control_start_.value_or(entered_) >= run_.control_time) {
@@ -185,7 +188,7 @@ std::optional<FlightPhase::Transition> FlightPhase::from_dormant(const PhaseInpu
   std::optional<PhaseReason> end = fault_in_flight(inputs, motion);
   if (!end && control_start_) {
     end = end_of_control(inputs, motion);
-  } else if (!end && (falls(motion) || inputs.time - entered_ >= longest_dormancy)) {
+  } else if (!end && (falls(inputs, motion) || inputs.time - entered_ >= longest_dormancy)) {
     // Time opens no gate: what the plan waits for has not come in this flight, and the canards have stood at trim.
     end = PhaseReason::gate_never_opened;
   }

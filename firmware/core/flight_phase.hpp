@@ -76,6 +76,7 @@ struct PhaseInputs {
   bool canard_fault = false;  ///< some canard is not healthy; what follows from it says the plan
   bool gate_is_open = true;   ///< of DormancyGate
   bool abort = false;         ///< asked for at the abort input, by the plan's sense
+  bool climbs = false;        ///< a barometer says so: apogee is then not believed of the accelerometer alone
 };
 
 /// Safe -> Armed -> Launched -> Dormant, while the plan's gate is closed -> Controlling -> Finished. Starts in Safe;

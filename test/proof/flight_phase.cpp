@@ -50,7 +50,8 @@ int main() {
                            .timing_fault = nondet_bool(),
                            .canard_fault = nondet_bool(),
                            .gate_is_open = nondet_bool(),
-                           .abort = nondet_bool()};
+                           .abort = nondet_bool(),
+                           .climbs = nondet_bool()};
   Motion motion{};
   motion.distance_along_guide_m = nondet_float();
   motion.speed_m_s = nondet_float();

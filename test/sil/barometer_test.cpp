@@ -174,5 +174,27 @@ TEST(Barometer, OneThatLiesNeitherBeginsALaunchNorEndsAFlightNorOpensAGateBelowI
   }
 }
 
+// The second launch, slow enough for a barometer that stands still to agree with the accelerometer up to apogee.
+TEST(Barometer, OneThatLiesNeverEndsControlBeforeTheAccelerometerAloneWould) {
+  const auto launch2 = [](bool with_barometer) {
+    sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+    scenario.vehicle.barometer.is_fitted = with_barometer;
+    scenario.plan.sensors.barometer = with_barometer ? core::BarometerUse::fused : core::BarometerUse::none;
+    return scenario;
+  };
+  const Outcome alone = fly(launch2(false));
+  ASSERT_EQ(alone.reason, PhaseReason::apogee);
+  for (const Behaviour how :
+       {Behaviour::stuck, Behaviour::blocked, Behaviour::dead, Behaviour::hangs, Behaviour::garbage, Behaviour::lit}) {
+    for (const double from_s : {-0.5, 3.0, 6.0, 8.0}) {
+      const Outcome lied =
+          fly(launch2(true), {{.device = Device::barometer, .how = how, .from_s = from_s, .until_s = 200.0}});
+      EXPECT_EQ(lied.reason, PhaseReason::apogee);
+      EXPECT_GE(*lied.ended_s, *alone.ended_s) << static_cast<int>(how) << " from " << from_s;
+      EXPECT_LT(*lied.ended_s, *alone.ended_s + 1.0) << static_cast<int>(how) << " from " << from_s;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fantail::sil::barometers

@@ -10,53 +10,55 @@
 namespace fantail::brief {
 namespace {
 
-/// Over ground where the flight has a path.
 double speed_m_s(const flight::PathPoint& at) { return std::hypot(at.north_m_s, at.east_m_s, at.up_m_s); }
 
-/// Points of a path are ten ticks apart; without a path the row has it.
-double speed_at(const std::vector<flight::PathPoint>& path, const Moment& moment) {
-  const flight::PathPoint* before = flight::point_at(path, moment.time_s);
-  if (before == nullptr || before == &path.back()) {
-    return before == nullptr ? moment.speed_m_s : speed_m_s(*before);
+/// The first row with an event. Its speed is over ground where the flight has a path, between two of its points, which
+/// are ten ticks apart.
+class FirstRow {
+ public:
+  void look(bool has_come, const flight::Row& row, const std::vector<flight::PathPoint>& path) {
+    if (has_come && !moment_) {
+      moment_ = Moment{.time_s = row.time_s, .height_m = row.truth->height_m, .speed_m_s = row.truth->speed_m_s};
+      before_ = path.empty() ? std::nullopt : std::optional{path.back()};
+    } else if (before_ && path.back().time_s > before_->time_s) {
+      moment_->speed_m_s = std::lerp(speed_m_s(*before_), speed_m_s(path.back()),
+                                     (moment_->time_s - before_->time_s) / (path.back().time_s - before_->time_s));
+      before_.reset();
+    }
   }
-  const flight::PathPoint& after = *(before + 1);
-  return std::lerp(speed_m_s(*before), speed_m_s(after),
-                   (moment.time_s - before->time_s) / (after.time_s - before->time_s));
-}
+  [[nodiscard]] std::optional<Moment> moment(const flight::Flight& flight) const {
+    std::optional<Moment> found = moment_;
+    if (found) {
+      found->time_s = flight.clock(found->time_s);
+    }
+    return found;
+  }
 
-Moment moment(const flight::Row& row) {
-  return {.time_s = row.time_s, .height_m = row.truth->height_m, .speed_m_s = row.truth->speed_m_s};
-}
+ private:
+  std::optional<Moment> moment_{};
+  std::optional<flight::PathPoint> before_{};  ///< while the next one is waited for
+};
 
 }  // namespace
 
 NominalFlight fly_nominal(const sim::Scenario& scenario) {
-  std::optional<Moment> guide_exit;
-  std::optional<Moment> control_start;
+  FirstRow off_guide;
+  FirstRow in_control;
   const campaign::JudgedFlight flown =
       campaign::fly_and_judge(scenario, [&](const flight::Row& row, const flight::Flight& so_far) {
-        if (so_far.events.guide_clear_s && !guide_exit) {
-          guide_exit = moment(row);
-        }
-        if (so_far.events.control_start_s && !control_start) {
-          control_start = moment(row);
-        }
+        off_guide.look(so_far.events.guide_clear_s.has_value(), row, so_far.path);
+        in_control.look(so_far.events.control_start_s.has_value(), row, so_far.path);
       });
+  const auto guide_exit = off_guide.moment(flown.flight);
   const flight::Events& events = flown.flight.events;
   if (!guide_exit || !events.apogee_s || !flown.figures.apogee_m || !flown.figures.max_speed_m_s) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       scenario.name + ": the rocket does not leave its guide, or it does not reach an apogee"};
   }
-  for (std::optional<Moment>* one : {&guide_exit, &control_start}) {
-    if (*one) {
-      (*one)->speed_m_s = speed_at(flown.flight.path, **one);
-      (*one)->time_s = flown.flight.clock((*one)->time_s);
-    }
-  }
   return {.apogee_m = *flown.figures.apogee_m,
           .top_speed_m_s = *flown.figures.max_speed_m_s,
           .guide_exit = *guide_exit,
-          .control_start = control_start,
+          .control_start = in_control.moment(flown.flight),
           .was_armed = flown.flight.why_not_armed.empty(),
           .was_dormant = events.dormant_s.has_value(),
           .burns_at_control_start =

@@ -143,8 +143,11 @@ std::string headline(const Brief& of) {
       landing.failed_without_landing == 0
           ? ""
           : fmt::format(" ({} did not land under it)", text::counted(landing.failed_without_landing, "flight"));
-  return fmt::format("{}Healthy or with a failed canard, it lands within {} m of the guide under its parachute{}; {}.",
-                     all, text::fixed(*landing_m, 0), unknown, fall);
+  return fmt::format(
+      "{}Healthy or with a failed canard, {} it lands within {} m of the guide under its parachute{}; another wind "
+      "moves that. And {}.",
+      all, of.wind_m_s > 0.0 ? fmt::format("in a wind of {} m/s", text::brief(of.wind_m_s, 1)) : "in calm air",
+      text::fixed(*landing_m, 0), unknown, fall);
 }
 
 std::vector<std::string> landing_sentences(const Brief& of) {

@@ -38,6 +38,7 @@ class Ascent {
                               .disturbance_rad = truth.disturbance_rad};
     watch_.add(row, flight_);
     if (core::is_flight(record.phase)) {
+      found_.gyro_was_at_its_end = found_.gyro_was_at_its_end || record.motion.rate_is_lower_bound;
       thrust_since_s_ = in_seconds(record.motion.thrust_since);
     }
     if (world.events().liftoff && !found_.apogee) {

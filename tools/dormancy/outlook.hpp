@@ -30,6 +30,7 @@ struct Outlook {
   double top_speed_m_s = 0.0;        ///< before that, or of the whole ascent
   /// Where the canards stayed at trim to the end: why control ended, or what the flight code last waited for.
   std::optional<core::PhaseReason> stayed_because{};
+  bool gyro_was_at_its_end = false;  ///< in flight: then no gate opens by height or dynamic pressure
 
   /// The canards leave trim so long after the last thrust. Below zero: the motor still burns.
   [[nodiscard]] std::optional<double> opens_after_thrust_s() const;

@@ -176,6 +176,10 @@ std::string never_opened(const sim::Scenario& scenario, const Outlook& outlook) 
           "the gate is not reached: the apogee of {} m is below dormancy.height_m = {}. Control never begins",
           text::apart(outlook.apogee->height_m, height_m, 0), asked);
     }
+    if (plan.dormancy.until == DormantUntil::height && outlook.gyro_was_at_its_end) {
+      return "the gate is not reached: the gyro was at the end of its range, so the height is not known. Control never "
+             "begins";
+    }
     if (plan.dormancy.until == DormantUntil::height) {
       return fmt::format(
           "the gate is not reached: at the apogee of {} m the height is not known well enough to be above "

@@ -17,7 +17,6 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double rounding_rad = 0.001 * degree;
 // After a reset a canard is commanded from where its encoder reads it to trim, whose noise and play are this much.
 constexpr double encoder_rad = 0.3 * degree;
-constexpr double early_s = 0.1;
 constexpr double same_tick_s = 0.0005;
 
 bool is_at_rest(core::Phase phase) { return phase != core::Phase::safe && phase != core::Phase::controlling; }
@@ -27,7 +26,9 @@ bool is_at_rest(core::Phase phase) { return phase != core::Phase::safe && phase 
 Limits limits_of(const sim::Scenario& scenario) {
   constexpr double hard_limit_rad = 20.0 * degree;
   const core::FlightPlan& plan = scenario.plan;
-  Limits limits{.shafts = shaft_limits(scenario), .any_turn = plan.controller.entry == core::ControlEntry::capture};
+  Limits limits{.shafts = shaft_limits(scenario),
+                .any_turn = plan.controller.entry == core::ControlEntry::capture,
+                .early_s = plan.sensors.barometer == core::BarometerUse::none ? 0.1 : 0.5};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const core::CanardPlan& canard = plan.canards.each[i];
     limits.trim_rad[i] = static_cast<double>(canard.trim.radians());
@@ -171,7 +172,7 @@ void Judge::look_at_roll(const Moment& moment) {
 }
 
 Findings Judge::findings() const {
-  constexpr std::size_t early = static_cast<std::size_t>(early_s * 1e3);
+  const auto early = static_cast<std::size_t>(limits_.early_s * 1e3);
   Findings all = findings_;
   all.travel_s = limits_.shafts.travel_s;
   all.lasted = control_end_ && twin_.control_end && *control_end_ + early >= *twin_.control_end;

@@ -34,6 +34,9 @@ struct Limits {
   std::array<double, core::canard_count> limit_rad{};  ///< smallest of plan, hard limit and mechanical stop
   ShaftLimits shafts{};
   bool any_turn = false;  ///< with capture a roll that is whole turns away is the same
+  /// Control may end so long before the twin's. A twin with a barometer notices apogee a little later than the
+  /// accelerometer alone.
+  double early_s = 0.1;
 };
 [[nodiscard]] Limits limits_of(const sim::Scenario& scenario);
 
@@ -59,7 +62,7 @@ struct FaultTime {
 struct Findings {
   bool armed = false;
   bool controlled = false;
-  bool lasted = false;     ///< control went on until at most 0.1 s before the twin's ended
+  bool lasted = false;     ///< control went on until at most Limits::early_s before the twin's ended
   double apart_deg = 0.0;  ///< largest difference from the twin's roll, from the fault on while the twin controls
   double apart_settled_deg = 0.0;  ///< likewise, from settle_s after the end of the fault on
   double apart_at_end_deg = 0.0;   ///< likewise, in the last moment that the twin controls

@@ -65,6 +65,10 @@ std::string obstacle_before(const Flight& flight, const core::FlightPlan& plan) 
       return "The flight law has a different state with a barometer than without: sensors.barometer cannot be changed "
              "in a replay.";
     }
+    if (flight.plan && flight.state_layout == state_layout(*flight.plan)) {
+      return "The flight law has a different state with a gate or capture than without: dormancy.until = \"guide\" and "
+             "controller.entry cannot be changed in a replay.";
+    }
     return "It was flown with another version of the flight law.";
   }
   return flight.checkpoints.empty() ? "It contains no checkpoint from which a replay could start." : "";
@@ -231,7 +235,8 @@ core::FlightPlan plan_for_replay(const Flight& flight, const std::string& log,
                                   : "It has no intact header, so there is no flight plan.");
   }
   for (const input::Override& change : changes) {
-    if (change.section == "sensors" && !change.key.starts_with("gyro")) {
+    const bool turns = change.key.ends_with("_to_nose") || change.key.ends_with("_along_y");
+    if (change.section == "sensors" && turns) {
       refuse(log, fmt::format("{} changes nothing in a replay: the values in a log are already in the rocket's axes",
                               change.text()));
     }

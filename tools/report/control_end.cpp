@@ -92,7 +92,11 @@ std::string gate_never_opened(const flight::Flight& flight, const Figures& f, co
     return fmt::format("the measured height reached {} m, the gate opens at {} m", text::fixed(seen_m, 0),
                        text::brief(*gate_m, 1));
   }
-  const std::string low_end = gate_m ? "; it counts the low end of the height's error" : "";
+  const bool needs_rate = flight.plan.dormancy.until != core::DormantUntil::burn_out;
+  const std::string low_end = needs_rate && flight.unmeasured.spin_for_s > 0.0
+                                  ? "; the gyro was at the end of its range, so height and speed were not known"
+                              : gate_m ? "; it counts the low end of the height's error"
+                                       : "";
   return fmt::format("the plan waits for {}, and that did not come before {} s{}", flight::gate_name(flight),
                      text::fixed(change.time_s, 2), low_end);
 }
