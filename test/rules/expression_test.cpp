@@ -14,11 +14,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const std::map<std::string, Known> values{{"height_m", exactly(1500.0)},
                                           {"late_s", Number{3.1, infinity}},
                                           {"about", Number{2.0, 4.0}},
+                                          {"beyond", exactly(infinity)},
                                           {"open", true},
                                           {"until", std::string{"guide"}}};
 const std::map<std::string, Meaning> meanings{{"height_m", {}},
                                               {"late_s", {}},
                                               {"about", {}},
+                                              {"beyond", {}},
                                               {"hidden", {.type = Type::flag}},
                                               {"hidden_m", {}},
                                               {"open", {.type = Type::flag}},
@@ -107,6 +109,17 @@ TEST(Expression, OfANumberWhoseEndsAreKnownIsDecidedWhereEveryNumberBetweenThemD
   EXPECT_EQ(truth("1 / (about - 3) > 0"), "unknown");  // a division by zero is among them
   EXPECT_EQ(truth("1 / 0 > 0"), "unknown");
   EXPECT_EQ(truth("late_s * 0 == 0"), "unknown");
+}
+
+TEST(Expression, OfAValueBeyondEveryNumberIsUnknown) {
+  EXPECT_EQ(truth("1e308 * 10 > 0"), "unknown");
+  EXPECT_EQ(truth("-1e308 * 10 < 0"), "unknown");
+  EXPECT_EQ(truth("1e308 + 1e308 >= 1"), "unknown");
+  EXPECT_EQ(truth("1 / 1e-320 > 1"), "unknown");
+  EXPECT_EQ(truth("1e308 * 10 == 1e308 * 10"), "unknown");
+  EXPECT_EQ(truth("1e308 * 10 > 0 or true"), "true");
+  EXPECT_EQ(truth("beyond > 1"), "unknown");
+  EXPECT_EQ(truth("late_s + 1 > 4"), "true");  // it reaches to infinity, and begins at a number
 }
 
 TEST(Expression, TellsTheNamesThatItNeedsEachOnce) {

@@ -105,11 +105,11 @@ TEST(FlightFigures, OfASimulatedFlightAreThoseOfItsEventsAndTruth) {
 
 TEST(FlightFigures, OfALogHaveABurnOutThatIsNoEarlierThanTheLastForceAlongTheAxis) {
   flight::Flight log = logged(flown());
-  const Number seen = number(of_flight(log, {}), "flight.burnout_s");
+  const Number seen = number(of_log(log), "flight.burnout_s");
   EXPECT_NEAR(seen.low, 3.19, 0.05);
   EXPECT_TRUE(std::isinf(seen.high));
   log.plan.dormancy.burn_time = core::Microseconds{3'500'000};
-  const Number stated = number(of_flight(log, {}), "flight.burnout_s");
+  const Number stated = number(of_log(log), "flight.burnout_s");
   EXPECT_NEAR(stated.low, 3.5, 1e-6);
   EXPECT_EQ(stated.low, stated.high);
 }
@@ -119,7 +119,7 @@ TEST(FlightFigures, OfALogThatEndsUnderThrustAreLowerBounds) {
   std::erase_if(log.rows, [](const flight::Row& row) { return row.time_s > 2.0; });
   log.events.control_end_s.reset();
   log.plan.dormancy.burn_time = core::Microseconds{1'000'000};  // which the log contradicts
-  const Findings all = of_flight(log, {});
+  const Findings all = of_log(log);
   for (const char* name : {"flight.burnout_s", "flight.max_q_s", "flight.apogee_m", "flight.top_speed_m_s"}) {
     EXPECT_TRUE(std::isinf(number(all, name).high)) << name;
   }
@@ -129,17 +129,17 @@ TEST(FlightFigures, OfALogThatEndsUnderThrustAreLowerBounds) {
 // No canard had moved by then; whether one did before burn-out nobody recorded.
 TEST(FlightFigures, OfALogThatEndsBeforeAnyCanardMovedDoNotSayThatNoneDid) {
   flight::Flight log = logged(flown());
-  EXPECT_EQ(of_flight(log, {}).at("flight.left_trim").known, Known{true});
+  EXPECT_EQ(of_log(log).at("flight.left_trim").known, Known{true});
   std::erase_if(log.rows, [](const flight::Row& row) { return row.time_s > 0.5; });
-  EXPECT_FALSE(of_flight(log, {}).at("flight.left_trim").known);
+  EXPECT_FALSE(of_log(log).at("flight.left_trim").known);
 }
 
 TEST(FlightFigures, OfALogWithoutALaunchOrAPlanAreUnknown) {
   flight::Flight log = logged(flown());
   log.known.plan = false;
-  EXPECT_FALSE(of_flight(log, {}).at("flight.left_trim").known);
+  EXPECT_FALSE(of_log(log).at("flight.left_trim").known);
   log.events.detected_s.reset();
-  for (const auto& [name, found] : of_flight(log, {})) {
+  for (const auto& [name, found] : of_log(log)) {
     EXPECT_FALSE(found.known) << name;
   }
 }

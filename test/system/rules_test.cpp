@@ -93,6 +93,18 @@ TEST(Rules, JudgeOfALogWhatWasFlownAndNotTheScenario) {
   EXPECT_EQ(outcomes(table)["7.4.1 (flight)"], "NOT_KNOWN");
 }
 
+// What its rows do not show neither passes, nor is it said that it never happened.
+TEST(Rules, LeaveOpenWhatALogThatEndsUnderThrustDoesNotShow) {
+  const Folder folder;
+  run_in(folder, with({"fly", "tasha3_launch2", "--out", "late"}, legal));
+  const auto log = folder.path() / "late/flight.ftl";
+  std::filesystem::copy_file(log, folder.path() / "cut.ftl");
+  std::filesystem::resize_file(folder.path() / "cut.ftl", std::filesystem::file_size(log) / 8);
+  const json::Value said = asked(folder, {"rules", "irec", "cut.ftl"}, 1);
+  EXPECT_EQ(outcomes(said)["7.4.1 (flight)"], "NOT_KNOWN");
+  EXPECT_NE(said["compared"].text().find(", which does not show whether control began"), std::string::npos);
+}
+
 // The command stands at trim, and the canard does not.
 TEST(Rules, FailAFlightWhoseCanardMovesByItself) {
   const Folder folder;

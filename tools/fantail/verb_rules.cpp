@@ -17,6 +17,7 @@
 #include "input/shipped.hpp"
 #include "logs/flight_file.hpp"
 #include "rules/judge.hpp"
+#include "rules/record.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -80,10 +81,10 @@ Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
   const flight::Flight flight = logs::read_flight(log);
   refuse_unless_launch(!flight.tunnel, log);
   held.subject.what = fmt::format("{}, as it was recorded{}", log, flight.known.plan ? "" : ", without a flight plan") +
-                      (flight.known.phase ? rules::without_control(flight) : "");
+                      (flight.known.phase ? rules::control_in_log(flight).of_subject : "");
   held.subject.why_missing =
       flight.known.plan ? "a log does not tell it" : "a table without a flight plan does not tell it";
-  held.subject.found = rules::of_flight(flight, {});
+  held.subject.found = rules::of_log(flight);
   if (flight.known.plan) {
     held.subject.found.merge(rules::of_plan(flight.plan));
     held.subject.found.merge(rules::of_law());

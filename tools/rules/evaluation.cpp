@@ -17,6 +17,12 @@ Maybe between(std::initializer_list<double> ends) {
   return Number{std::min(ends), std::max(ends)};
 }
 
+/// What lies beyond every number is no value.
+Maybe finite(const Maybe& known) {
+  const auto* number = known ? std::get_if<Number>(&*known) : nullptr;
+  return number == nullptr || can_be_finite(*number) ? known : std::nullopt;
+}
+
 Maybe calculated(char sign, const Number& a, const Number& b) {
   switch (sign) {
     case '+': return between({a.low + b.low, a.high + b.high});
@@ -52,14 +58,14 @@ std::optional<Known> Expression::value_at(std::size_t at, const ValueOf& value_o
   const Node& node = nodes_[at];
   const std::string& does = node.operation;
   if (does.empty()) {
-    return node.name.empty() ? Maybe{node.literal} : value_of(node.name);
+    return node.name.empty() ? Maybe{node.literal} : finite(value_of(node.name));
   }
   const Maybe left = value_at(node.left, value_of);
   if (does == "not") {
     return opposite(left);
   }
   if (does == "negative") {
-    return left ? calculated('-', {}, std::get<Number>(*left)) : std::nullopt;
+    return left ? finite(calculated('-', {}, std::get<Number>(*left))) : std::nullopt;
   }
   const Maybe right = value_at(node.right, value_of);
   if (does == "and") {
@@ -83,7 +89,7 @@ std::optional<Known> Expression::value_at(std::size_t at, const ValueOf& value_o
   if (does == ">" || does == "<=") {
     return does == ">" ? less(b, a) : opposite(less(b, a));
   }
-  return calculated(does.front(), a, b);
+  return finite(calculated(does.front(), a, b));
 }
 
 }  // namespace fantail::rules

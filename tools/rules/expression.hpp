@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,11 @@ struct Number {
   double high = 0.0;
   bool operator==(const Number&) const = default;
 };
+/// False for one that lies beyond every number, or is none.
+[[nodiscard]] constexpr bool can_be_finite(const Number& number) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return number.low <= largest && number.high >= -largest;
+}
 [[nodiscard]] constexpr Number exactly(double value) { return {value, value}; }
 /// In the order of Type.
 using Known = std::variant<bool, Number, std::string>;
@@ -52,7 +58,7 @@ class ExpressionError : public std::runtime_error {
 ///
 /// Unknown is a value like others: `true or unknown` is true, `false and unknown` is false, all else that has an
 /// unknown part is unknown. A comparison of numbers of which only the ends are known is true or false where each number
-/// between them makes it so, and else unknown.
+/// between them makes it so, and else unknown. What is divided by zero or grows beyond every number is unknown.
 class Expression {
  public:
   /// Every part has been checked for its type. Throws ExpressionError.

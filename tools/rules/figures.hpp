@@ -42,9 +42,12 @@ using Findings = std::map<std::string, Finding, std::less<>>;
 /// law.*: they follow from the program, whatever the plan.
 [[nodiscard]] Findings of_law();
 
-/// flight.* of a launch, simulated or logged; `atmosphere` is the one that it was flown in. Of a simulated flight the
-/// true motion counts. Unknown all of them where no launch was detected in a log, or its plan is not known.
+/// flight.* of a launch that was simulated; `atmosphere` is the one that it was flown in. The true motion counts.
 [[nodiscard]] Findings of_flight(const flight::Flight& flight, const sim::Atmosphere& atmosphere);
+
+/// flight.* of a record, in the standard atmosphere. What may have happened in a hole of its rows is unknown, or known
+/// only to one side. Unknown all of them where no launch was detected in it.
+[[nodiscard]] Findings of_log(const flight::Flight& log);
 
 /// rocket.* of a scenario and its flight.
 [[nodiscard]] Findings of_rocket(const sim::Scenario& scenario, const flight::Flight& flight);

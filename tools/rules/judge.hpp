@@ -25,7 +25,6 @@ struct Subject {
 };
 
 /// A launch and a flight of it.
-[[nodiscard]] std::string without_control(const flight::Flight& flight);
 [[nodiscard]] Subject subject_of(const sim::Scenario& scenario, const flight::Flight& flight);
 
 struct Judged {

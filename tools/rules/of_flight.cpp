@@ -9,6 +9,7 @@
 
 #include "rules/departure.hpp"
 #include "rules/figures.hpp"
+#include "rules/record.hpp"
 #include "sim/units.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -19,10 +20,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Rows = std::span<const flight::Row>;
 
+bool has_truth(const flight::Flight& flight) { return !flight.rows.empty() && flight.rows.front().truth.has_value(); }
+
 /// Up to the end of the ascent: later a parachute opens, and an estimate is worth nothing.
-Rows ascent(const flight::Flight& flight) {
-  const bool is_simulated = !flight.rows.empty() && flight.rows.front().truth.has_value();
-  const auto& end_s = is_simulated ? flight.events.apogee_s : flight.events.control_end_s;
+Rows ascent(const flight::Flight& flight, bool is_log) {
+  const auto end_s = is_log              ? end_of_ascent(flight)
+                     : has_truth(flight) ? flight.events.apogee_s
+                                         : flight.events.control_end_s;
   const auto end = std::ranges::find_if(
       flight.rows, [&](const flight::Row& row) { return row.time_s > end_s.value_or(row.time_s); });
   return Rows{flight.rows}.first(static_cast<std::size_t>(end - flight.rows.begin()));
@@ -48,11 +52,14 @@ Peak peak(Rows rows, const Value& value_of) {
 
 class OfFlight {
  public:
-  OfFlight(const flight::Flight& flight, const sim::Atmosphere& atmosphere)
+  OfFlight(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log)
       : flight_{flight},
         atmosphere_{atmosphere},
-        rows_{ascent(flight)},
-        is_simulated_{rows_.front().truth.has_value()} {}
+        is_log_{is_log},
+        rows_{ascent(flight, is_log)},
+        is_simulated_{has_truth(flight)},
+        missing_{is_log ? holes_of_ascent(flight) : std::vector<Hole>{}},
+        control_{is_log ? control_in_log(flight) : ControlInLog{}} {}
 
   Findings take() && {
     add_motion();
@@ -64,20 +71,34 @@ class OfFlight {
 
  private:
   void add(std::string_view name, std::optional<Known> known, std::string how = {}) {
+    if (const auto* number = known ? std::get_if<Number>(&*known) : nullptr) {
+      known = can_be_finite(*number) ? known : std::nullopt;
+    }
     all_["flight." + std::string{name}] = {std::move(known), std::move(how)};
   }
 
   /// In a log that ends before apogee, or whose accelerometer was at the end of its range, it may have been larger.
   void add_peak(std::string_view name, const Peak& peak, bool is_open) {
     const bool is_bound = flight_.unmeasured.speed_bound_from_s && !is_simulated_;
-    add(name, Number{peak.value, is_open || is_bound ? infinity : peak.value},
-        is_bound ? "estimated; an accelerometer was at the end of its range" : estimated());
+    add(name, Number{peak.value, is_open || is_bound || !missing_.empty() ? infinity : peak.value},
+        with_missing(is_bound ? "estimated; an accelerometer was at the end of its range" : estimated(), missing_));
+  }
+  static std::string with_missing(const std::string& how, const std::vector<Hole>& hidden) {
+    return how + (how.empty() || hidden.empty() ? "" : "; ") + missing_text(hidden);
+  }
+  /// Of what may have been at a seen time or in a hole.
+  static Number at_or_in(double seen_s, const std::vector<Hole>& hidden) {
+    Number all = exactly(seen_s);
+    for (const auto& [from_s, to_s] : hidden) {
+      all = {std::min(all.low, from_s), std::max(all.high, to_s)};
+    }
+    return all;
   }
   [[nodiscard]] std::string estimated() const { return is_simulated_ ? "" : "as the avionics estimated it"; }
 
   void add_motion() {
     const Peak height = peak(rows_, height_m);
-    const bool reached_apogee = is_whole() && (is_simulated_ || ended_at_apogee());
+    const bool reached_apogee = is_whole() && (is_simulated_ || ended_at_apogee(flight_));
     add_peak("apogee_m", height, !reached_apogee);
     const Peak speed = peak(rows_, speed_m_s);
     add_peak("top_speed_m_s", speed, speed.is_last);
@@ -92,19 +113,18 @@ class OfFlight {
     if (!is_simulated_ && flight_.unmeasured.speed_bound_from_s) {
       add("max_q_s", {}, "an accelerometer was at the end of its range, so the speed is not known");
     } else {
-      add("max_q_s", Number{q.time_s, q.is_last ? infinity : q.time_s}, estimated());
+      const Number range = at_or_in(q.time_s, missing_);
+      add("max_q_s", Number{range.low, q.is_last ? infinity : range.high}, with_missing(estimated(), missing_));
     }
   }
 
   /// The rows reach the end of the ascent.
   [[nodiscard]] bool is_whole() const {
+    if (is_log_) {
+      return missing_.empty();
+    }
     const auto& end_s = is_simulated_ ? flight_.events.apogee_s : flight_.events.control_end_s;
     return end_s && flight_.rows.back().time_s >= *end_s;
-  }
-  [[nodiscard]] bool ended_at_apogee() const {
-    return std::ranges::any_of(flight_.phase_changes, [](const flight::PhaseChange& change) {
-      return change.phase == core::Phase::finished && change.reason == core::PhaseReason::apogee;
-    });
   }
 
   void add_burnout() {
@@ -130,9 +150,13 @@ class OfFlight {
     const bool is_cut = rows_.back().time_s - pushed_until_s <= window_s;
     const std::string seen =
         fmt::format("the axial force was last above 0.15 g at {} s", text::fixed(pushed_until_s, 2));
-    if (burn_time_s > 0.0 && !is_cut) {
-      add("burnout_s", exactly(std::max(pushed_until_s, burn_time_s)),
-          fmt::format("{}; dormancy.burn_time_s = {}", seen, text::brief(burn_time_s, 3)));
+    const double end_s = std::max(pushed_until_s, burn_time_s);
+    const std::vector<Hole> hidden =
+        is_log_ ? holes(flight_.rows, 0.0, end_s + 2.0 * longest_step_s) : std::vector<Hole>{};
+    if (!hidden.empty()) {
+      add("burnout_s", Number{pushed_until_s, infinity}, with_missing(seen, hidden));
+    } else if (burn_time_s > 0.0 && !is_cut) {
+      add("burnout_s", exactly(end_s), fmt::format("{}; dormancy.burn_time_s = {}", seen, text::brief(burn_time_s, 3)));
     } else {
       add("burnout_s", Number{pushed_until_s, infinity},
           seen + (is_cut ? ", where the log ends" : "; thrust below drag may last longer"));
@@ -140,11 +164,14 @@ class OfFlight {
   }
 
   void add_control_start() {
-    const auto& start_s = flight_.events.control_start_s;
+    const auto& start_s = is_log_ ? control_.start_s : flight_.events.control_start_s;
     const auto row = std::ranges::find_if(rows_, [&](const flight::Row& r) { return start_s && r.time_s >= *start_s; });
     if (row == rows_.end()) {
       for (const char* name : {"control_start_s", "control_start_height_m"}) {
-        add(name, {}, "control never began");
+        add(name, {},
+            !is_log_  ? "control never began"
+            : start_s ? "control began after the ascent"
+                      : control_.why_unknown);
       }
       return;
     }
@@ -175,7 +202,8 @@ class OfFlight {
       add("left_trim_height_m", {}, why);
     } else {
       const double earliest_m = hidden_s ? found.hidden_height_m : found.height_m;
-      add("left_trim_s", Number{hidden_s.value_or(*found.time_s), *found.time_s});
+      const std::vector<Hole> hidden = is_log_ ? holes(rows_, 0.0, *found.time_s) : std::vector<Hole>{};
+      add("left_trim_s", Number{hidden_s.value_or(*found.time_s), *found.time_s}, missing_text(hidden));
       add("left_trim_height_m", Number{std::min(earliest_m, found.height_m), std::max(earliest_m, found.height_m)},
           estimated());
     }
@@ -183,9 +211,14 @@ class OfFlight {
   }
 
   void add_before_control(bool is_hidden) {
+    const auto before_s = is_log_ ? control_.before_s : flight_.events.control_start_s.value_or(infinity);
+    if (!before_s) {
+      add("canard_before_control_deg", {}, control_.why_unknown);
+      return;
+    }
     double largest_rad = 0.0;
     for (const flight::Row& row : rows_) {
-      if (row.time_s < 0.0 || row.time_s >= flight_.events.control_start_s.value_or(infinity)) {
+      if (row.time_s < 0.0 || row.time_s >= *before_s) {
         continue;
       }
       for (std::size_t i = 0; i < core::canard_count; ++i) {
@@ -193,31 +226,46 @@ class OfFlight {
         largest_rad = std::max(largest_rad, std::abs(row.encoders_rad[i].value_or(trim_rad) - trim_rad));
       }
     }
+    const std::vector<Hole> hidden = !is_log_               ? std::vector<Hole>{}
+                                     : *before_s < infinity ? holes(flight_.rows, 0.0, *before_s)
+                                                            : missing_;
+    const bool is_known = !is_hidden && hidden.empty() && (!is_log_ || control_.start_s || control_.never_began);
     add("canard_before_control_deg",
-        Number{text::degrees(largest_rad), is_hidden ? infinity : text::degrees(largest_rad)});
+        Number{text::degrees(largest_rad), is_known ? text::degrees(largest_rad) : infinity}, missing_text(hidden));
   }
 
   const flight::Flight& flight_;
   const sim::Atmosphere& atmosphere_;
+  bool is_log_;
   Rows rows_;
   bool is_simulated_;
+  std::vector<Hole> missing_;  ///< of a log
+  ControlInLog control_;       ///< likewise
   Findings all_;
 };
 
-}  // namespace
-
-Findings of_flight(const flight::Flight& flight, const sim::Atmosphere& atmosphere) {
+Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log) {
   const bool is_there = flight.events.liftoff_s || flight.events.detected_s;
-  if (is_there && !ascent(flight).empty()) {
-    return OfFlight{flight, atmosphere}.take();
+  if (is_there && !ascent(flight, is_log).empty()) {
+    return OfFlight{flight, atmosphere, is_log}.take();
   }
+  const bool begins_late = !flight.rows.empty() && flight.known.phase && core::is_flight(flight.rows.front().phase);
   Findings all;
   for (const FigureText& figure : figure_texts()) {
     if (figure.name.starts_with("flight.")) {
-      all[std::string{figure.name}] = {{}, "there is no launch in it"};
+      all[std::string{figure.name}] = {{},
+                                       begins_late ? "the record begins after the launch" : "there is no launch in it"};
     }
   }
   return all;
 }
+
+}  // namespace
+
+Findings of_flight(const flight::Flight& flight, const sim::Atmosphere& atmosphere) {
+  return found_in(flight, atmosphere, false);
+}
+
+Findings of_log(const flight::Flight& log) { return found_in(log, {}, true); }
 
 }  // namespace fantail::rules

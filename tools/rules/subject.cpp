@@ -2,10 +2,13 @@
 #include "rules/judge.hpp"
 
 namespace fantail::rules {
+namespace {
 
 std::string without_control(const flight::Flight& flight) {
   return flight.events.control_start_s ? "" : ", in which control never began";
 }
+
+}  // namespace
 
 Subject subject_of(const sim::Scenario& scenario, const flight::Flight& flight) {
   Subject subject{.what = scenario.name + (scenario.changed_values == 0 ? ", " : " with other values, ") +

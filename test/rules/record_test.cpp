@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "rules/record.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "core/flight_plan_members.hpp"
+#include "rules/figures.hpp"
+#include "rules/judge.hpp"
+#include "test.hpp"
+#include "text/degrees.hpp"
+
+namespace fantail::rules {
+namespace {
+
+constexpr double endless_s = std::numeric_limits<double>::infinity();
+
+/// Every 10 ms from -1 to 20 s: thrust to 8 s, the largest speed then, control from 9 s on, apogee at 18 s.
+flight::Flight whole() {
+  flight::Flight log;
+  log.plan = core::default_plan();
+  log.plan.dormancy.burn_time = core::Microseconds{8'000'000};
+  log.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 9.0, .control_end_s = 18.0};
+  log.phase_changes.push_back({18.0, core::Phase::finished, core::PhaseReason::apogee});
+  for (int i = -100; i <= 2000; ++i) {
+    flight::Row& row = log.rows.emplace_back();
+    const double t = row.time_s = i * 0.01;
+    row.phase = t < 0.2    ? core::Phase::armed
+                : t < 9.0  ? core::Phase::launched
+                : t < 18.0 ? core::Phase::controlling
+                           : core::Phase::finished;
+    row.specific_force_m_s2 = t > 0.0 && t <= 8.0 ? 30.0 : -1.0;
+    row.speed_m_s = t < 0.0 ? 0.0 : t <= 8.0 ? 25.0 * t : std::max(0.0, 200.0 - 20.0 * (t - 8.0));
+    row.height_m = t < 0.0 ? 0.0 : 1800.0 - 5.0 * (t - 18.0) * (t - 18.0);
+    for (std::size_t k = 0; k < core::canard_count; ++k) {
+      row.commands_rad[k] = static_cast<double>(log.plan.canards.each[k].trim.radians());
+      row.encoders_rad[k] = *row.commands_rad[k] + (t >= 9.0 ? text::radians(3.0) : 0.0);
+    }
+  }
+  return log;
+}
+
+flight::Flight without(double from_s, double to_s, flight::Flight log = whole()) {
+  std::erase_if(log.rows, [&](const flight::Row& row) { return row.time_s > from_s && row.time_s < to_s - 1e-9; });
+  return log;
+}
+
+/// A log whose event records are lost with their ticks.
+flight::Flight without_start(double from_s, double to_s) {
+  flight::Flight log = without(from_s, to_s);
+  log.events.control_start_s.reset();
+  return log;
+}
+
+Finding figure(const flight::Flight& log, const std::string& name) { return of_log(log).at("flight." + name); }
+Number number(const flight::Flight& log, const std::string& name) {
+  const Finding found = figure(log, name);
+  return found.known ? std::get<Number>(*found.known) : Number{NAN, NAN};
+}
+
+void expect_open(const flight::Flight& log, const std::string& name, const std::string& why) {
+  const Finding found = figure(log, name);
+  const Number range = found.known ? std::get<Number>(*found.known) : Number{0.0, endless_s};
+  EXPECT_LT(range.low, range.high) << name;
+  EXPECT_NE(found.how.find(why), std::string::npos) << name << ": " << found.how;
+}
+
+TEST(Record, OfAWholeFlightStatesEveryFigure) {
+  for (const auto& [name, value] : {std::pair{"top_speed_m_s", 200.0},
+                                    {"max_q_s", 8.0},
+                                    {"apogee_m", 1800.0},
+                                    {"burnout_s", 8.08},
+                                    {"control_start_s", 9.0},
+                                    {"control_start_height_m", 1395.0},
+                                    {"left_trim_s", 9.0},
+                                    {"canard_before_control_deg", 0.0}}) {
+    EXPECT_NEAR(number(whole(), name).low, value, 0.03) << name;
+    EXPECT_EQ(number(whole(), name).low, number(whole(), name).high) << name;
+  }
+  EXPECT_TRUE(control_in_log(whole()).of_subject.empty());
+}
+
+TEST(Record, ThatMissesAPartOfTheAscentLeavesExtremesOpenAndSaysWhatItMisses) {
+  for (const char* name : {"top_speed_m_s", "largest_mach", "apogee_m", "max_q_s", "burnout_s", "left_trim_s"}) {
+    expect_open(without(4.0, 8.5), name, "the record misses 4.00 to 8.50 s");
+  }
+  EXPECT_NEAR(number(without(4.0, 8.5), "max_q_s").low, 4.0, 1e-6);
+  EXPECT_NEAR(number(without(4.0, 8.5), "max_q_s").high, 8.5, 0.011);
+  EXPECT_NEAR(number(without(4.0, 8.5), "burnout_s").low, 4.0, 0.1);
+}
+
+TEST(Record, WithASmallHoleIsWhole) {
+  EXPECT_EQ(number(without(4.0, 4.09), "max_q_s"), number(whole(), "max_q_s"));
+  EXPECT_EQ(figure(without(4.0, 4.09), "top_speed_m_s").how.find("misses"), std::string::npos);
+}
+
+TEST(Record, WithAHoleAfterTheAscentIsWhole) {
+  EXPECT_EQ(number(without(18.5, 19.5), "top_speed_m_s"), number(whole(), "top_speed_m_s"));
+}
+
+TEST(Record, WithAHoleAfterBurnOutKnowsBurnOut) {
+  EXPECT_EQ(number(without(12.0, 13.0), "burnout_s"), number(whole(), "burnout_s"));
+  expect_open(without(12.0, 13.0), "top_speed_m_s", "the record misses 12.00 to 13.00 s");
+}
+
+TEST(Record, ThatBeginsInTheMiddleStatesNoExtreme) {
+  const flight::Flight late = without_start(-2.0, 9.5);
+  for (const char* name : {"top_speed_m_s", "max_q_s", "burnout_s", "left_trim_s", "canard_before_control_deg"}) {
+    expect_open(late, name, "the record misses 0.00 to 9.50 s");
+  }
+  EXPECT_FALSE(figure(late, "control_start_s").known);
+}
+
+TEST(Record, ThatEndsUnderThrustSaysWhereItEnds) {
+  flight::Flight cut = without_start(4.99, 30.0);
+  cut.events.control_end_s.reset();
+  cut.phase_changes.clear();
+  for (const char* name : {"top_speed_m_s", "largest_mach", "max_q_s", "burnout_s"}) {
+    expect_open(cut, name, "the record ends at 4.99 s");
+  }
+  EXPECT_EQ(control_in_log(cut).of_subject, ", which does not show whether control began");
+}
+
+TEST(Record, OfTheTruthThatEndsUnderThrustSaysSoToo) {
+  flight::Flight cut = without_start(4.99, 30.0);
+  cut.events.control_end_s.reset();
+  for (flight::Row& row : cut.rows) {
+    row.truth = flight::Truth{.height_m = row.height_m, .speed_m_s = row.speed_m_s};
+  }
+  expect_open(cut, "largest_mach", "the record ends at 4.99 s");
+}
+
+TEST(Record, ThatMissesTheBeginOfControlDoesNotSayThatItNeverBegan) {
+  const flight::Flight log = without_start(8.5, 10.0);
+  for (const char* name : {"control_start_s", "control_start_height_m"}) {
+    EXPECT_FALSE(figure(log, name).known) << name;
+    EXPECT_EQ(figure(log, name).how, "the record misses 8.50 to 10.00 s, so it does not show when control began");
+  }
+  EXPECT_EQ(control_in_log(log).of_subject, ", which does not show when control began");
+}
+
+TEST(Record, WhoseFirstRowAlreadyControlsDoesNotKnowWhenItBegan) {
+  flight::Flight log = without(-2.0, 9.0);
+  log.events.control_start_s = log.rows.front().time_s;
+  EXPECT_FALSE(figure(log, "control_start_s").known);
+  EXPECT_FALSE(figure(log, "control_start_height_m").known);
+}
+
+TEST(Record, WithoutHolesAndWithoutControlSaysThatItNeverBegan) {
+  flight::Flight log = whole();
+  log.events.control_start_s.reset();
+  for (flight::Row& row : log.rows) {
+    row.phase = row.phase == core::Phase::controlling ? core::Phase::launched : row.phase;
+  }
+  EXPECT_EQ(control_in_log(log).of_subject, ", in which control never began");
+  EXPECT_EQ(figure(log, "control_start_s").how, "control never began");
+}
+
+TEST(Record, WithoutPhasesDoesNotKnowWhichAngleIsFromBeforeControl) {
+  flight::Flight log = whole();
+  log.known.phase = false;
+  log.events.control_start_s.reset();
+  EXPECT_FALSE(figure(log, "canard_before_control_deg").known);
+}
+
+TEST(Record, TakesNoCanardUnderControlForOneBeforeIt) {
+  EXPECT_NEAR(number(without_start(8.5, 10.0), "canard_before_control_deg").low, 0.0, 0.01);
+}
+
+TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
+  flight::Flight log = whole();
+  for (flight::Row& row : log.rows) {
+    *row.encoders_rad[0] += row.time_s >= 2.0 && row.time_s < 3.0 ? text::radians(2.0) : 0.0;
+  }
+  log = without(4.0, 8.5, log);
+  EXPECT_EQ(number(log, "left_trim_s"), exactly(2.0));
+  EXPECT_GT(number(log, "burnout_s").low, 2.0);
+  EXPECT_GT(number(log, "max_q_s").low, 2.0);
+}
+
+std::string_view boost_clause(const flight::Flight& log) {
+  const std::vector<Judged> judged =
+      judge(load_pack("irec"), {.what = "a log", .found = of_log(log), .why_missing = "a log does not tell it"});
+  return name(std::ranges::find(judged, "7.4.1 (flight)", [](const Judged& one) { return one.clause.id; })->outcome);
+}
+
+TEST(Record, DecidesAClauseOnlyAsFarAsItsRowsShowIt) {
+  flight::Flight early = whole();
+  for (flight::Row& row : early.rows) {
+    *row.encoders_rad[0] += row.time_s >= 5.0 && row.time_s < 9.0 ? text::radians(2.0) : 0.0;
+  }
+  EXPECT_EQ(boost_clause(whole()), "PASS");
+  EXPECT_EQ(boost_clause(early), "FAIL");
+  EXPECT_EQ(boost_clause(without(4.0, 14.0, early)), "NOT KNOWN");
+  EXPECT_EQ(boost_clause(without(6.0, 8.5, early)), "FAIL") << "the canard was seen to move under thrust";
+  EXPECT_EQ(boost_clause(without(8.5, 10.0)), "PASS") << "the hole begins after burn-out";
+}
+
+TEST(Record, BeginsToMissAtTheLaunch) {
+  EXPECT_EQ(missing_text(holes(without(-0.5, 3.0).rows, 0.0, 18.0)), "the record misses 0.00 to 3.00 s");
+}
+
+TEST(Record, WithManyHolesNamesTwo) {
+  EXPECT_EQ(missing_text({{1.0, 2.0}, {3.0, endless_s}}), "the record misses 1.00 to 2.00 s and ends at 3.00 s");
+  EXPECT_EQ(missing_text({{1.0, 2.0}, {3.0, 4.0}, {5.0, 6.0}}),
+            "the record misses 1.00 to 2.00 s and 3.00 to 4.00 s and more");
+  EXPECT_EQ(missing_text({}), "");
+}
+
+// What it states of a scenario follows from the simulation, whatever its avionics recorded.
+TEST(Record, IsNotAskedAboutASimulatedScenario) {
+  flight::Flight flown = without(4.0, 8.5);
+  EXPECT_EQ(std::get<Number>(*of_flight(flown, {}).at("flight.top_speed_m_s").known).high,
+            std::get<Number>(*of_flight(flown, {}).at("flight.top_speed_m_s").known).low);
+}
+
+}  // namespace
+}  // namespace fantail::rules

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "rules/record.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "rules/departure.hpp"
+#include "text/number.hpp"
+
+namespace fantail::rules {
+namespace {
+
+constexpr double endless_s = std::numeric_limits<double>::infinity();
+/// Times of rows are sums of steps.
+constexpr double rounding_s = 1e-6;
+
+bool is_hole(double from_s, double to_s) { return to_s - from_s > longest_step_s + rounding_s; }
+
+std::optional<double> greatest_height_s(const std::vector<flight::Row>& rows) {
+  std::optional<double> time_s;
+  double greatest_m = -endless_s;
+  for (const flight::Row& row : rows) {
+    if (row.time_s >= 0.0 && height_m(row) > greatest_m) {
+      greatest_m = height_m(row);
+      time_s = row.time_s;
+    }
+  }
+  return time_s && rows.back().time_s > *time_s ? time_s : std::nullopt;
+}
+
+std::string seconds_text(double time_s) { return text::fixed(time_s, 2); }
+
+ControlInLog unseen(std::string_view what, const std::vector<Hole>& hidden, std::optional<double> before_s) {
+  const std::string missing = missing_text(hidden);
+  const std::string said = fmt::format("does not show {} control began", what);
+  return {.before_s = before_s,
+          .why_unknown = missing.empty() ? "the record " + said : missing + ", so it " + said,
+          .of_subject = ", which " + said};
+}
+
+}  // namespace
+
+bool ended_at_apogee(const flight::Flight& log) {
+  return log.events.apogee_s || std::ranges::any_of(log.phase_changes, [](const flight::PhaseChange& change) {
+           return change.phase == core::Phase::finished && change.reason == core::PhaseReason::apogee;
+         });
+}
+
+std::vector<Hole> holes(std::span<const flight::Row> rows, double from_s, double to_s) {
+  std::vector<Hole> found;
+  double seen_s = from_s;
+  for (const flight::Row& row : rows) {
+    if (seen_s >= to_s) {
+      break;
+    }
+    if (row.time_s > from_s && is_hole(seen_s, row.time_s)) {
+      found.push_back({std::max(seen_s, from_s), row.time_s});
+    }
+    seen_s = row.time_s;
+  }
+  if (is_hole(seen_s, to_s)) {
+    found.push_back({std::max(seen_s, from_s), endless_s});
+  }
+  return found;
+}
+
+std::string missing_text(const std::vector<Hole>& holes) {
+  constexpr std::size_t most = 2;
+  std::string all;
+  for (const auto& [from_s, to_s] : std::span{holes}.first(std::min(most, holes.size()))) {
+    const bool ends = to_s == endless_s;
+    const std::string_view verb = ends ? "ends at " : all.empty() ? "misses " : "";
+    all += all.empty() ? "the record " : " and ";
+    all += fmt::format("{}{}{} s", verb, seconds_text(from_s), ends ? "" : " to " + seconds_text(to_s));
+  }
+  return holes.size() > most ? all + " and more" : all;
+}
+
+std::optional<double> end_of_ascent(const flight::Flight& log) {
+  const bool has_truth = !log.rows.empty() && log.rows.front().truth;
+  const auto& event_s = has_truth ? log.events.apogee_s : log.events.control_end_s;
+  return event_s ? event_s : greatest_height_s(log.rows);
+}
+
+std::vector<Hole> holes_of_ascent(const flight::Flight& log) {
+  const std::optional<double> end_s = end_of_ascent(log);
+  // An apogee that was noticed is the end; any other end may have come with the hole.
+  const double beyond_s = ended_at_apogee(log) ? 0.0 : 2.0 * longest_step_s;
+  return holes(log.rows, 0.0, end_s ? *end_s + beyond_s : endless_s);
+}
+
+ControlInLog control_in_log(const flight::Flight& log) {
+  if (!log.known.phase) {
+    return unseen("when", {}, {});
+  }
+  const auto& rows = log.rows;
+  if (const auto& start_s = log.events.control_start_s) {
+    const auto row = std::ranges::lower_bound(rows, *start_s, {}, &flight::Row::time_s);
+    const bool is_seen = row != rows.end() && row != rows.begin() && !is_hole(*start_s, row->time_s) &&
+                         !is_hole(std::prev(row)->time_s, row->time_s);
+    if (is_seen) {
+      return {.start_s = start_s, .before_s = start_s};
+    }
+    return unseen("when", holes(rows, 0.0, row == rows.end() ? endless_s : row->time_s), start_s);
+  }
+  const auto controls = std::ranges::find(rows, core::Phase::controlling, &flight::Row::phase);
+  if (controls != rows.end()) {
+    return unseen("when", holes(rows, 0.0, controls->time_s), controls->time_s);
+  }
+  const std::vector<Hole> hidden = holes_of_ascent(log);
+  const bool has_launch = log.events.liftoff_s || log.events.detected_s;
+  if (!has_launch || !hidden.empty()) {
+    return unseen("whether", has_launch ? hidden : std::vector<Hole>{}, endless_s);
+  }
+  return {.before_s = endless_s,
+          .never_began = true,
+          .why_unknown = "control never began",
+          .of_subject = ", in which control never began"};
+}
+
+}  // namespace fantail::rules
