@@ -31,7 +31,7 @@ import trial
 import workshop
 
 SCOPE = ("firmware/core", "firmware/protocol", "firmware/avionics/arming", "firmware/avionics/bench_mode",
-         "firmware/avionics/self_test", "firmware/avionics/flight_memory")
+         "firmware/avionics/self_test", "firmware/avionics/self_test_verdicts", "firmware/avionics/flight_memory")
 # As in test/coverage: for the compiler, for a board, and for the link of an emulated processor.
 LEFT_OUT = ("firmware/core/flight_plan_table.hpp", "firmware/protocol/crc32c_tables.cpp", "firmware/protocol/hil_frame.cpp",
             "firmware/protocol/hil_frame.hpp", "firmware/protocol/hil_codec.hpp")
