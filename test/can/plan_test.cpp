@@ -112,7 +112,7 @@ TEST_F(WithCantools, AClientWrittenFromTheManualAloneLoadsAPlan) {
 
   const Outcome stored = load_by_the_manual(plan);
   EXPECT_EQ(stored.exit_code, 0) << stored.err;
-  EXPECT_EQ(stored.out, "in force: " + wanted + "\nread back: the same 540 bytes\n");
+  EXPECT_EQ(stored.out, "in force: " + wanted + "\nread back: the same 552 bytes\n");
   EXPECT_TRUE(ear.until([&] {
     return fmt::format("{:08x}", ear.newest<protocol::HeartbeatReport>().plan_crc) == wanted &&
            ear.newest<protocol::BoardReport>().plan == protocol::PlanSource::stored;

@@ -126,7 +126,7 @@ PROOFS = [
         "A gate opens by burn-out not before its clock, by height not before its margin, by two of them only with both, "
         "and never for a rocket that was not fast; one by the guide is always open",
         "dormancy_gate.cpp",
-        5,
+        6,
         (
             Bug(
                 "there is no clock",
