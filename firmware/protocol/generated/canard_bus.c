@@ -2634,12 +2634,12 @@ float canard_bus_arm_reply_failure_decode(uint8_t value)
 
 bool canard_bus_arm_reply_failure_is_in_range(uint8_t value)
 {
-    return (value <= 19u);
+    return (value <= 20u);
 }
 
 bool canard_bus_arm_reply_failure_is_in_phys_range(float value)
 {
-    return ((value >= 0.0f) && (value <= 19.0f));
+    return ((value >= 0.0f) && (value <= 20.0f));
 }
 
 uint8_t canard_bus_arm_reply_canard_encode(float value)

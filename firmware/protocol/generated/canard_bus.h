@@ -1208,7 +1208,7 @@ struct canard_bus_arm_reply_t {
     uint8_t self_test;
 
     /**
-     * Range: 0..19 (0..19 -)
+     * Range: 0..20 (0..20 -)
      * Scale: 1
      * Offset: 0
      */
