@@ -117,7 +117,7 @@ class FlightImage(unittest.TestCase):
         # what is written for one pin is that pin's alone.
         expected = {
             "A": {3: 1, 4: "out", 5: 5, 6: 5, 7: 5, 8: 1, 9: 7, 10: 7, 15: "out"},
-            "B": {0: "out", 1: "out", 2: "out", 3: 6, 4: 6, 5: 6, 8: 9, 9: 9, 11: "out", 12: "out", 13: 5, 14: 5, 15: 5},
+            "B": {0: "out", 1: "out", 2: "out", 3: 6, 4: 6, 5: 6, 8: 9, 9: 9, 10: "out", 11: "out", 12: "out", 13: 5, 14: 5, 15: 5},
             "C": {0: "out", 2: "analog", 3: "in", 4: "out", 5: "out", 6: 3, 7: 3, 8: 3, 9: 3},
         }
         for port, pins in expected.items():
