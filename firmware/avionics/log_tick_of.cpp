@@ -100,6 +100,8 @@ RawSamples raw_samples_of(const protocol::LogTick& tick) {
   return raw;
 }
 
+namespace {
+
 std::optional<core::GyroSample> second_gyro_sample(const RawSamples& raw, const SampleScales& scales) {
   if (!raw.second_imu) {
     return std::nullopt;
@@ -107,10 +109,12 @@ std::optional<core::GyroSample> second_gyro_sample(const RawSamples& raw, const 
   return gyro_sample(*raw.second_imu, {.rate_rad_s = scales.second_rate_rad_s, .specific_force_m_s2 = 0.0F});
 }
 
-core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales, const core::CanardsPlan& canards) {
-  const RawSamples raw = raw_samples_of(tick);
+}  // namespace
+
+core::Inputs sensed(core::Microseconds time, const RawSamples& raw, const SampleScales& scales,
+                    const core::CanardsPlan& canards) {
   return {
-      .time = tick.time,
+      .time = time,
       .gyro = gyro_sample(raw.imu, scales.imu),
       .second_gyro = second_gyro_sample(raw, scales),
       .accelerometers = {accelerometer_sample(raw.imu.time, raw.imu.specific_force, raw.imu.status,
@@ -119,12 +123,16 @@ core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales
                                               raw.accelerometer.status, scales.accelerometer_m_s2)},
       .barometer = pressure_sample(raw.barometer),
       .encoders = encoder_angles(raw.encoders, canards),
-      .arm_switch_closed = tick.arm_switch_closed,
-      .arm_command = tick.arm_command,
-      .start_command = tick.start_command,
-      .abort = tick.abort,
-      .canard_request = std::nullopt,
   };
+}
+
+core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales, const core::CanardsPlan& canards) {
+  core::Inputs inputs = sensed(tick.time, raw_samples_of(tick), scales, canards);
+  inputs.arm_switch_closed = tick.arm_switch_closed;
+  inputs.arm_command = tick.arm_command;
+  inputs.start_command = tick.start_command;
+  inputs.abort = tick.abort;
+  return inputs;
 }
 
 }  // namespace fantail::avionics

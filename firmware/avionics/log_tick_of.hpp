@@ -33,8 +33,6 @@ struct SampleScales {
   float accelerometer_m_s2 = 0.0F;
 };
 
-[[nodiscard]] std::optional<core::GyroSample> second_gyro_sample(const RawSamples& raw, const SampleScales& scales);
-
 /// A tick as a log keeps it. `inputs` are those that made `record`, without which a replay could not make it again.
 [[nodiscard]] protocol::LogTick log_tick_of(const core::TickRecord& record, const RawSamples& raw,
                                             const core::Inputs& inputs, core::Microseconds duration_before);
@@ -44,6 +42,10 @@ struct SampleScales {
 
 /// What the devices gave, as far as the flight law can tell.
 [[nodiscard]] RawSamples raw_samples_of(const protocol::LogTick& tick);
+
+/// What the sensors tell the flight law, in flight and in a replay; of switches and commands nothing.
+[[nodiscard]] core::Inputs sensed(core::Microseconds time, const RawSamples& raw, const SampleScales& scales,
+                                  const core::CanardsPlan& canards);
 
 /// Everything that the flight law may know of this tick. (A canard request is obeyed in Safe only, and no log has one.)
 [[nodiscard]] core::Inputs inputs_of(const protocol::LogTick& tick, const SampleScales& scales,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "avionics/abort_input.hpp"
 #include "avionics/avionics.hpp"
-#include "avionics/sensor_scaling.hpp"
 
 // What goes into a step of the flight law.
 namespace fantail::avionics {
@@ -40,24 +39,13 @@ core::Inputs Avionics::read_devices(core::Microseconds now) {
       .imu = devices_.imu.scale(),
       .second_rate_rad_s = raw_.second_imu && devices_.second_imu ? devices_.second_imu->scale().rate_rad_s : 0.0F,
       .accelerometer_m_s2 = devices_.accelerometer.scale()};
-  const bool arm_command = arming_.take_arm_command();
-  const bool start_command = arming_.take_start_command();
-  return {
-      .time = now,
-      .gyro = gyro_sample(raw_.imu, scales_.imu),
-      .second_gyro = second_gyro_sample(raw_, scales_),
-      .accelerometers = {accelerometer_sample(raw_.imu.time, raw_.imu.specific_force, raw_.imu.status,
-                                              scales_.imu.specific_force_m_s2),
-                         accelerometer_sample(raw_.accelerometer.time, raw_.accelerometer.specific_force,
-                                              raw_.accelerometer.status, scales_.accelerometer_m_s2)},
-      .barometer = pressure_sample(raw_.barometer),
-      .encoders = encoder_angles(raw_.encoders, plan_.canards),
-      .arm_switch_closed = devices_.arm_switch.closed(),
-      .arm_command = arm_command,
-      .start_command = start_command,
-      .abort = abort_state(plan_.run.abort_input, devices_.abort_contact) == protocol::AbortState::asks_to_abort,
-      .canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request(),
-  };
+  core::Inputs inputs = sensed(now, raw_, scales_, plan_.canards);
+  inputs.arm_switch_closed = devices_.arm_switch.closed();
+  inputs.arm_command = arming_.take_arm_command();
+  inputs.start_command = arming_.take_start_command();
+  inputs.abort = abort_state(plan_.run.abort_input, devices_.abort_contact) == protocol::AbortState::asks_to_abort;
+  inputs.canard_request = bench_mode_.open() ? bench_mode_.canard_request(plan_.canards) : self_test_.canard_request();
+  return inputs;
 }
 
 }  // namespace fantail::avionics

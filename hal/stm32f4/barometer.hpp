@@ -19,7 +19,7 @@ namespace fantail::hal::stm32f4 {
 ///
 /// Nothing here waits, as with the other sensors: each read() carries reset, constants and conversions on by one step,
 /// with at most seven bytes on the wire. There may be none: then it says no_reading, and looks for one every 20 ms. The
-/// first sample comes 27 ms after the first read(). What is wrong with it has no name among the board's faults, as with
+/// first sample comes 25 ms after the first read(). What is wrong with it has no name among the board's faults, as with
 /// the second IMU.
 ///
 /// It has no identity and no status. So what is asked of it:

@@ -11,13 +11,7 @@
 //   - opens one by dynamic pressure only where the same is so, and not at a new largest one;
 //   - opens a gate by two of these only where both are so.
 // The low-pass may give any number, and so may the roots in the density of the air.
-#include <cmath>
-
-#include "proof.hpp"
-
-namespace std {
-inline float any_root(float) { return nondet_float(); }
-}  // namespace std
+#include "any_root.hpp"
 #define sqrt any_root
 #include "core/dormancy_gate.cpp"
 

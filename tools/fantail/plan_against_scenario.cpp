@@ -25,7 +25,7 @@ std::vector<std::string> plan_against_scenario(const sim::Scenario& scenario) {
   if (sensors.barometer != core::BarometerUse::none && air_c &&
       std::abs(*air_c - planned(sensors.air_temperature_c)) > planned(sensors.air_temperature_error_k)) {
     all.push_back(
-        fmt::format("sensors.air_temperature_c = {}, at most {} K wrong, does not cover the {} of {}: the "
+        fmt::format("sensors.air_temperature_c = {}, at most {} K wrong, does not cover the {} degrees C of {}: the "
                     "heights of the barometer are wrong by more than the flight law allows for",
                     text::brief(planned(sensors.air_temperature_c), 1),
                     text::brief(planned(sensors.air_temperature_error_k), 1), text::brief(*air_c, 1), scenario.name));
