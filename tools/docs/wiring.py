@@ -38,7 +38,7 @@ LEFT_DEVICES = [
     ("CAN adapter, PC", [("CANH", "CANH"), ("CANL", "CANL"), ("GND to GND", None)]),
     ("Serial console", [("RX", ("console transmit",)), ("TX", ("console receive",)), ("GND; 3.3 V levels", None)]),
     ("Arm switch", [("contact", ("arm switch",)), ("closed reads high", None), ("contact", ("3.3 V", "1 kΩ"))]),
-    ("Abort contact", [("contact", ("abort contact", "1 kΩ")), ("closed reads low", None), ("optional; other end to GND", None)]),
+    ("Abort contact", [("contact", ("abort contact", "1 kΩ")), ("closed reads low", None), ("optional; ends at GND", None)]),
     ("Buzzer, NPN", [("base", ("buzzer", "1 kΩ")), ("emitter to GND", None)]),
     *((f"Servo {i}", [("signal", (f"servo {i}", "100 Ω", "10 kΩ to GND")), ("+", "+"), ("−", "−")]) for i in (1, 2, 3, 4))]
 RIGHT_DEVICES = [
