@@ -19,10 +19,15 @@ struct CanBusRig {
   registers::Can can{};
   registers::Gpio port{};
   registers::Register set_pending{};
-  test::CanModel model{world, can, set_pending};
+  test::CanModel model{world, can};
   CanBus bus{can, Pin{port, 0}, InterruptLine{set_pending, 19}};
 
-  CanBusRig() { model.connect(bus); }
+  CanBusRig() {
+    model.connect({.transmit = [this] { bus.on_transmit_interrupt(); },
+                   .receive = [this] { bus.on_receive_interrupt(); },
+                   .error = [this] { bus.on_error_interrupt(); }},
+                  set_pending);
+  }
 
   [[nodiscard]] std::optional<BoardFault> start() { return bus.start(apb1_hz, listens_to); }
   [[nodiscard]] bool silent() const { return test::RegisterWorld::peek(port.bsrr) == 1U; }

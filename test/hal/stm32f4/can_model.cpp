@@ -2,22 +2,34 @@
 #include "can_model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace fantail::hal::stm32f4::test {
 
 using namespace registers;
 
-CanModel::CanModel(RegisterWorld& world, Can& can, Register& set_pending) : world_{world}, can_{can} {
-  world.on_write(set_pending, [this](std::uint32_t value) {
-    mistakes += value == 1U << 19U ? 0 : 1;  // CAN1_TX, RM0090 table 62
-    pended_ = true;
-    serve();
-  });
+CanModel::CanModel(RegisterWorld& world, Can& can) : world_{world}, can_{can} {
   install_control();
   install_mailboxes();
   install_fifo();
   install_filters();
 }
+
+void CanModel::connect(Handlers handlers, Register& set_pending) {
+  handlers_ = std::move(handlers);
+  world_.on_write(set_pending, [this](std::uint32_t value) {
+    mistakes += value == 1U << 19U ? 0 : 1;  // CAN1_TX, RM0090 table 62
+    pended_ = true;
+    serve();
+  });
+}
+
+bool CanModel::transmit_line() const {
+  return (ier_ & can_ier_tmeie) != 0 &&
+         std::ranges::any_of(mailboxes_, [](const Mailbox& box) { return box.flags != 0; });
+}
+bool CanModel::receive_line() const { return !fifo_.empty() && (ier_ & can_ier_fmpie0) != 0; }
+bool CanModel::error_line() const { return erri_ && (ier_ & can_ier_errie) != 0; }
 
 void CanModel::happen() {
   if (meanwhile && !happening_) {
@@ -208,19 +220,18 @@ void CanModel::recessive(int sequences) {
 }
 
 void CanModel::serve() {
-  if (driver_ == nullptr || serving_ || masked) {
+  if (!handlers_ || serving_ || masked) {
     return;
   }
   serving_ = true;
   for (int i = 0; i < 1000; ++i) {
-    const bool completed = std::ranges::any_of(mailboxes_, [](const Mailbox& box) { return box.flags != 0; });
-    if (pended_ || (completed && (ier_ & can_ier_tmeie) != 0)) {
+    if (pended_ || transmit_line()) {
       pended_ = false;
-      driver_->on_transmit_interrupt();
-    } else if (!fifo_.empty() && (ier_ & can_ier_fmpie0) != 0) {
-      driver_->on_receive_interrupt();
-    } else if (erri_ && (ier_ & can_ier_errie) != 0) {
-      driver_->on_error_interrupt();
+      handlers_->transmit();
+    } else if (receive_line()) {
+      handlers_->receive();
+    } else if (error_line()) {
+      handlers_->error();
     } else {
       serving_ = false;
       return;

@@ -8,7 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "hal/stm32f4/can_bus.hpp"
+#include "hal/can_bus.hpp"
+#include "hal/stm32f4/registers/can.hpp"
 #include "register_world.hpp"
 
 namespace fantail::hal::stm32f4::test {
@@ -17,10 +18,16 @@ namespace fantail::hal::stm32f4::test {
 /// bus, slot by slot; the handlers are called when their interrupts are due, as the processor does.
 class CanModel {
  public:
-  CanModel(RegisterWorld& world, registers::Can& can, registers::Register& set_pending);
+  CanModel(RegisterWorld& world, registers::Can& can);
 
-  /// Its handlers are called from now on.
-  void connect(CanBus& driver) { driver_ = &driver; }
+  /// What the processor does at each of its three interrupts. Without them somebody asks for the lines.
+  struct Handlers {
+    std::function<void()> transmit{};
+    std::function<void()> receive{};
+    std::function<void()> error{};
+  };
+  /// They are called from now on, that of sending also when it is set pending.
+  void connect(Handlers handlers, registers::Register& set_pending);
 
   // ---- the bus ----
 
@@ -57,6 +64,10 @@ class CanModel {
   /// While true no handler is called; they are when it has become false and serve() is called.
   bool masked = false;
   void serve();
+  /// The levels of its three interrupt lines.
+  [[nodiscard]] bool transmit_line() const;
+  [[nodiscard]] bool receive_line() const;
+  [[nodiscard]] bool error_line() const;
 
  private:
   struct Mailbox {
@@ -85,7 +96,7 @@ class CanModel {
 
   RegisterWorld& world_;
   registers::Can& can_;
-  CanBus* driver_ = nullptr;
+  std::optional<Handlers> handlers_;
   bool serving_ = false;
   bool happening_ = false;
   bool pended_ = false;

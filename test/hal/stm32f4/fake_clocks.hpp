@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <functional>
 
 #include "hal/stm32f4/registers/flash_interface.hpp"
 #include "hal/stm32f4/registers/pwr.hpp"
@@ -19,7 +19,8 @@ class FakeClocks {
   bool pll_locks = true;
   bool flash_takes_wait_states = true;
   bool switch_works = true;
-  int looks_until_ready = 20;  ///< at an oscillator or at the PLL
+  int looks_until_ready = 20;  ///< at an oscillator or at the PLL, without a clock
+  std::function<double()> now_s{};  ///< else the crystal takes 2 ms and the PLL 0.2: DS8626, HSE and main PLL
 
   registers::Rcc rcc{};
   registers::FlashInterface flash{};
@@ -49,7 +50,7 @@ class FakeClocks {
   [[nodiscard]] double apb2_hz() const { return core_hz() / divider(13); }
   [[nodiscard]] double apb1_timers_hz() const { return divider(10) == 1 ? apb1_hz() : 2 * apb1_hz(); }
   [[nodiscard]] double apb2_timers_hz() const { return divider(13) == 1 ? apb2_hz() : 2 * apb2_hz(); }
-  [[nodiscard]] double rng_hz() const { return pll_on_ && pll_looks_ <= 0 ? pll_hz((pllcfgr() >> 24U) & 15U) : 0; }
+  [[nodiscard]] double rng_hz() const { return pll_ready() ? pll_hz((pllcfgr() >> 24U) & 15U) : 0; }
   [[nodiscard]] bool crystal_is_watched() const { return css_; }
   [[nodiscard]] bool crystal_is_on() const { return hse_on_; }
   [[nodiscard]] bool pll_is_on() const { return pll_on_; }
@@ -68,27 +69,30 @@ class FakeClocks {
     return code < 4 ? 1 : 2U << (code - 4);
   }
   [[nodiscard]] std::uint32_t running_from() const {
-    return switch_works && (cfgr_ & 3U) == 2 && pll_on_ && pll_looks_ <= 0 ? 2 : 0;
+    return switch_works && (cfgr_ & 3U) == 2 && pll_ready() ? 2 : 0;
+  }
+
+  /// In seconds, or in looks.
+  [[nodiscard]] double now() const { return now_s ? now_s() : looks_; }
+  [[nodiscard]] bool crystal_ready() const { return hse_on_ && crystal_starts && now() >= hse_ready_at_; }
+  [[nodiscard]] bool pll_ready() const {
+    return pll_on_ && pll_locks && (!fed_by_crystal() || crystal_ready()) && now() >= pll_ready_at_;
   }
 
   std::uint32_t cr() {
-    const bool hse_ready = hse_on_ && crystal_starts && --hse_looks_ <= 0;
-    const bool fed = !fed_by_crystal() || hse_looks_ <= 0;
-    if (pll_on_ && pll_locks && fed) {
-      pll_looks_ = std::max(pll_looks_ - 1, 0);
-    }
-    return 0x83U | (hse_on_ ? 1U << 16U : 0) | (hse_ready ? 1U << 17U : 0) | (css_ ? 1U << 19U : 0) |
-           (pll_on_ ? 1U << 24U : 0) | (pll_on_ && pll_looks_ <= 0 ? 1U << 25U : 0);
+    looks_ += 1;
+    return 0x83U | (hse_on_ ? 1U << 16U : 0) | (crystal_ready() ? 1U << 17U : 0) | (css_ ? 1U << 19U : 0) |
+           (pll_on_ ? 1U << 24U : 0) | (pll_ready() ? 1U << 25U : 0);
   }
 
   void set_cr(std::uint32_t value) {
     const bool hse_on = (value >> 16U & 1U) != 0;
     const bool pll_on = (value >> 24U & 1U) != 0;
     if (hse_on && !hse_on_) {
-      hse_looks_ = looks_until_ready;
+      hse_ready_at_ = now() + (now_s ? 2e-3 : looks_until_ready);
     }
     if (pll_on && !pll_on_) {
-      pll_looks_ = looks_until_ready;
+      pll_ready_at_ = now() + (now_s ? 0.2e-3 : looks_until_ready);
     }
     hse_on_ = hse_on;
     pll_on_ = pll_on;
@@ -109,8 +113,9 @@ class FakeClocks {
   bool hse_on_ = false;
   bool pll_on_ = false;
   bool css_ = false;
-  int hse_looks_ = 0;
-  int pll_looks_ = 0;
+  double looks_ = 0;
+  double hse_ready_at_ = 0;
+  double pll_ready_at_ = 0;
   bool too_fast_ = false;
 };
 

@@ -8,8 +8,8 @@ namespace {
 
 using namespace registers::spi;
 
-constexpr int looks_per_byte = 3;
-constexpr int looks_of_the_last_edge = 2;  // RXNE comes half a clock before the last edge, BSY goes after it
+constexpr std::uint64_t looks_per_byte = 3;
+constexpr std::uint64_t looks_of_the_last_edge = 2;  // RXNE comes half a clock before the last edge, BSY goes after it
 
 std::uint32_t speed_and_mode(std::uint32_t control) {
   return control & (clock_phase | clock_polarity | prescaler_mask | master | software_select | internal_select);
@@ -29,7 +29,8 @@ FakePort::FakePort(RegisterWorld& world) {
   });
 }
 
-FakeSpi::FakeSpi(RegisterWorld& world, std::uint32_t bus_hz) : bus_hz_{bus_hz} {
+FakeSpi::FakeSpi(RegisterWorld& world, std::uint32_t bus_hz, BusClocks clocks)
+    : bus_hz_{bus_hz}, clocks_{std::move(clocks)} {
   world.on_read(block_.sr, [this] { return look(); });
   world.on_read(block_.cr1, [this] { return control_; });
   world.on_write(block_.cr1, [this](std::uint32_t value) { write_control(value); });
@@ -44,7 +45,8 @@ void FakeSpi::attach(FakePort& port, std::uint8_t pin, SpiSlave& slave) {
 std::uint32_t FakeSpi::clock_hz() const { return bus_hz_ >> (((control_ & prescaler_mask) >> prescaler_shift) + 1U); }
 
 void FakeSpi::select(SpiSlave& slave, bool level) {
-  if (shifting_ || busy_left_ > 0) {
+  follow();
+  if (is_busy()) {
     violations.emplace_back("chip select moved while the block was busy");
   }
   if (level) {
@@ -57,31 +59,15 @@ void FakeSpi::select(SpiSlave& slave, bool level) {
     violations.emplace_back("two devices selected at once");
   }
   clocked_ = false;
-  looks_at_select_ = looks_;
+  selected_at_ = now();
   slave.selected();
 }
 
 std::uint32_t FakeSpi::look() {
   looks_ += 1;
-  if (shifting_ && !stopped_ && --looks_left_ <= 0) {
-    if (full_) {
-      overrun_ = true;  // and what came is lost
-    } else {
-      received_ = *shifting_;
-      full_ = true;
-    }
-    shifting_.reset();
-    busy_left_ = looks_of_the_last_edge;
-    if (waiting_) {
-      const std::uint8_t next = *waiting_;
-      waiting_.reset();
-      begin(next);
-    }
-  } else if (busy_left_ > 0) {
-    busy_left_ -= 1;
-  }
+  follow();
   const std::uint32_t status = (full_ ? received : 0) | (waiting_ || stopped_ ? 0 : transmit_empty) |
-                               (overrun_ ? overrun : 0) | (shifting_ || busy_left_ > 0 ? busy : 0);
+                               (overrun_ ? overrun : 0) | (is_busy() ? busy : 0);
   if (data_was_read_) {
     overrun_ = false;
   }
@@ -89,9 +75,29 @@ std::uint32_t FakeSpi::look() {
   return status;
 }
 
+// What has ended since somebody looked.
+void FakeSpi::follow() {
+  while (shifting_ && !stopped_ && now() >= ends_at_) {
+    if (full_) {
+      overrun_ = true;  // and what came is lost
+    } else {
+      received_ = *shifting_;
+      full_ = true;
+    }
+    shifting_.reset();
+    idle_at_ = ends_at_ + (clocks_ ? std::uint64_t{bus_hz_ / clock_hz() / 2} : looks_of_the_last_edge);
+    if (waiting_) {
+      const std::uint8_t next = *waiting_;
+      waiting_.reset();
+      begin(next, ends_at_);
+    }
+  }
+}
+
 void FakeSpi::write_control(std::uint32_t value) {
+  follow();
   const bool is_on = (control_ & enable) != 0;
-  if (is_on && (shifting_ || busy_left_ > 0) && !stopped_) {
+  if (is_on && is_busy() && !stopped_) {
     violations.emplace_back("CR1 written while busy");
   }
   if (is_on && speed_and_mode(value) != speed_and_mode(control_)) {
@@ -100,7 +106,7 @@ void FakeSpi::write_control(std::uint32_t value) {
   if ((value & enable) == 0) {
     shifting_.reset();
     waiting_.reset();
-    busy_left_ = 0;
+    idle_at_ = 0;
   }
   if (!selected_.empty()) {
     violations.emplace_back("CR1 written while a device was selected");
@@ -114,9 +120,10 @@ void FakeSpi::write_data(std::uint32_t value) {
     violations.emplace_back("data written to a block that is not an enabled master");
     return;
   }
+  follow();
   const auto out = static_cast<std::uint8_t>(value);
   if (!shifting_) {
-    begin(out);
+    begin(out, now());
   } else if (!waiting_) {
     waiting_ = out;
   } else {
@@ -128,15 +135,16 @@ void FakeSpi::write_data(std::uint32_t value) {
 }
 
 std::uint32_t FakeSpi::read_data() {
+  follow();
   full_ = false;
   data_was_read_ = true;
   return received_;
 }
 
-void FakeSpi::begin(std::uint8_t out) {
+void FakeSpi::begin(std::uint8_t out, std::uint64_t at) {
   bytes_ += 1;
   wire_us_ += 8.0e6 / clock_hz();
-  looks_left_ = looks_per_byte;
+  ends_at_ = at + (clocks_ ? 8ULL * (bus_hz_ / clock_hz()) : looks_per_byte);
   shifting_ = 0xFF;  // nobody drives the line: its pull-up does
   for (SpiSlave* slave : selected_) {
     const SpiSlave::Needs needs = slave->needs();
@@ -149,7 +157,7 @@ void FakeSpi::begin(std::uint8_t out) {
       violations.emplace_back("a device was clocked too fast");
     }
     // One look is at least one cycle of the bus clock.
-    if (!clocked_ && static_cast<double>(looks_ - looks_at_select_) / bus_hz_ * 1e9 < needs.select_ns) {
+    if (!clocked_ && static_cast<double>(at - selected_at_) / bus_hz_ * 1e9 < needs.select_ns) {
       violations.emplace_back("a device was clocked too soon after its chip select");
     }
     shifting_ = slave->exchange(out);

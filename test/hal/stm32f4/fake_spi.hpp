@@ -46,11 +46,14 @@ class SpiSlave {
 };
 
 /// An SPI block as RM0090 section 28.3 describes it: transmit buffer, shift register, receive buffer, and what happens
-/// when they are not looked after. Its time goes by in looks at SR. What a driver must not do is written down in
-/// `violations`.
+/// when they are not looked after. What a driver must not do is written down in `violations`.
 class FakeSpi {
  public:
-  FakeSpi(RegisterWorld& world, std::uint32_t bus_hz);
+  /// Clocks of its bus since power-up.
+  using BusClocks = std::function<std::uint64_t()>;
+
+  /// Without `clocks` its time goes by in looks at SR, a few for each byte.
+  FakeSpi(RegisterWorld& world, std::uint32_t bus_hz, BusClocks clocks = {});
   registers::Spi& block() { return block_; }
 
   /// The slave outlives this object. Its chip select is low when it is selected.
@@ -74,26 +77,30 @@ class FakeSpi {
 
  private:
   std::uint32_t look();
+  [[nodiscard]] std::uint64_t now() const { return clocks_ ? clocks_() : looks_; }
+  void follow();
+  [[nodiscard]] bool is_busy() const { return shifting_ || now() < idle_at_; }
   void write_control(std::uint32_t value);
   void write_data(std::uint32_t value);
   std::uint32_t read_data();
-  void begin(std::uint8_t out);
+  void begin(std::uint8_t out, std::uint64_t at);
   void select(SpiSlave& slave, bool level);
 
   registers::Spi block_{};
   std::uint32_t bus_hz_;
   std::uint32_t control_ = 0;
   std::vector<SpiSlave*> selected_;
-  std::optional<std::uint8_t> shifting_;  ///< what will have been received when the looks are over
+  std::optional<std::uint8_t> shifting_;  ///< what will have been received at ends_at_
   std::optional<std::uint8_t> waiting_;   ///< in the transmit buffer
   std::uint8_t received_ = 0;
   bool full_ = false;
   bool overrun_ = false;
   bool data_was_read_ = false;
-  int looks_left_ = 0;
-  int busy_left_ = 0;
+  std::uint64_t ends_at_ = 0;
+  std::uint64_t idle_at_ = 0;  ///< the last edge behind what has ended
+  BusClocks clocks_;
   std::uint64_t looks_ = 0;
-  std::uint64_t looks_at_select_ = 0;
+  std::uint64_t selected_at_ = 0;
   bool clocked_ = false;
   bool stopped_ = false;
   int interrupt_looks_ = 0;

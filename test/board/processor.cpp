@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "processor.hpp"
+
+#include <unicorn/unicorn.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace fantail::board {
+namespace {
+
+constexpr std::uint32_t ram_begin = 0x2000'0000;
+constexpr std::size_t ram_size = 0x2'0000;
+constexpr std::uint32_t backup_begin = 0x4002'4000;
+constexpr std::size_t backup_size = 0x1000;
+
+// Which registers an exception puts on the stack, from the lowest address on; then pc and xPSR. Armv7-M B1.5.6.
+constexpr std::array stacked{UC_ARM_REG_R0, UC_ARM_REG_R1,  UC_ARM_REG_R2,
+                             UC_ARM_REG_R3, UC_ARM_REG_R12, UC_ARM_REG_LR};
+constexpr std::size_t basic_words = 8;
+constexpr std::size_t float_words = 26;
+constexpr std::uint32_t if_then_bits = 0x0600'FC00;
+constexpr std::uint32_t exception_bits = 0x1FF;
+constexpr std::uint32_t aligned_bit = 1U << 9U;
+constexpr std::uint32_t float_context = 4;  // of CONTROL
+constexpr std::uint64_t entry_cycles = 12;
+
+// Those of Armv7-M B3.2.15.
+constexpr std::uint32_t undefined_instruction = 1U << 16U;
+constexpr std::uint32_t precise_bus_fault = 1U << 9U | 1U << 15U;
+
+void expect(uc_err error) {
+  if (error != UC_ERR_OK) {
+    throw std::runtime_error{fmt::format("the emulator refused: {}{}", uc_strerror(error),
+                                         error == UC_ERR_NOMEM ? ". It wants 1 GiB of address space" : "")};
+  }
+}
+
+std::uint64_t counts(double cycles) {
+  return static_cast<std::uint64_t>(std::lround(cycles * Timeline::counts_per_cycle));
+}
+
+}  // namespace
+
+struct Hooks {
+  static std::uint64_t read(uc_engine* /*engine*/, std::uint64_t offset, unsigned /*size*/, void* range) {
+    const auto& bus = *static_cast<const Processor::Bus*>(range);
+    return bus.processor->load(bus.begin + static_cast<std::uint32_t>(offset));
+  }
+  static void write(uc_engine* /*engine*/, std::uint64_t offset, unsigned /*size*/, std::uint64_t value, void* range) {
+    const auto& bus = *static_cast<const Processor::Bus*>(range);
+    bus.processor->store(bus.begin + static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(value));
+  }
+  static void block(uc_engine* /*engine*/, std::uint64_t address, std::uint32_t size, void* self) {
+    static_cast<Processor*>(self)->block(static_cast<std::uint32_t>(address), size);
+  }
+  static void interrupt(uc_engine* engine, std::uint32_t number, void* self) {
+    static_cast<Processor*>(self)->interrupt_ = static_cast<int>(number);
+    uc_emu_stop(engine);
+  }
+  static bool invalid(uc_engine* /*engine*/, uc_mem_type /*type*/, std::uint64_t address, int /*size*/,
+                      std::int64_t /*value*/, void* self) {
+    static_cast<Processor*>(self)->nobody_at_ = static_cast<std::uint32_t>(address);
+    return false;
+  }
+};
+
+Processor::Processor(const Image& image, AddressSpace& space, SystemBlock& system, Timeline& timeline, const Pace& pace)
+    : image_{image},
+      space_{space},
+      system_{system},
+      timeline_{timeline},
+      counts_per_instruction_{counts(pace.cycles_per_instruction)},
+      counts_per_access_{counts(pace.cycles_per_access)},
+      instructions_at_(Image::flash_size / 2) {
+  expect(uc_open(UC_ARCH_ARM, static_cast<uc_mode>(UC_MODE_THUMB | UC_MODE_MCLASS), &engine_));
+  expect(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_M4));
+  expect(uc_mem_map(engine_, Image::flash_begin, Image::flash_size, UC_PROT_READ | UC_PROT_EXEC));
+  expect(uc_mem_map(engine_, ram_begin, ram_size, UC_PROT_READ | UC_PROT_WRITE));
+  expect(uc_mem_map(engine_, backup_begin, backup_size, UC_PROT_READ | UC_PROT_WRITE));
+  for (Bus& bus : buses_) {
+    expect(uc_mmio_map(engine_, bus.begin, bus.size, Hooks::read, &bus, Hooks::write, &bus));
+  }
+  expect(uc_mem_write(engine_, Image::flash_begin, image.flash().data(), image.flash().size()));
+  uc_hook hook{};
+  expect(uc_hook_add(engine_, &hook, UC_HOOK_BLOCK, reinterpret_cast<void*>(Hooks::block), this, 1, 0));
+  expect(uc_hook_add(engine_, &hook, UC_HOOK_INTR, reinterpret_cast<void*>(Hooks::interrupt), this, 1, 0));
+  expect(uc_hook_add(engine_, &hook, UC_HOOK_MEM_INVALID, reinterpret_cast<void*>(Hooks::invalid), this, 1, 0));
+  system.on_reset_request = [this] { stop(); };
+}
+
+Processor::~Processor() { uc_close(engine_); }
+
+std::uint32_t Processor::get(int which) const {
+  std::uint32_t value = 0;
+  uc_reg_read(engine_, which, &value);
+  return value;
+}
+void Processor::set(int which, std::uint32_t value) { uc_reg_write(engine_, which, &value); }
+
+std::uint32_t Processor::program_counter() const { return pc_; }
+
+void Processor::read_memory(std::uint32_t address, std::span<std::byte> bytes) const {
+  if (uc_mem_read(engine_, address, bytes.data(), bytes.size()) != UC_ERR_OK) {
+    throw std::out_of_range{fmt::format("no memory at 0x{:08x}", address)};
+  }
+}
+void Processor::write_memory(std::uint32_t address, std::span<const std::byte> bytes) {
+  if (uc_mem_write(engine_, address, bytes.data(), bytes.size()) != UC_ERR_OK) {
+    throw std::out_of_range{fmt::format("no memory at 0x{:08x}", address)};
+  }
+}
+
+void Processor::on_return_of(std::uint32_t function, std::function<void(std::uint32_t)> what) {
+  returning_.push_back({.entry = function, .comes_back_to = {}, .what = std::move(what)});
+}
+
+void Processor::reset() {
+  system_.reset();
+  locked_ = asleep_ = false;
+  std::uint32_t vectors[2]{};
+  read_memory(Image::flash_begin, std::as_writable_bytes(std::span{vectors}));
+  set(UC_ARM_REG_IPSR, 0);
+  set(UC_ARM_REG_PRIMASK, 0);
+  set(UC_ARM_REG_CONTROL, 0);
+  set(UC_ARM_REG_LR, 0xFFFF'FFFF);
+  set(UC_ARM_REG_SP, vectors[0]);
+  pc_ = vectors[1] & ~1U;
+  for (Returning& each : returning_) {
+    each.comes_back_to.reset();
+  }
+}
+
+void Processor::stop() {
+  stopped_ = true;
+  leave();
+}
+
+void Processor::leave() {
+  left_by_us_ = true;
+  uc_emu_stop(engine_);
+}
+
+void Processor::run() {
+  stopped_ = false;
+  while (!stopped_) {
+    if (locked_) {
+      timeline_.sleep();
+      continue;
+    }
+    if (!asleep_) {
+      interrupt_ = 0;
+      left_by_us_ = false;
+      nobody_at_.reset();
+      look_ = true;
+      const uc_err error = uc_emu_start(engine_, pc_ | 1U, 0xFFFF'FFFE, 0, 0);
+      pc_ = get(UC_ARM_REG_PC);
+      after_emulation(error);
+    }
+    if (asleep_) {
+      sleep();
+    }
+    const bool masked = (get(UC_ARM_REG_PRIMASK) & 1U) != 0;
+    const auto exception = stopped_ || locked_ || asleep_ ? std::nullopt : system_.waiting();
+    if (exception && (!masked || *exception == SystemBlock::nmi)) {
+      take(*exception);
+    }
+  }
+}
+
+// Why the emulator came to an end.
+void Processor::after_emulation(int error) {
+  constexpr int exception_exit = 8;
+  if (interrupt_ == exception_exit) {
+    come_back(pc_ | 1U);
+  } else if (nobody_at_) {
+    fault(precise_bus_fault, *nobody_at_, fmt::format("an access to 0x{:08x}, where nothing is,", *nobody_at_));
+  } else if (interrupt_ != 0 || error != UC_ERR_OK) {
+    fault(undefined_instruction, 0, "an instruction that is none");
+  } else if (!left_by_us_) {
+    asleep_ = true;  // WFI
+  }
+}
+
+// What waits wakes it, masked or not.
+void Processor::sleep() {
+  while (!stopped_ && !system_.wakes()) {
+    timeline_.sleep();
+  }
+  asleep_ = !system_.wakes();
+}
+
+void Processor::fault(std::uint32_t configurable, std::uint32_t address, const std::string& what) {
+  complaints.push_back(fmt::format("{:.6f} s: {} by 0x{:08x}, {}", timeline_.now_s(), what, pc_, image_.where(pc_)));
+  if (system_.active() == SystemBlock::nmi || system_.active() == SystemBlock::hard_fault) {
+    locked_ = true;
+    return;
+  }
+  system_.set_fault(configurable, address);
+  take(SystemBlock::hard_fault);
+}
+
+// Armv7-M B1.5.6.
+void Processor::take(std::uint32_t exception) {
+  const std::uint32_t control = get(UC_ARM_REG_CONTROL);
+  const bool with_floats = (control & float_context) != 0;
+  const std::uint32_t status = get(UC_ARM_REG_XPSR);
+  const std::uint32_t before = get(UC_ARM_REG_SP);
+  const std::size_t words = with_floats ? float_words : basic_words;
+  const std::uint32_t sp = (before - static_cast<std::uint32_t>(4 * words)) & ~7U;
+  std::array<std::uint32_t, float_words> frame{};
+  for (std::size_t i = 0; i < stacked.size(); ++i) {
+    frame[i] = get(stacked[i]);
+  }
+  frame[6] = pc_ & ~1U;
+  frame[7] = (status & ~0x3FFU) | system_.active() | ((before & 4U) != 0 ? aligned_bit : 0U);
+  if (with_floats) {
+    for (int i = 0; i < 16; ++i) {
+      frame[basic_words + static_cast<std::size_t>(i)] = get(UC_ARM_REG_S0 + i);
+    }
+    frame[24] = get(UC_ARM_REG_FPSCR);
+  }
+  set(UC_ARM_REG_SP, sp);
+  if (uc_mem_write(engine_, sp, frame.data(), 4 * words) != UC_ERR_OK) {
+    // A stack that ran over: the handler runs all the same, on a stack that is none. (B1.5.15)
+    complaints.push_back(fmt::format("{:.6f} s: no stack at 0x{:08x} for exception {}", timeline_.now_s(), sp, exception));
+    exception = SystemBlock::hard_fault;
+  }
+  const bool from_program = system_.active() == 0;
+  system_.begin(exception);
+  set(UC_ARM_REG_LR, (with_floats ? 0xFFFF'FFE0U : 0xFFFF'FFF0U) | (from_program ? 9U : 1U));
+  set(UC_ARM_REG_CONTROL, control & ~float_context);
+  // The handler begins outside of any block that the interrupted code was in.
+  set(UC_ARM_REG_XPSR, (status & ~(if_then_bits | 0xFFFFU)) | exception);
+  set(UC_ARM_REG_IPSR, exception);
+  timeline_.spend(entry_cycles * Timeline::counts_per_cycle);
+  std::uint32_t handler = 0;
+  read_memory(Image::flash_begin + 4 * exception, std::as_writable_bytes(std::span{&handler, 1}));
+  pc_ = handler & ~1U;
+}
+
+void Processor::come_back(std::uint32_t exception_return) {
+  const bool with_floats = (exception_return & 0x10U) == 0;
+  const std::size_t words = with_floats ? float_words : basic_words;
+  const std::uint32_t sp = get(UC_ARM_REG_SP);
+  std::array<std::uint32_t, float_words> frame{};
+  read_memory(sp, std::as_writable_bytes(std::span{frame}.first(words)));
+  for (std::size_t i = 0; i < stacked.size(); ++i) {
+    set(stacked[i], frame[i]);
+  }
+  if (with_floats) {
+    for (int i = 0; i < 16; ++i) {
+      set(UC_ARM_REG_S0 + i, frame[basic_words + static_cast<std::size_t>(i)]);
+    }
+    set(UC_ARM_REG_FPSCR, frame[24]);
+  }
+  const std::uint32_t status = frame[7];
+  system_.return_to(status & exception_bits);
+  set(UC_ARM_REG_XPSR, status & ~aligned_bit);
+  set(UC_ARM_REG_IPSR, status & exception_bits);
+  const std::uint32_t control = get(UC_ARM_REG_CONTROL);
+  set(UC_ARM_REG_CONTROL, with_floats ? control | float_context : control & ~float_context);
+  set(UC_ARM_REG_SP, sp + static_cast<std::uint32_t>(4 * words) + ((status & aligned_bit) != 0 ? 4U : 0U));
+  pc_ = frame[6] & ~1U;
+}
+
+void Processor::jump(std::uint32_t address, bool masked) {
+  pc_ = address & ~1U;
+  if (masked) {
+    set(UC_ARM_REG_PRIMASK, 1);
+  }
+}
+
+void Processor::flip_register(unsigned number, unsigned bit) {
+  const int which = number < 13 ? UC_ARM_REG_R0 + static_cast<int>(number)
+                    : number == 13 ? UC_ARM_REG_SP
+                                   : UC_ARM_REG_LR;
+  if (number == 15) {
+    pc_ ^= 1U << bit & ~1U;
+  } else {
+    set(which, get(which) ^ 1U << bit);
+  }
+}
+
+// Before the block runs. What is left here is come back to: it counts when it runs.
+void Processor::block(std::uint32_t address, std::uint32_t size) {
+  run_events();
+  if (look_ && !left_by_us_) {
+    const auto exception = system_.waiting();
+    look_ = exception.has_value();
+    if (exception && ((get(UC_ARM_REG_PRIMASK) & 1U) == 0 || *exception == SystemBlock::nmi)) {
+      leave();
+    }
+  }
+  if (left_by_us_) {
+    return;
+  }
+  for (Returning& each : returning_) {
+    if (address == each.entry) {
+      each.comes_back_to = get(UC_ARM_REG_LR) & ~1U;
+    } else if (each.comes_back_to == address) {
+      each.comes_back_to.reset();
+      each.what(get(UC_ARM_REG_R0));
+    }
+  }
+  if (left_by_us_) {
+    return;
+  }
+  const std::uint32_t number = instructions_in(address, size);
+  instructions_ += number;
+  timeline_.spend(number * counts_per_instruction_);
+}
+
+void Processor::run_events() {
+  if (timeline_.is_due()) {
+    timeline_.run();
+    look_ = true;
+  }
+}
+
+// Each Thumb instruction is one half word, or two when its first five bits are 11101, 11110 or 11111. Armv7-M A5.1.
+std::uint32_t Processor::instructions_in(std::uint32_t address, std::uint32_t size) {
+  const std::uint32_t place = address - Image::flash_begin;
+  if (place >= Image::flash_size || size > Image::flash_size - place) {
+    return size / 2;
+  }
+  std::uint16_t& known = instructions_at_[place / 2];
+  if (known == 0) {
+    for (std::uint32_t at = place; at < place + size; ++known) {
+      const auto first_five = std::to_integer<unsigned>(image_.flash()[at + 1]) >> 3U;
+      at += first_five >= 0x1D ? 4 : 2;
+    }
+  }
+  return known;
+}
+
+bool Processor::is_there(std::uint32_t address) {
+  timeline_.spend(counts_per_access_);
+  run_events();
+  look_ = true;
+  if (space_.has(address)) {
+    return true;
+  }
+  nobody_at_ = nobody_at_.value_or(address);
+  leave();
+  return false;
+}
+
+std::uint32_t Processor::load(std::uint32_t address) { return is_there(address) ? space_.load(address) : 0; }
+
+void Processor::store(std::uint32_t address, std::uint32_t value) {
+  if (is_there(address)) {
+    space_.store(address, value);
+  }
+}
+
+}  // namespace fantail::board
