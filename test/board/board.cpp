@@ -13,7 +13,7 @@ constexpr double slot_s = 130e-6;  // of a frame of 8 bytes at 1 Mbit/s, with th
 constexpr double byte_s = 10.0 / 115'200;
 constexpr double battery_divider = 11.0;
 constexpr std::size_t battery_channel = 12;
-constexpr std::uint8_t flash_capacity = 0x18;  // W25Q128
+constexpr std::uint8_t flash_capacity = 0x17;  // W25Q64
 
 enum Interrupt : std::uint8_t { can1_tx = 19, can1_rx0 = 20, can1_sce = 22, usart1 = 37 };
 

@@ -1,24 +1,31 @@
-#include "board.hpp"
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
-#include <map>
-using namespace fantail::board;
+#include <memory>
+#include <fstream>
+#include "board_in_world.hpp"
+#include "fly/fly_scenario.hpp"
+#include "input/scenario_file.hpp"
+using namespace fantail;
 int main(int argc, char** argv) {
-  const Image image{argv[1]};
-  Board board{image, {}};
-  board.imu.force_g = board.second_imu.force_g = board.accelerometer.force_g = {1, 0, 0};
-  board.switch_on();
-  const double end = argc > 2 ? atof(argv[2]) : 2;
-  std::map<unsigned, int> frames;
+  const board::Image image{argv[1]};
+  const auto scenario = input::load_scenario(argv[2], {});
+  board::BoardInWorld* one = nullptr;
+  board::Pace pace;
+  if (argc > 3) pace.cycles_per_instruction = atof(argv[3]);
   const clock_t begun = clock();
-  for (int ms = 1; ms < end * 1000; ++ms) {
-    board.run_until(ms * 1e-3);
-    for (int i = 0; i < 4; ++i) board.encoders[i].angle = std::uint16_t(i * 3 + ms * 7) % 5;
-    for (auto& f : board.take_sent()) frames[f.id]++;
-  }
-  printf("%s\n", board.console.c_str());
-  for (auto& c : board.processor.complaints) printf("complaint %s\n", c.c_str());
-  for (auto& c : board.violations()) printf("violation %s\n", c.c_str());
-  for (auto& [id, n] : frames) printf("%03x %d\n", id, n);
-  printf("pulses %zu restarts %zu instructions %lu CPU %.2f\n", board.chip.servo_timer.pulses().size(), board.restarts.size(), board.processor.instructions(), double(clock() - begun) / CLOCKS_PER_SEC);
+  int shown = 0;
+  core::Phase before = core::Phase::safe;
+  const auto look = [&](const core::TickRecord& r) { if (r.phase != before || shown++ % 500 == 0) { printf("%.3f phase %d reason %d rate %f sensor %d acc %d\n", double(r.time.count()) * 1e-6, int(r.phase), int(r.reason), double(r.motion.roll_rate_rad_s), int(r.motion.gyro), int(r.motion.accelerometer)); before = r.phase; } };
+  const auto flight = fly::fly_scenario(scenario, {}, look, fly::Log::kept, [&](const core::FlightPlan& plan, const sim::BoardPorts& ports, const avionics::Identity&) {
+    auto made = std::make_unique<board::BoardInWorld>(image, pace, plan, ports);
+    one = made.get();
+    return made;
+  });
+  printf("rows %zu log %zu armed: %s\n", flight.rows.size(), flight.log.size(), flight.why_not_armed.c_str());
+  for (auto& n : flight.notes) printf("note %s\n", n.c_str());
+  const auto& last = flight.rows.back();
+  printf("last %f truth %f\n", last.time_s, last.truth ? last.truth->roll_angle_rad : -1);
+  std::ofstream("flight.ftl", std::ios::binary).write(reinterpret_cast<const char*>(flight.log.data()), static_cast<std::streamsize>(flight.log.size()));
+  printf("CPU %.2f\n", double(clock() - begun) / CLOCKS_PER_SEC);
 }

@@ -121,6 +121,9 @@ void FakeW25q::finish() {
   } else {
     hal::sim::tear_erase(place.first(sector_size), 1);
   }
+  if (on_change) {
+    on_change(address_, doing_ == Doing::program ? page_size : sector_size);
+  }
   doing_ = Doing::nothing;
   write_enabled_ = false;
 }

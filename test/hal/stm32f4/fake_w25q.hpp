@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,9 @@ class FakeW25q final : public SpiSlave {
   };
   std::optional<WornBits> worn{};
   void cut_power(std::uint64_t seed);
+
+  /// Called when a page was programmed or a sector erased, with where and how much.
+  std::function<void(std::size_t address, std::size_t size)> on_change{};
 
   int programs = 0;  ///< begun
   int erases = 0;

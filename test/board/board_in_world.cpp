@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "board_in_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "avionics/flash_access.hpp"
+#include "avionics/plan_store.hpp"
+#include "hal/sim/flash.hpp"
+#include "protocol/plan_block.hpp"
+#include "text/error.hpp"
+
+namespace fantail::board {
+namespace {
+
+constexpr double tick_s = 1e-3;
+constexpr double most_start_s = 5.0;
+/// Behind the end of a tick: the next one has not begun, and a longer one would have ended.
+constexpr double idle_s = 0.2e-3;
+constexpr double standard_gravity_m_s2 = 9.80665;
+constexpr double timer_hz = 168e6;
+/// A servo that has heard none for so long is on its own: fifteen frames.
+constexpr double silence_s = 0.045;
+constexpr const char* tick_function = "_ZN7fantail8avionics8Avionics4tickEv";
+
+// Read out of the memory of a 32-bit processor: no pointers in it, and every type as long there as here.
+static_assert(std::is_trivially_copyable_v<core::TickRecord>);
+
+std::array<double, 3> times(const hal::Counts& counts, double scale) {
+  return {counts[0] * scale, counts[1] * scale, counts[2] * scale};
+}
+
+constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+hal::FlashGeometry geometry_of(const devices::FakeW25q& flash) {
+  return {.size = static_cast<std::uint32_t>(flash.cells.size()), .sector_size = 4096, .page_size = 256};
+}
+
+}  // namespace
+
+BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan,
+                           const sim::BoardPorts& ports)
+    : board_{image, pace}, ports_{ports} {
+  const auto tick = image.address_of(tick_function);
+  if (!tick) {
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("the image has no function {}", tick_function)};
+  }
+  board_.processor.on_return_of(*tick, [this](std::uint32_t record) { take_record(record); });
+  board_.accelerometer.noisy = false;  // the world's sensors are noisy enough
+  board_.imu.gyro_noise_deg_s = board_.imu.accelerometer_noise_g = 0.0;
+  board_.second_imu.noise_counts = 0.0;
+  board_.barometer.noise_counts = 10.0;
+  store(plan);
+  start();
+}
+
+void BoardInWorld::store(const core::FlightPlan& plan) {
+  hal::sim::Flash cells{geometry_of(board_.flash)};
+  avionics::FlashAccess access{cells};
+  avionics::PlanStore store{access};
+  (void)store.load({});
+  std::array<std::byte, protocol::largest_plan_block> block{};
+  store.begin_write(std::span{block}.first(protocol::write_plan_block(plan, block)));
+  while (store.write() == avionics::PlanWrite::under_way) {
+    store.update({});
+  }
+  std::ranges::copy(cells.cells(), board_.flash.cells.begin());
+}
+
+// At rest on the pad, until the self-test of the IMU is over and its first samples have come, a second or so later; then
+// to where the avionics waits for its next tick.
+void BoardInWorld::start() {
+  board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};
+  board_.switch_on();
+  const auto sees = [this] { return has_record_ && record_.motion.gyro == core::SensorState::fresh; };
+  while (!sees() && board_.now_s() < most_start_s) {
+    board_.run_until(board_.now_s() + 0.1 * tick_s);
+  }
+  if (!sees()) {
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("the image has not come to its first rate in {} s; it is at 0x{:08x}. It said: {}",
+                                  most_start_s, board_.processor.program_counter(), board_.console)};
+  }
+  until_s_ = last_tick_ended_s_ + idle_s;
+  board_.run_until(until_s_);
+  ports_.console.write(std::exchange(board_.console, {}));
+  if (ports_.flash.geometry().size == board_.flash.cells.size()) {
+    board_.flash.on_change = [this](std::size_t address, std::size_t size) { mirror(address, size); };
+  }
+}
+
+const core::TickRecord& BoardInWorld::tick() {
+  show_world();
+  while (const auto frame = ports_.can_bus.receive()) {
+    board_.send(*frame);
+  }
+  until_s_ += tick_s;
+  board_.run_until(until_s_);
+  for (const hal::CanFrame& frame : board_.take_sent()) {
+    (void)ports_.can_bus.send(frame);
+  }
+  if (!board_.console.empty()) {
+    ports_.console.write(std::exchange(board_.console, {}));
+  }
+  hear_pulses();
+  return record_;
+}
+
+void BoardInWorld::show_world() {
+  const auto show = [](auto& device, const hal::ImuSample& sample, const hal::ImuScale& scale) {
+    device.rate_deg_s = times(sample.rate, degrees(double{scale.rate_rad_s}));
+    device.force_g = times(sample.specific_force, double{scale.specific_force_m_s2} / standard_gravity_m_s2);
+  };
+  show(board_.imu, hardware_.imu, hardware_.imu_scale);
+  board_.imu.frozen = std::exchange(imu_time_, hardware_.imu.time) == hardware_.imu.time;
+  if (hardware_.second_imu_is_fitted) {
+    show(board_.second_imu, hardware_.second_imu, hardware_.second_imu_scale);
+    board_.second_imu.stopped = std::exchange(second_imu_time_, hardware_.second_imu.time) == hardware_.second_imu.time;
+  }
+  board_.accelerometer.force_g =
+      times(hardware_.accelerometer.specific_force, double{hardware_.accelerometer_scale_m_s2} / standard_gravity_m_s2);
+  board_.accelerometer.frozen =
+      std::exchange(accelerometer_time_, hardware_.accelerometer.time) == hardware_.accelerometer.time;
+  if (hardware_.barometer_is_fitted) {
+    board_.barometer.pressure_pa = hardware_.barometer.pressure_pa;
+  }
+  for (std::size_t i = 0; i < hal::canards; ++i) {
+    board_.encoders[i].angle = hardware_.encoders.each[i].counts;
+  }
+  board_.arm_switch_closed = hardware_.arm_switch_closed;
+  board_.abort_contact_closed = hardware_.abort_contact_closed;
+}
+
+void BoardInWorld::hear_pulses() {
+  board_.chip.follow();
+  const auto& pulses = board_.chip.servo_timer.pulses();
+  for (; heard_ < pulses.size(); ++heard_) {
+    const devices::FakeTimer::Pulse& pulse = pulses[heard_];
+    hardware_.pulses[pulse.line] = hal::Pulse{std::lround(static_cast<double>(pulse.width) / timer_hz * 1e9)};
+    heard_s_[pulse.line] = board_.now_s();
+  }
+  for (std::size_t i = 0; i < hal::canards; ++i) {
+    if (board_.now_s() - heard_s_[i] > silence_s) {
+      hardware_.pulses[i].reset();
+    }
+  }
+}
+
+void BoardInWorld::mirror(std::size_t address, std::size_t size) {
+  const auto place = static_cast<std::uint32_t>(address);
+  if (size == ports_.flash.geometry().page_size) {
+    (void)ports_.flash.program(place, std::span{board_.flash.cells}.subspan(address, size));
+  } else {
+    (void)ports_.flash.erase_sector(place);
+  }
+}
+
+void BoardInWorld::take_record(std::uint32_t address) {
+  board_.processor.read_memory(address, std::as_writable_bytes(std::span{&record_, 1}));
+  has_record_ = true;
+  last_tick_ended_s_ = board_.now_s();
+}
+
+core::Microseconds BoardInWorld::restart(const sim::Reset& /*reset*/) {
+  throw text::Error{text::ErrorKind::bad_configuration, "faults.kind = \"reset\" cannot be flown on a virtual board yet"};
+}
+
+}  // namespace fantail::board

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "board.hpp"
+#include "core/tick_record.hpp"
+#include "hal/sim/world_side.hpp"
+#include "sim/flight_computer.hpp"
+
+namespace fantail::board {
+
+/// A virtual board in a simulated world: its sensors measure what the world says, and the world hears the pulses at its
+/// pins, reads its console, and has its bus and what it writes into its flash.
+///
+/// The world's time begins with the first tick of the avionics, so that the board has been on for as long as a start
+/// takes. From then on a tick of the world is a millisecond of the board, and has one of the avionics.
+class BoardInWorld final : public sim::FlightComputer {
+ public:
+  /// The image and the ports outlive it. `plan` goes into the flash before the board is switched on. Throws text::Error
+  /// when the image has no avionics in it, or when it never comes to its first tick.
+  BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan, const sim::BoardPorts& ports);
+
+  [[nodiscard]] hal::sim::WorldSide& hardware() override { return hardware_; }
+  const core::TickRecord& tick() override;
+  core::Microseconds restart(const sim::Reset& reset) override;
+
+  [[nodiscard]] Board& board() { return board_; }
+
+ private:
+  void store(const core::FlightPlan& plan);
+  void start();
+  void show_world();
+  void hear_pulses();
+  void mirror(std::size_t address, std::size_t size);
+  void take_record(std::uint32_t address);
+
+  Board board_;
+  sim::BoardPorts ports_;
+  hal::sim::WorldSide hardware_;
+  core::TickRecord record_{};
+  bool has_record_ = false;
+  double last_tick_ended_s_ = 0.0;
+  double until_s_ = 0.0;
+  std::size_t heard_ = 0;
+  std::array<double, hal::canards> heard_s_{};  ///< when the last pulse of each ended
+  core::Microseconds imu_time_{-1}, second_imu_time_{-1}, accelerometer_time_{-1};
+};
+
+}  // namespace fantail::board
