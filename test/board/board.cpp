@@ -110,8 +110,8 @@ void Board::follow() {
   chip.follow();
   ResetDomain& in = *chip.domain;
   in.converter.volts[battery_channel] = battery_v / battery_divider;
-  devices::RegisterWorld::poke(in.port_c.block().idr, (arm_switch_closed ? 1U << 3U : 0U) |
-                                                          (abort_contact_closed ? 0U : 1U << 1U));
+  devices::RegisterWorld::poke(in.port_c.block().idr,
+                               (arm_switch_closed ? 1U << 3U : 0U) | (abort_contact_closed ? 0U : 1U << 1U));
   if (in.clocks.crystal_is_watched() && !in.clocks.crystal_starts && !std::exchange(crystal_is_missed_, true)) {
     system.pend_nmi();
   }

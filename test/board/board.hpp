@@ -26,7 +26,8 @@
 namespace fantail::board {
 
 /// The flight computer as docs/hardware.md wires it, with the image that is flashed on it: processor, chip, sensors,
-/// encoders, flash, transceiver, switches, battery. It runs by itself; who holds it lets time pass and looks at its pins.
+/// encoders, flash, transceiver, switches, battery. It runs by itself; who holds it lets time pass and looks at its
+/// pins.
 class Board {
  public:
   Board(const Image& image, const Pace& pace);

@@ -74,8 +74,8 @@ void BoardInWorld::store(const core::FlightPlan& plan) {
   std::ranges::copy(cells.cells(), board_.flash.cells.begin());
 }
 
-// At rest on the pad, until the self-test of the IMU is over and its first samples have come, a second or so later; then
-// to where the avionics waits for its next tick.
+// At rest on the pad, until the self-test of the IMU is over and its first samples have come, a second or so later;
+// then to where the avionics waits for its next tick.
 void BoardInWorld::start() {
   board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};
   board_.switch_on();
@@ -169,7 +169,8 @@ void BoardInWorld::take_record(std::uint32_t address) {
 }
 
 core::Microseconds BoardInWorld::restart(const sim::Reset& /*reset*/) {
-  throw text::Error{text::ErrorKind::bad_configuration, "faults.kind = \"reset\" cannot be flown on a virtual board yet"};
+  throw text::Error{text::ErrorKind::bad_configuration,
+                    "faults.kind = \"reset\" cannot be flown on a virtual board yet"};
 }
 
 }  // namespace fantail::board

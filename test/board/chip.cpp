@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint32_t apb1_hz = 42'000'000;
 constexpr std::uint32_t apb2_hz = 84'000'000;
 
-// In clocks of a bus at its full speed. Without its crystal the processor is slower, and so are they: the wire then takes
-// longer than is counted here.
+// In clocks of a bus at its full speed. Without its crystal the processor is slower, and so are they: the wire then
+// takes longer than is counted here.
 devices::FakeSpi::BusClocks clocks_of(const Timeline& timeline, std::uint32_t bus_hz) {
   return [&timeline, bus_hz] { return static_cast<std::uint64_t>(timeline.now_s() * bus_hz); };
 }

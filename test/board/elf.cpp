@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "elf.hpp"
 
-#include <elf.h>
-
 #include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 
+#include <elf.h>
 #include <fmt/format.h>
 
 #include "text/error.hpp"

@@ -26,7 +26,8 @@ class Image {
   [[nodiscard]] const std::vector<std::byte>& flash() const { return flash_; }
   /// Empty when no symbol of that name is there. Of a function without the bit that says Thumb.
   [[nodiscard]] std::optional<std::uint32_t> address_of(const std::string& symbol) const;
-  /// The name of the last symbol at or before this address, with the distance to it: "main + 0x12". "?" before the first.
+  /// The name of the last symbol at or before this address, with the distance to it: "main + 0x12". "?" before the
+  /// first.
   [[nodiscard]] std::string where(std::uint32_t address) const;
 
  private:

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "processor.hpp"
 
-#include <unicorn/unicorn.h>
-
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <unicorn/unicorn.h>
 
 namespace fantail::board {
 namespace {
@@ -18,8 +17,7 @@ constexpr std::uint32_t backup_begin = 0x4002'4000;
 constexpr std::size_t backup_size = 0x1000;
 
 // Which registers an exception puts on the stack, from the lowest address on; then pc and xPSR. Armv7-M B1.5.6.
-constexpr std::array stacked{UC_ARM_REG_R0, UC_ARM_REG_R1,  UC_ARM_REG_R2,
-                             UC_ARM_REG_R3, UC_ARM_REG_R12, UC_ARM_REG_LR};
+constexpr std::array stacked{UC_ARM_REG_R0, UC_ARM_REG_R1, UC_ARM_REG_R2, UC_ARM_REG_R3, UC_ARM_REG_R12, UC_ARM_REG_LR};
 constexpr std::size_t basic_words = 8;
 constexpr std::size_t float_words = 26;
 constexpr std::uint32_t if_then_bits = 0x0600'FC00;
@@ -226,7 +224,8 @@ void Processor::take(std::uint32_t exception) {
   set(UC_ARM_REG_SP, sp);
   if (uc_mem_write(engine_, sp, frame.data(), 4 * words) != UC_ERR_OK) {
     // A stack that ran over: the handler runs all the same, on a stack that is none. (B1.5.15)
-    complaints.push_back(fmt::format("{:.6f} s: no stack at 0x{:08x} for exception {}", timeline_.now_s(), sp, exception));
+    complaints.push_back(
+        fmt::format("{:.6f} s: no stack at 0x{:08x} for exception {}", timeline_.now_s(), sp, exception));
     exception = SystemBlock::hard_fault;
   }
   const bool from_program = system_.active() == 0;
@@ -275,7 +274,7 @@ void Processor::jump(std::uint32_t address, bool masked) {
 }
 
 void Processor::flip_register(unsigned number, unsigned bit) {
-  const int which = number < 13 ? UC_ARM_REG_R0 + static_cast<int>(number)
+  const int which = number < 13    ? UC_ARM_REG_R0 + static_cast<int>(number)
                     : number == 13 ? UC_ARM_REG_SP
                                    : UC_ARM_REG_LR;
   if (number == 15) {

@@ -26,9 +26,9 @@ struct Pace {
   double cycles_per_access = 3.0;  ///< of a register on a peripheral bus
 };
 
-/// A Cortex-M4F, by Unicorn: it runs the bytes of an image, takes exceptions, sleeps, and reaches its registers through an
-/// address space. What it does not do: enforce the memory protection unit, need the FPU to be switched on, stack an FPU
-/// context lazily.
+/// A Cortex-M4F, by Unicorn: it runs the bytes of an image, takes exceptions, sleeps, and reaches its registers through
+/// an address space. What it does not do: enforce the memory protection unit, need the FPU to be switched on, stack an
+/// FPU context lazily.
 class Processor {
  public:
   /// All outlive it. It begins at reset().
@@ -99,13 +99,14 @@ class Processor {
     std::uint32_t begin;
     std::size_t size;
   };
-  std::array<Bus, 3> buses_{{{this, 0x4000'0000, 0x2'4000}, {this, 0x5006'0000, 0x1000}, {this, 0xE000'0000, 0x10'0000}}};
+  std::array<Bus, 3> buses_{
+      {{this, 0x4000'0000, 0x2'4000}, {this, 0x5006'0000, 0x1000}, {this, 0xE000'0000, 0x10'0000}}};
   std::vector<std::uint16_t> instructions_at_;  ///< of the block that begins at each half word; 0: not counted yet
   std::vector<Returning> returning_;
   std::uint32_t pc_ = 0;
   std::uint64_t instructions_ = 0;
-  int interrupt_ = 0;          ///< what the emulator said last: Unicorn's number of an exception
-  bool left_by_us_ = false;    ///< and not because it sleeps
+  int interrupt_ = 0;        ///< what the emulator said last: Unicorn's number of an exception
+  bool left_by_us_ = false;  ///< and not because it sleeps
   bool stopped_ = false;
   bool locked_ = false;
   bool asleep_ = false;

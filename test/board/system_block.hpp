@@ -18,9 +18,9 @@
 namespace fantail::board {
 
 /// What belongs to the processor and not to the chip: SysTick, the interrupt controller, the system control block, the
-/// cycle counter (PM0214 section 4, Armv7-M B3). Which exception waits and which runs is known here; the processor asks.
-/// All interrupts have the priority of a reset, so that none interrupts another: a firmware that sets a priority is told
-/// in `doubts`. The memory protection unit is memory: nothing is enforced.
+/// cycle counter (PM0214 section 4, Armv7-M B3). Which exception waits and which runs is known here; the processor
+/// asks. All interrupts have the priority of a reset, so that none interrupts another: a firmware that sets a priority
+/// is told in `doubts`. The memory protection unit is memory: nothing is enforced.
 class SystemBlock {
  public:
   static constexpr std::uint32_t nmi = 2;

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/flight_computer_option.hpp"
 
-#include <filesystem>
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <memory>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "avionics/identity.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
-#include "hil/emulator.hpp"
 #include "hil/wire.hpp"
 #include "text/number.hpp"
 
@@ -20,31 +24,46 @@ constexpr std::string_view serial = "serial:";
 
 std::string objection_to_place(const std::string& text) {
   const bool device = text.starts_with(serial) && text.size() > serial.size();
-  return text == "host" || text == "emulator" || device
+  return text == "host" || text == "emulator" || text == "board" || device
              ? ""
-             : '"' + text + "\" is not a flight computer; allowed: host, emulator, serial:DEVICE";
+             : '"' + text + "\" is not a flight computer; allowed: host, emulator, board, serial:DEVICE";
 }
 
-std::unique_ptr<hil::Wire> wire(const FlightComputerOptions& options) {
-  if (options.on.starts_with(serial)) {
-    return std::make_unique<hil::SerialPort>(options.on.substr(serial.size()));
-  }
+hil::EmulatorOptions emulator(const FlightComputerOptions& options) {
   hil::EmulatorOptions emulator;
   emulator.image = options.image.empty() ? hil::built_image() : std::filesystem::path{options.image};
-  return std::make_unique<hil::Emulator>(emulator);
+  return emulator;
+}
+
+hil::EmulatorOptions virtual_board(const FlightComputerOptions& options, const std::filesystem::path& diary) {
+  hil::EmulatorOptions board;
+  board.image =
+      options.image.empty() ? hil::built_image("fantail-stm32f405.elf") : std::filesystem::path{options.image};
+  board.program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "fantail-board";
+  board.diary = diary;
+  return board;
+}
+
+std::filesystem::path new_folder() {
+  std::string name = std::filesystem::temp_directory_path() / "fantail-board-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw std::system_error{errno, std::generic_category(), name};
+  }
+  return name;
 }
 
 }  // namespace
 
 void add_flight_computer_options(const Verb& verb, FlightComputerOptions& options) {
   verb.option("--on", options.on,
-              "host (in this program), emulator (the ARM image on an emulated Cortex-M4), serial:DEVICE (a board on a "
-              "serial line) [host]")
-      .offers([](std::string_view /*begun*/) { return manual::Offer{.words = {"host", "emulator", "serial:"}}; })
+              "host (in this program), emulator (the ARM image on an emulated Cortex-M4), board (the bytes that are "
+              "flashed, on a virtual board), serial:DEVICE (a board on a serial line) [host]")
+      .offers(
+          [](std::string_view /*begun*/) { return manual::Offer{.words = {"host", "emulator", "board", "serial:"}}; })
       .check(objection_to_place)
       .value_name("PLACE");
   verb.option("--image", options.image,
-              "The image for the emulator [the one that ./dev fly --on emulator has built, in the sources]")
+              "The image for the emulator or the board [the one that ./dev fly --on PLACE has built, in the sources]")
       .offers(files)
       .value_name("FILE");
 }
@@ -53,8 +72,42 @@ FlightComputerOption::FlightComputerOption(const FlightComputerOptions& options)
   if (options.on == "host") {
     return;
   }
-  where_ = options.on == "emulator" ? "an emulated Cortex-M4" : "the board at " + options.on.substr(serial.size());
-  target_.emplace(wire(options), give_up_if_interrupted);
+  std::unique_ptr<hil::Wire> wire;
+  if (options.on == "emulator") {
+    where_ = "an emulated Cortex-M4";
+    wire = std::make_unique<hil::Emulator>(emulator(options));
+  } else if (options.on == "board") {
+    where_ = "a virtual board";
+    diary_ = new_folder();
+    auto board = std::make_unique<hil::Emulator>(virtual_board(options, diary_));
+    board_ = board.get();
+    wire = std::move(board);
+  } else {
+    where_ = "the board at " + options.on.substr(serial.size());
+    wire = std::make_unique<hil::SerialPort>(options.on.substr(serial.size()));
+  }
+  target_.emplace(std::move(wire), give_up_if_interrupted);
+}
+
+FlightComputerOption::~FlightComputerOption() {
+  std::error_code ignored;
+  if (!diary_.empty()) {
+    std::filesystem::remove_all(diary_, ignored);
+  }
+}
+
+std::vector<std::string> FlightComputerOption::keep_diary(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  if (board_ == nullptr) {
+    return names;
+  }
+  board_->end();
+  for (const auto& entry : std::filesystem::directory_iterator{diary_}) {
+    names.push_back(entry.path().filename());
+    std::filesystem::copy_file(entry.path(), folder / names.back(), std::filesystem::copy_options::overwrite_existing);
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 sim::MakeFlightComputer FlightComputerOption::maker() { return target_ ? target_->maker() : sim::simulated_board; }

@@ -22,6 +22,9 @@
 #include "fantail/terminal.hpp"
 #include "fantail/wall_clock.hpp"
 #include "flight/fly_command.hpp"
+#include "flight_log/flight_log.hpp"
+#include "flight_log/integrity.hpp"
+#include "flight_log/regenerate.hpp"
 #include "fly/fly_scenario.hpp"
 #include "hil/wire.hpp"
 #include "report/results.hpp"
@@ -74,6 +77,17 @@ std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& sce
     give_up_if_interrupted();
     progress.show(simulated_s);
   });
+}
+
+/// Does this program make of what the board has recorded what the board has made of it?
+std::string replay_of(const flight::Flight& flown) {
+  if (flown.log.empty()) {
+    return "Nothing was recorded, so nothing of the flight could be repeated on this computer.";
+  }
+  const flight_log::Flight recorded = flight_log::parse_log(flown.log, "flight.ftl").flights.at(0);
+  const flight_log::Regeneration replayed =
+      flight_log::replay(recorded, "flight.ftl", flight_log::plan_for_replay(recorded, "flight.ftl", {}));
+  return "The flash of the board, repeated on this computer: " + flight_log::replay_text(recorded, replayed) + ".";
 }
 
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
@@ -168,6 +182,9 @@ void fly_and_report(const FlyOptions& options) {
   flight.changes = std::move(changes);
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
+  if (options.computer.on == "board") {
+    flight.notes.push_back(replay_of(flight));
+  }
   Chapters chapters{"report", 1, "computing the figures and writing files and page"};
   const report::Results results = report::results(flight, made_with(made_from, flight.seed, flight.changes));
   const std::filesystem::path folder = options.out.empty() ? usual_folder : std::filesystem::path{options.out};
@@ -181,6 +198,9 @@ void fly_and_report(const FlyOptions& options) {
   }
   if (!flight.log.empty()) {
     lines += fmt::format("  log      {}/flight.ftl\n", where);
+  }
+  for (const std::string& name : computer.keep_diary(folder)) {
+    lines += fmt::format("  board    {}/{}\n", where, name);
   }
   if (const std::string sent = lcm.finish(); !sent.empty()) {
     lines += fmt::format("  lcm      {}\n", sent);

@@ -28,6 +28,9 @@ constexpr int target_writes = 4;
 
 // Only the machine with the STM32F405, and nothing else that a person might have configured.
 std::vector<std::string> command(const EmulatorOptions& options) {
+  if (options.diary) {
+    return {options.program, "--serve", options.image.string(), options.diary->string()};
+  }
   return {options.program,
           "-nodefaults",
           "-no-user-config",
@@ -99,12 +102,13 @@ OneProcessor::~OneProcessor() {
   }
 }
 
-Emulator::Emulator(const EmulatorOptions& options) {
+Emulator::Emulator(const EmulatorOptions& options) : options_{options} {
   if (!std::filesystem::is_regular_file(options.image)) {
-    throw text::Error{text::ErrorKind::no_such_input,
-                      options.image.string() +
-                          ": no such file. In the sources, ./dev fly --on emulator builds "
-                          "build/arm/fantail-emulator.elf. Pass that file to an installed program with --image"};
+    throw text::Error{
+        text::ErrorKind::no_such_input,
+        fmt::format("{}: no such file. In the sources, ./dev fly --on {} builds {}. Another one is given with --image",
+                    options.image.string(), options.diary ? "board" : "emulator",
+                    options.diary ? "build/arm/fantail-stm32f405.elf" : "build/arm/fantail-emulator.elf")};
   }
   auto [target_in, to_target] = make_pipe();
   auto [from_target, target_out] = make_pipe();
@@ -128,8 +132,10 @@ Emulator::Emulator(const EmulatorOptions& options) {
   if (told.value_or(0) == sizeof error) {
     ::waitpid(process_, nullptr, 0);
     process_ = -1;
-    throw TargetError{fmt::format("{} could not be started ({}); it comes with the Debian package qemu-system-arm",
-                                  options.program, std::strerror(error))};
+    throw TargetError{fmt::format("{} could not be started ({}); it {}", options.program, std::strerror(error),
+                                  options.diary ? "is built, and never installed, where the Debian package "
+                                                  "libunicorn-dev is"
+                                                : "comes with the Debian package qemu-system-arm")};
   }
   to_target_ = std::move(to_target);
   from_target_ = std::move(from_target);
@@ -141,6 +147,22 @@ Emulator::~Emulator() {
     ::kill(process_, SIGKILL);
     ::waitpid(process_, nullptr, 0);
   }
+}
+
+void Emulator::end() {
+  to_target_.close();
+  int status = 0;
+  for (int i = 0; i < 1'000; ++i) {
+    if (::waitpid(process_, &status, WNOHANG) == process_) {
+      process_ = -1;
+      if (status != 0) {
+        fail(status);
+      }
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  }
+  throw TargetError{"the virtual board does not end after its flight"};
 }
 
 void Emulator::write(std::span<const std::byte> bytes) {
@@ -164,6 +186,10 @@ void Emulator::ended() {
     std::this_thread::sleep_for(std::chrono::milliseconds{10});
   }
   process_ = -1;
+  fail(status);
+}
+
+void Emulator::fail(int status) const {
   std::array<std::byte, 2048> text{};
   const auto size = complaints_.read(text, std::chrono::milliseconds{100}).value_or(0);
   std::string said{reinterpret_cast<const char*>(text.data()), size};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <sched.h>
@@ -33,10 +34,13 @@ struct EmulatorOptions {
   /// emulated time does not wait for ours.
   std::string icount = "shift=3,sleep=off";
   std::string program = "qemu-system-arm";
+  /// Not QEMU but a virtual board: where it writes what was measured at its pins, when the flight is over. `program` is
+  /// fantail-board then, and has a time of its own.
+  std::optional<std::filesystem::path> diary{};
 };
 
-/// An image on a processor that QEMU emulates, in a process of its own that ends with this object, and with this
-/// process whatever happens to it.
+/// An image on a processor that is emulated, in a process of its own that ends with this object, and with this process
+/// whatever happens to it.
 class Emulator final : public Wire {
  public:
   /// Throws text::Error without an image, and TargetError without an emulator.
@@ -50,9 +54,14 @@ class Emulator final : public Wire {
 
   [[nodiscard]] pid_t process() const { return process_; }
 
+  /// Nobody will ask any more: waits until a virtual board has written its diary. Throws TargetError when it does not.
+  void end();
+
  private:
   [[noreturn]] void ended();
+  [[noreturn]] void fail(int status) const;
 
+  EmulatorOptions options_;
   OneProcessor one_processor_;  ///< for this thread and the emulator
   Descriptor to_target_;
   Descriptor from_target_;

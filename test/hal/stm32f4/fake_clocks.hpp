@@ -19,7 +19,7 @@ class FakeClocks {
   bool pll_locks = true;
   bool flash_takes_wait_states = true;
   bool switch_works = true;
-  int looks_until_ready = 20;  ///< at an oscillator or at the PLL, without a clock
+  int looks_until_ready = 20;       ///< at an oscillator or at the PLL, without a clock
   std::function<double()> now_s{};  ///< else the crystal takes 2 ms and the PLL 0.2: DS8626, HSE and main PLL
 
   registers::Rcc rcc{};
@@ -68,9 +68,7 @@ class FakeClocks {
     const unsigned code = cfgr_ >> shift & 7U;
     return code < 4 ? 1 : 2U << (code - 4);
   }
-  [[nodiscard]] std::uint32_t running_from() const {
-    return switch_works && (cfgr_ & 3U) == 2 && pll_ready() ? 2 : 0;
-  }
+  [[nodiscard]] std::uint32_t running_from() const { return switch_works && (cfgr_ & 3U) == 2 && pll_ready() ? 2 : 0; }
 
   /// In seconds, or in looks.
   [[nodiscard]] double now() const { return now_s ? now_s() : looks_; }

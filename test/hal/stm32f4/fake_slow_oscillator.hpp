@@ -10,8 +10,8 @@
 
 namespace fantail::hal::stm32f4::test {
 
-/// Channel 4 of TIM5 with the oscillator at its input: RM0090 sections 7.2.11 and 18.3.5. Time passes with each look, unless
-/// it has a clock.
+/// Channel 4 of TIM5 with the oscillator at its input: RM0090 sections 7.2.11 and 18.3.5. Time passes with each look,
+/// unless it has a clock.
 struct FakeSlowOscillator {
  private:
   registers::Rcc own_rcc_{};

@@ -16,9 +16,9 @@ class FakeUsart {
  public:
   registers::Usart port{};
   registers::Register set_pending{};  ///< NVIC_ISPR1, in which USART1 is bit 5
-  std::function<void()> handler{};      ///< empty: somebody asks interrupts()
-  std::string wire{};        ///< what has left it
-  bool is_emulated = false;  ///< as QEMU 7.2: every byte leaves at once, and that interrupts nobody
+  std::function<void()> handler{};    ///< empty: somebody asks interrupts()
+  std::string wire{};                 ///< what has left it
+  bool is_emulated = false;           ///< as QEMU 7.2: every byte leaves at once, and that interrupts nobody
   std::uint32_t handler_calls = 0;
 
   explicit FakeUsart(RegisterWorld& world) {

@@ -2,17 +2,17 @@
 
 #include "hal/stm32f4/supply.hpp"
 
+#include "fake_adc.hpp"
 #include "fake_supply.hpp"
 #include "hal/stm32f4/battery.hpp"
-#include "fake_adc.hpp"
 #include "register_world.hpp"
 #include "test.hpp"
 
 namespace fantail::hal::stm32f4 {
 namespace {
 
-using test::FakeSupply;
 using test::FakeAdc;
+using test::FakeSupply;
 using test::RegisterWorld;
 
 struct TheSupply : testing::Test {

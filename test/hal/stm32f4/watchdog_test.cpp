@@ -2,9 +2,9 @@
 
 #include "hal/stm32f4/watchdog.hpp"
 
-#include "hal/stm32f4/slow_oscillator.hpp"
 #include "fake_iwdg.hpp"
 #include "fake_slow_oscillator.hpp"
+#include "hal/stm32f4/slow_oscillator.hpp"
 #include "register_world.hpp"
 #include "test.hpp"
 

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "board_server.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/tick_record_fields.hpp"
+#include "protocol/plan_block.hpp"
+#include "text/error.hpp"
+#include "world_link/exchange.hpp"
+
+namespace fantail::board {
+namespace {
+
+using protocol::HilReader;
+using protocol::HilType;
+using protocol::HilWriter;
+
+constexpr double most_words_s = 0.5;
+constexpr std::string_view name_of_image = "fantail-stm32f405 on a virtual board";
+
+// The first line that it says: "Fantail 0.2.0, git 0123456789ab".
+std::pair<std::string, std::string> identity_of(const Image& image, const Pace& pace) {
+  Board board{image, pace};
+  board.switch_on();
+  const auto line_ends = [&board] {
+    const std::size_t begin = board.console.find("Fantail ");
+    return begin == std::string::npos ? begin : board.console.find('\n', begin);
+  };
+  while (line_ends() == std::string::npos && board.now_s() < most_words_s) {
+    board.run_until(board.now_s() + 1e-3);
+  }
+  constexpr std::string_view before = "Fantail ";
+  constexpr std::string_view between = ", git ";
+  const std::size_t begin = board.console.find(before);
+  const std::size_t middle = board.console.find(between, begin);
+  if (line_ends() == std::string::npos || middle == std::string::npos) {
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("the image has not said what it is in {} s; it is at {}. It said: {}", most_words_s,
+                                  image.where(board.processor.program_counter()), board.console)};
+  }
+  const std::size_t hash = middle + between.size();
+  return {board.console.substr(begin + before.size(), middle - begin - before.size()),
+          board.console.substr(hash, line_ends() - hash)};
+}
+
+}  // namespace
+
+BoardServer::BoardServer(const Image& image, const Pace& pace, hal::emulator::Channel& channel)
+    : image_{image}, pace_{pace}, link_{channel}, flash_{link_, cycles_} {
+  std::tie(version_, git_hash_) = identity_of(image, pace);
+}
+
+void BoardServer::serve() {
+  const protocol::LogFrame question = link_.receive();
+  switch (static_cast<HilType>(question.head.type)) {
+    case HilType::hello: present(); break;
+    case HilType::begin: begin(question.payload); break;
+    case HilType::tick: tick(question.payload); break;
+    default: refuse("this is not a request"); break;
+  }
+}
+
+void BoardServer::present() {
+  HilWriter writer{link_.payload()};
+  writer(protocol::hil_version);
+  const std::uint32_t layout = world_link::layout();
+  writer(layout);
+  writer.text(name_of_image);
+  writer.text(version_);
+  writer.text(git_hash_);
+  writer(std::uint32_t{0});
+  writer(std::uint32_t{0});
+  link_.answer(HilType::ready, writer.size());
+}
+
+void BoardServer::begin(std::span<const std::byte> payload) {
+  HilReader reader{payload};
+  const auto plan = protocol::read_plan_block(reader.bytes());
+  hal::FlashGeometry geometry;
+  world_link::visit_geometry(geometry, reader);
+  hal::sim::WorldSide scales{};
+  world_link::visit_scales(scales, reader);
+  (void)reader.text();  // the vehicle: nobody tells a board what it is in
+  (void)reader.text();
+  if (!reader.ok() || !plan.plan) {
+    refuse(reader.ok() ? "this is not a flight plan" : "this is not a valid message");
+    return;
+  }
+  flash_.set_geometry(geometry);
+  traffic_.clear();
+  said_.clear();
+  console_.clear();
+  flown_ = std::make_unique<BoardInWorld>(
+      image_, pace_, *plan.plan,
+      sim::BoardPorts{.can_bus = boards_node_, .flash = flash_, .console = console_, .entropy = entropy_});
+  flown_->hardware() = scales;
+  link_.answer(HilType::begun, 0);
+}
+
+void BoardServer::tick(std::span<const std::byte> payload) {
+  if (!flown_) {
+    refuse("no flight was started");
+    return;
+  }
+  HilReader reader{payload};
+  hal::sim::WorldSide& hardware = flown_->hardware();
+  world_link::visit_inputs(hardware, reader);
+  std::uint32_t random = 0;
+  reader(random);
+  exchange(reader);
+  if (!reader.ok()) {
+    refuse("this is not a valid message");
+    return;
+  }
+  const core::TickRecord record = flown_->tick();
+  HilWriter writer{link_.payload()};
+  protocol::visit_record(record, writer);
+  world_link::visit_outputs(hardware, writer);
+  const world_link::TickTimes times{};
+  world_link::visit_times(times, writer);
+  writer.text(console_.text());
+  said_ += console_.text();
+  console_.clear();
+  while (const auto frame = worlds_node_.receive()) {
+    traffic_.push_back({flown_->board().now_s(), *frame});
+    writer(true);
+    world_link::visit_frame(*frame, writer);
+  }
+  writer(false);
+  link_.answer(HilType::done, writer.size(), hardware.time);
+}
+
+void BoardServer::exchange(HilReader& reader) {
+  hal::CanState state{};
+  reader(state);
+  std::uint8_t count = 0;
+  reader(count);
+  for (std::uint8_t i = 0; i < count && reader.within(); ++i) {
+    hal::CanFrame frame;
+    world_link::visit_frame(frame, reader);
+    traffic_.push_back({flown_->board().now_s(), frame});
+    (void)worlds_node_.send(frame);
+  }
+}
+
+void BoardServer::refuse(std::string_view why) {
+  HilWriter writer{link_.payload()};
+  writer.text(why);
+  link_.answer(HilType::refused, writer.size());
+}
+
+}  // namespace fantail::board

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "write_diary.hpp"
+
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace fantail::board {
+namespace {
+
+constexpr double timer_hz = 168e6;
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out;
+  out.exceptions(std::ios::failbit | std::ios::badbit);
+  out.open(file, std::ios::binary);
+  out << text;
+}
+
+std::string pulses_of(const Board& board) {
+  std::string text = "canard,begin_s,width_us,whole\n";
+  for (const devices::FakeTimer::Pulse& pulse : board.chip.servo_timer.pulses()) {
+    text += fmt::format("{},{:.9f},{:.3f},{}\n", pulse.line + 1, static_cast<double>(pulse.begin) / timer_hz,
+                        static_cast<double>(pulse.width) / timer_hz * 1e6, pulse.whole ? 1 : 0);
+  }
+  return text;
+}
+
+std::string traffic_of(const BoardServer& server) {
+  std::string text;
+  for (const auto& [time_s, frame] : server.traffic()) {
+    text += fmt::format("({:.6f}) board {:03X}#", time_s, frame.id);
+    for (std::size_t i = 0; i < frame.length; ++i) {
+      text += fmt::format("{:02X}", frame.data[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_diary(BoardServer& server, const std::filesystem::path& folder) {
+  if (const Board* board = server.board()) {
+    write(folder / "board_pulses.csv", pulses_of(*board));
+    write(folder / "board_can.log", traffic_of(server));
+    write(folder / "board_console.txt", server.said());
+  }
+}
+
+}  // namespace fantail::board
