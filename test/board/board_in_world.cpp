@@ -11,9 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "avionics/can_frame.hpp"
 #include "avionics/flash_access.hpp"
 #include "avionics/plan_store.hpp"
 #include "hal/sim/flash.hpp"
+#include "protocol/bus_codec.hpp"
 #include "protocol/plan_block.hpp"
 #include "text/error.hpp"
 
@@ -25,7 +27,6 @@ constexpr double most_start_s = 5.0;
 /// Behind the end of a tick: the next one has not begun, and a longer one would have ended.
 constexpr double idle_s = 0.2e-3;
 constexpr double standard_gravity_m_s2 = 9.80665;
-constexpr double timer_hz = 168e6;
 /// A servo that has heard none for so long is on its own: fifteen frames.
 constexpr double silence_s = 0.045;
 constexpr const char* tick_function = "_ZN7fantail8avionics8Avionics4tickEv";
@@ -102,9 +103,11 @@ const core::TickRecord& BoardInWorld::tick() {
     board_.send(*frame);
   }
   until_s_ += tick_s;
+  has_record_ = false;
   board_.run_until(until_s_);
   for (const hal::CanFrame& frame : board_.take_sent()) {
     (void)ports_.can_bus.send(frame);
+    note_report(frame);
   }
   if (!board_.console.empty()) {
     ports_.console.write(std::exchange(board_.console, {}));
@@ -140,15 +143,24 @@ void BoardInWorld::show_world() {
 
 void BoardInWorld::hear_pulses() {
   board_.chip.follow();
-  const auto& pulses = board_.chip.servo_timer.pulses();
+  const std::vector<HeardPulse>& pulses = board_.chip.pulses();
   for (; heard_ < pulses.size(); ++heard_) {
-    const devices::FakeTimer::Pulse& pulse = pulses[heard_];
-    hardware_.pulses[pulse.line] = hal::Pulse{std::lround(static_cast<double>(pulse.width) / timer_hz * 1e9)};
-    heard_s_[pulse.line] = board_.now_s();
+    const HeardPulse& pulse = pulses[heard_];
+    hardware_.pulses[pulse.line] = hal::Pulse{std::lround(1e3 * pulse.width_us)};
+    heard_s_[pulse.line] = pulse.end_s();
   }
   for (std::size_t i = 0; i < hal::canards; ++i) {
     if (board_.now_s() - heard_s_[i] > silence_s) {
       hardware_.pulses[i].reset();
+    }
+  }
+}
+
+void BoardInWorld::note_report(const hal::CanFrame& frame) {
+  const auto decoded = protocol::decode_from_avionics(avionics::bus_frame(frame));
+  if (decoded.message) {
+    if (const auto* report = std::get_if<protocol::BoardReport>(&*decoded.message)) {
+      report_ = *report;
     }
   }
 }

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "board.hpp"
 #include "core/tick_record.hpp"
 #include "hal/sim/world_side.hpp"
+#include "protocol/bus_messages.hpp"
 #include "sim/flight_computer.hpp"
 
 namespace fantail::board {
@@ -28,12 +30,17 @@ class BoardInWorld final : public sim::FlightComputer {
   core::Microseconds restart(const sim::Reset& reset) override;
 
   [[nodiscard]] Board& board() { return board_; }
+  /// The avionics had a tick in the last one of the world.
+  [[nodiscard]] bool had_tick() const { return has_record_; }
+  /// What the board said of itself last, on its bus.
+  [[nodiscard]] const std::optional<protocol::BoardReport>& report() const { return report_; }
 
  private:
   void store(const core::FlightPlan& plan);
   void start();
   void show_world();
   void hear_pulses();
+  void note_report(const hal::CanFrame& frame);
   void mirror(std::size_t address, std::size_t size);
   void take_record(std::uint32_t address);
 
@@ -42,6 +49,7 @@ class BoardInWorld final : public sim::FlightComputer {
   hal::sim::WorldSide hardware_;
   core::TickRecord record_{};
   bool has_record_ = false;
+  std::optional<protocol::BoardReport> report_;
   double last_tick_ended_s_ = 0.0;
   double until_s_ = 0.0;
   std::size_t heard_ = 0;

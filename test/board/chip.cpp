@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "chip.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "hal/stm32f4/registers/rcc.hpp"
@@ -72,7 +74,7 @@ void Chip::add_blocks(AddressSpace& space) {
   space.add(0x4000'6400, in.can_registers);
   space.add(0x4000'7000, supply.power);
   space.add(0x4001'0000, in.buzzer);
-  space.add(0x4001'0400, servo_timer.registers);
+  space.add(0x4001'0400, servo_timer_.registers);
   space.add(0x4001'1000, in.usart.port);
   space.add(0x4001'2000, in.converter.registers);
   space.add(0x4001'2300, in.converter.common);
@@ -106,13 +108,16 @@ void Chip::reset(ResetKind kind) {
     const std::uint32_t on = RegisterWorld::peek(csr) & rcc_csr_lsion;
     return on | (on != 0 ? rcc_csr_lsirdy : 0U) | reset_flags_;
   });
-  servo_timer.reset();
+  servo_timer_.reset();
+  hear_pulses();
   timeline_.set_frequency_hz(domain->clocks.core_hz());
 }
 
 void Chip::follow() {
   const double now_s = timeline_.now_s();
   const double passed_s = now_s - followed_s_;
+  domain->clocks.crystal_starts = crystal_runs;
+  domain->clocks.pll_locks = pll_locks;
   followed_s_ = now_s;
   clock.time = hal::Microseconds{static_cast<std::int64_t>(std::floor(now_s * 1e6))};
   timeline_.set_frequency_hz(domain->clocks.core_hz());
@@ -122,10 +127,33 @@ void Chip::follow() {
   domain->watchdog.pass(passed_s);
   backup.pass(passed_s);
   const double timer_hz = domain->clocks.apb2_timers_hz();
-  servo_counts_ += passed_s * timer_hz / static_cast<double>(servo_timer.divider());
+  servo_counts_ += passed_s * timer_hz / static_cast<double>(servo_timer_.divider());
   const auto whole = static_cast<std::uint64_t>(servo_counts_);
-  servo_timer.pass(whole);
   servo_counts_ -= static_cast<double>(whole);
+  if (paces_.empty() || paces_.back().frequency_hz != timer_hz) {
+    paces_.push_back({servo_timer_.clocks(), now_s - passed_s, timer_hz});
+  }
+  servo_timer_.pass(whole);
+  hear_pulses();
+}
+
+// Its clocks are of another length while the processor runs on its own oscillator.
+double Chip::time_of(std::uint64_t clocks) const {
+  const auto after = std::ranges::upper_bound(paces_, clocks, {}, &Pace::clocks);
+  const Pace& pace = after == paces_.begin() ? paces_.front() : *std::prev(after);
+  return pace.time_s + static_cast<double>(clocks - pace.clocks) / pace.frequency_hz;
+}
+
+void Chip::hear_pulses() {
+  const auto& all = servo_timer_.pulses();
+  for (; converted_ < all.size(); ++converted_) {
+    const devices::FakeTimer::Pulse& pulse = all[converted_];
+    const double begin_s = time_of(pulse.begin);
+    pulses_.push_back({.line = pulse.line,
+                       .begin_s = begin_s,
+                       .width_us = 1e6 * (time_of(pulse.begin + pulse.width) - begin_s),
+                       .whole = pulse.whole});
+  }
 }
 
 }  // namespace fantail::board

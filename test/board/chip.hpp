@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <vector>
 
 #include "address_space.hpp"
 #include "can_model.hpp"
@@ -49,6 +49,15 @@ struct ResetDomain {
 /// Why the chip begins anew: RCC_CSR, RM0090 section 7.3.21.
 enum class ResetKind : std::uint8_t { power_on, brown_out, pin, software, watchdog };
 
+/// What a servo on one line has heard. Times are since power-up.
+struct HeardPulse {
+  std::size_t line = 0;
+  double begin_s = 0.0;
+  double width_us = 0.0;
+  bool whole = true;  ///< false: cut off before the end that it should have had
+  [[nodiscard]] double end_s() const { return begin_s + 1e-6 * width_us; }
+};
+
 /// An STM32F405 around its processor, with every block that the flight image touches at its address (RM0090 table 1).
 class Chip {
  public:
@@ -64,11 +73,30 @@ class Chip {
   std::optional<ResetDomain> domain;
   devices::FakeRtc backup{world};
   devices::FakeSupply supply{world};
-  devices::FakeTimer servo_timer{world};
+  // ---- faults ----
+  bool crystal_runs = true;  ///< of 8 MHz; one that stops is missed at once
+  bool pll_locks = true;
+
+  /// In the order of their ends.
+  [[nodiscard]] const std::vector<HeardPulse>& pulses() const { return pulses_; }
 
  private:
   void add_blocks(AddressSpace& space);
 
+  void hear_pulses();
+  [[nodiscard]] double time_of(std::uint64_t clocks) const;
+
+  /// From so many of its clocks on, which were at this time, the timer had this frequency.
+  struct Pace {
+    std::uint64_t clocks;
+    double time_s;
+    double frequency_hz;
+  };
+
+  devices::FakeTimer servo_timer_{world};
+  std::vector<Pace> paces_;
+  std::size_t converted_ = 0;
+  std::vector<HeardPulse> pulses_;
   Timeline& timeline_;
   devices::FakeCapture::Line imu_line_;
   std::uint32_t reset_flags_ = 0;

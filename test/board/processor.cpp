@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unicorn/unicorn.h>
@@ -119,6 +120,7 @@ void Processor::on_return_of(std::uint32_t function, std::function<void(std::uin
 void Processor::reset() {
   system_.reset();
   locked_ = asleep_ = false;
+  upset_ = nullptr;
   std::uint32_t vectors[2]{};
   read_memory(Image::flash_begin, std::as_writable_bytes(std::span{vectors}));
   set(UC_ARM_REG_IPSR, 0);
@@ -161,6 +163,11 @@ void Processor::run() {
     if (asleep_) {
       sleep();
     }
+    if (upset_) {
+      std::exchange(upset_, nullptr)();
+      asleep_ = false;
+      continue;
+    }
     const bool masked = (get(UC_ARM_REG_PRIMASK) & 1U) != 0;
     const auto exception = stopped_ || locked_ || asleep_ ? std::nullopt : system_.waiting();
     if (exception && (!masked || *exception == SystemBlock::nmi)) {
@@ -185,7 +192,7 @@ void Processor::after_emulation(int error) {
 
 // What waits wakes it, masked or not.
 void Processor::sleep() {
-  while (!stopped_ && !system_.wakes()) {
+  while (!stopped_ && !upset_ && !system_.wakes()) {
     timeline_.sleep();
   }
   asleep_ = !system_.wakes();
@@ -266,22 +273,33 @@ void Processor::come_back(std::uint32_t exception_return) {
   pc_ = frame[6] & ~1U;
 }
 
+void Processor::upset(std::function<void()> what) {
+  upset_ = std::move(what);
+  leave();
+}
+
 void Processor::jump(std::uint32_t address, bool masked) {
-  pc_ = address & ~1U;
-  if (masked) {
-    set(UC_ARM_REG_PRIMASK, 1);
-  }
+  upset([=, this] {
+    pc_ = address & ~1U;
+    set(UC_ARM_REG_PRIMASK, masked ? 1 : get(UC_ARM_REG_PRIMASK));
+  });
 }
 
 void Processor::flip_register(unsigned number, unsigned bit) {
-  const int which = number < 13    ? UC_ARM_REG_R0 + static_cast<int>(number)
-                    : number == 13 ? UC_ARM_REG_SP
-                                   : UC_ARM_REG_LR;
-  if (number == 15) {
-    pc_ ^= 1U << bit & ~1U;
-  } else {
+  upset([=, this] {
+    if (number == 15) {
+      pc_ ^= 1U << bit & ~1U;
+      return;
+    }
+    const int which = number < 13    ? UC_ARM_REG_R0 + static_cast<int>(number)
+                      : number == 13 ? UC_ARM_REG_SP
+                                     : UC_ARM_REG_LR;
     set(which, get(which) ^ 1U << bit);
-  }
+  });
+}
+
+void Processor::move_stack(std::uint32_t address) {
+  upset([=, this] { set(UC_ARM_REG_SP, address); });
 }
 
 // Before the block runs. What is left here is come back to: it counts when it runs.

@@ -52,9 +52,11 @@ class Processor {
   void on_return_of(std::uint32_t function, std::function<void(std::uint32_t result)> what);
 
   // ---- faults ----
-  /// It goes on there, as after an upset of its program counter; masked: and lets no interrupt in.
+  /// It goes on there, as after an upset of its program counter; masked: and lets no interrupt in. This and the next
+  /// take place behind the instructions that run just now.
   void jump(std::uint32_t address, bool masked);
   void flip_register(unsigned number, unsigned bit);  ///< 0 to 15; of the program counter bit 0 is none
+  void move_stack(std::uint32_t address);
 
   // ---- what was seen ----
   /// Accesses to nobody, instructions that are none: what, where, at what time. The firmware met a hard fault then.
@@ -83,6 +85,7 @@ class Processor {
   void come_back(std::uint32_t exception_return);
   void fault(std::uint32_t configurable, std::uint32_t address, const std::string& what);
   void sleep();
+  void upset(std::function<void()> what);
   [[nodiscard]] std::uint32_t get(int which) const;
   void set(int which, std::uint32_t value);
 
@@ -110,6 +113,7 @@ class Processor {
   bool stopped_ = false;
   bool locked_ = false;
   bool asleep_ = false;
+  std::function<void()> upset_{};
   bool look_ = true;  ///< an exception may wait that nobody has looked at
   std::optional<std::uint32_t> nobody_at_{};
 };

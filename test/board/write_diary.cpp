@@ -9,8 +9,6 @@
 namespace fantail::board {
 namespace {
 
-constexpr double timer_hz = 168e6;
-
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out;
   out.exceptions(std::ios::failbit | std::ios::badbit);
@@ -20,9 +18,8 @@ void write(const std::filesystem::path& file, const std::string& text) {
 
 std::string pulses_of(const Board& board) {
   std::string text = "canard,begin_s,width_us,whole\n";
-  for (const devices::FakeTimer::Pulse& pulse : board.chip.servo_timer.pulses()) {
-    text += fmt::format("{},{:.9f},{:.3f},{}\n", pulse.line + 1, static_cast<double>(pulse.begin) / timer_hz,
-                        static_cast<double>(pulse.width) / timer_hz * 1e6, pulse.whole ? 1 : 0);
+  for (const HeardPulse& pulse : board.chip.pulses()) {
+    text += fmt::format("{},{:.9f},{:.3f},{}\n", pulse.line + 1, pulse.begin_s, pulse.width_us, pulse.whole ? 1 : 0);
   }
   return text;
 }
