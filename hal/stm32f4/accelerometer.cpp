@@ -22,7 +22,7 @@ AccelerometerSample Accelerometer::read() {
   const Microseconds now = clock_.now();
   switch (stage_) {
     case Stage::adopt: adopt(now); break;
-    case Stage::reset: reset(now); break;
+    case Stage::reset: reset(); break;
     case Stage::wait_for_reset: wait_for_reset(now); break;
     case Stage::running: run(now); break;
   }
@@ -78,13 +78,13 @@ void Accelerometer::adopt(Microseconds now) {
   }
 }
 
-void Accelerometer::reset(Microseconds now) {
+void Accelerometer::reset() {
   if (!registers_.write(kx134::unnamed, 0) || !registers_.write(kx134::control_2, 0) ||
       !registers_.write(kx134::control_2, kx134::soft_reset)) {
     silent_ = true;
     return;
   }
-  reset_at_ = now;
+  reset_at_ = clock_.now();  // from the end of the command on
   stage_ = Stage::wait_for_reset;
 }
 

@@ -46,7 +46,7 @@ class Accelerometer final : public hal::Accelerometer {
   enum class Stage : std::uint8_t { adopt, reset, wait_for_reset, running };
 
   void adopt(Microseconds now);
-  void reset(Microseconds now);
+  void reset();
   void wait_for_reset(Microseconds now);
   void run(Microseconds now);
   void take(Microseconds now, const Counts& counts);

@@ -120,9 +120,10 @@ void Barometer::reset(Microseconds now) {
   if (reset_at_ && now - *reset_at_ < between_resets) {
     return;
   }
-  reset_at_ = since_ = now;
+  reset_at_ = now;
   next_constant_ = 0;
   if (command(ms5611::reset)) {
+    since_ = clock_.now();  // from the end of the command on
     stage_ = Stage::constants;
   } else {
     restart(Status::no_reading);

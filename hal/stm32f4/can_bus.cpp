@@ -83,11 +83,11 @@ std::optional<BoardFault> CanBus::start(std::uint32_t apb1_hz, std::span<const s
   }
   can_.mcr.write(mode | can_mcr_inrq);  // and no longer asleep
   answers_ = wait_for(can_.msr, can_msr_inak, can_msr_inak, looks_to_enter);
+  if (!answers_) {
+    return BoardFault::can_failed;  // and its bit timing may only be written while it initialises
+  }
   can_.btr.write(timing->bits());
   set_filters(identifiers);
-  if (!answers_) {
-    return BoardFault::can_failed;
-  }
   can_.ier.write(interrupts);
   silent_.low();
   can_.mcr.write(mode);

@@ -39,7 +39,7 @@ ImuSample Imu::read() {
   const Microseconds now = clock_.now();
   switch (stage_) {
     case Stage::adopt: adopt(now); break;
-    case Stage::reset: reset(now); break;
+    case Stage::reset: reset(); break;
     case Stage::wait_for_reset: wait_for_reset(now); break;
     case Stage::self_test: carry_on_self_test(now); break;
     case Stage::warm_up:
@@ -118,13 +118,13 @@ void Imu::adopt(Microseconds now) {
   }
 }
 
-void Imu::reset(Microseconds now) {
+void Imu::reset() {
   const bool sent = registers_.write(icm::bank_select, 0) && registers_.write(icm::device_config, icm::soft_reset);
   if (!sent) {
     silent_ = true;
     return;
   }
-  settle_for(now, reset_time);
+  settle_for(clock_.now(), reset_time);  // from the end of the command on
   stage_ = Stage::wait_for_reset;
 }
 

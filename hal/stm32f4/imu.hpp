@@ -74,7 +74,7 @@ class Imu final : public hal::Imu {
   };
 
   void adopt(Microseconds now);
-  void reset(Microseconds now);
+  void reset();
   void wait_for_reset(Microseconds now);
   void carry_on_self_test(Microseconds now);
   void begin_running(Microseconds now);

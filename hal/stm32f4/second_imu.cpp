@@ -88,7 +88,7 @@ ImuSample SecondImu::read() {
   const Microseconds now = clock_.now();
   switch (stage_) {
     case Stage::adopt: adopt(now); break;
-    case Stage::reset: reset(now); break;
+    case Stage::reset: reset(); break;
     case Stage::wait_for_reset: wait_for_reset(now); break;
     case Stage::at_rest:
     case Stage::actuated: carry_on_self_test(now); break;
@@ -130,9 +130,9 @@ void SecondImu::adopt(Microseconds now) {
   }
 }
 
-void SecondImu::reset(Microseconds now) {
+void SecondImu::reset() {
   if (registers_.write(ism::access, 0) && registers_.write(ism::control_3, ism::soft_reset | ism::addresses_go_on)) {
-    begin(now, Stage::wait_for_reset);
+    begin(clock_.now(), Stage::wait_for_reset);  // from the end of the command on
   }
 }
 

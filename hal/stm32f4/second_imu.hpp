@@ -45,7 +45,7 @@ class SecondImu final : public hal::Imu {
   using Sums = std::array<std::int32_t, 3>;
 
   void adopt(Microseconds now);
-  void reset(Microseconds now);
+  void reset();
   void wait_for_reset(Microseconds now);
   void begin(Microseconds now, Stage stage);
   void carry_on_self_test(Microseconds now);

@@ -108,6 +108,30 @@ bool Servo::finish(registers::Tim& timer, const Counts& counts) {
   return false;
 }
 
+void Servo::end_without_crystal(registers::Tim& timer, const Counts& counts) {
+  // 168 MHz to 16.
+  constexpr std::uint32_t slower_by_numerator = 21;
+  constexpr std::uint32_t slower_by_denominator = 2;
+  // A compare value is taken over as it is written, in the middle of its pulse.
+  constexpr std::uint32_t at_once = tim_ccmr_ocm_pwm1 | tim_ccmr_ocm_pwm1 << tim_ccmr_bits_per_channel;
+  const std::uint32_t now = timer.cnt.read();
+  timer.ccmr[0].write(at_once);
+  timer.ccmr[1].write(at_once);
+  std::uint32_t last_end = now;
+  for (std::size_t i = 0; i < canards; ++i) {
+    if (counts[i] > now) {
+      const std::uint32_t end = now + (counts[i] - now) * slower_by_denominator / slower_by_numerator;
+      timer.ccr[i].write(end);
+      last_end = std::max(last_end, end);
+    }
+  }
+  // A pulse of 2.5 ms is 5 000 of the slow counts, and a look takes no less than one.
+  constexpr std::uint32_t most_looks = 5'000;
+  for (std::uint32_t look = 0; look < most_looks && timer.cnt.read() <= last_end; ++look) {
+  }
+  hold_low(timer);
+}
+
 // One write for all four. Their idle level is that of a reset, low.
 void Servo::hold_low(registers::Tim& timer) { timer.bdtr.write(tim_bdtr_ossi); }
 

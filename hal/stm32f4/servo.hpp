@@ -44,8 +44,15 @@ class Servo final : public hal::Servo {
   /// these. False when the timer stands, after some 10 ms.
   [[gnu::cold]] static bool finish(registers::Tim& timer, const Counts& counts);
 
-  /// All four lines low at once and until a reset, which cuts off the pulses under way. For a timer whose clock has
-  /// failed: a pulse of its would mean nothing any more.
+  /// What was written last, in counts of the timer; 0 is no pulse.
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+
+  /// The crystal has stopped, and the timer now counts at 16 MHz where it counted at 168: lets the pulses under way, of
+  /// these counts, end when they were to, and holds the lines low until a reset. One under way would be one of up to
+  /// 15 ms else. Takes as long as the longest of them.
+  [[gnu::cold]] static void end_without_crystal(registers::Tim& timer, const Counts& counts);
+
+  /// All four lines low at once and until a reset, which cuts off the pulses under way.
   [[gnu::cold]] static void hold_low(registers::Tim& timer);
 
  private:

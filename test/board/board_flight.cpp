@@ -111,7 +111,7 @@ void look_at_pulses(const Board& board, double event_s, double end_s, Aftermath&
     if (pulse.line == 0 && begin_s >= event_s) {
       after.silence_ms = std::max(after.silence_ms, 1e3 * (begin_s - last_end_s));
       last_end_s = pulse.end_s();
-      if (restart_s > event_s && begin_s > restart_s && after.boot_ms == 0.0) {
+      if (restart_s >= event_s && begin_s > restart_s && after.boot_ms == 0.0) {
         after.boot_ms = 1e3 * (begin_s - restart_s);
       }
     }

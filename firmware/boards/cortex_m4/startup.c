@@ -47,8 +47,13 @@ void reset_handler(void) {
   for (uint32_t *to = data_begin; to != data_end; ++to) {
     *to = *from++;
   }
-  for (uint32_t *to = bss_begin; to != bss_end; ++to) {
-    *to = 0;
+  // Eight words a round: word by word this was a third of a start, and canards wait for it. The linker script sees to it
+  // that the rounds come out even.
+  for (uint64_t *to = (uint64_t *)bss_begin; to != (uint64_t *)bss_end; to += 4) {
+    to[0] = 0;
+    to[1] = 0;
+    to[2] = 0;
+    to[3] = 0;
   }
   for (const handler *construct = constructors_begin; construct != constructors_end; ++construct) {
     (*construct)();

@@ -53,11 +53,11 @@ extern "C" [[noreturn, gnu::used]] void after_crash(const std::uint32_t* frame, 
   Hardware* const hardware = running_hardware();
   // First: the rocket is in the air, and nobody steers it. Should this crash in turn, the watchdog resets.
   hal::stm32f4::Servo::Counts at_trim{};
-  // From then on the timer counts at a tenth of its speed: a pulse would be one of 15 ms, and the watchdog faster than
-  // its end.
+  // From then on the timer counts at a tenth of its speed: a pulse at trim would be one of 15 ms, and the watchdog
+  // faster than its end.
   const bool crystal_stopped = (scb().icsr.read() & registers::scb_icsr_vectactive) == nmi;
-  if (crystal_stopped) {
-    hal::stm32f4::Servo::hold_low(tim8());
+  if (crystal_stopped && hardware != nullptr) {
+    hal::stm32f4::Servo::end_without_crystal(tim8(), hardware->servo().counts());
   } else if (hardware != nullptr && flying != nullptr) {
     at_trim = hardware->servo().counts(flying->pulses_at_trim());
     hal::stm32f4::Servo::drive(tim8(), at_trim);

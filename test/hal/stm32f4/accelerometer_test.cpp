@@ -34,6 +34,15 @@ TEST_F(AccelerometerTest, MeasuresInTheUnitsOfItsConfiguration) {
   EXPECT_EQ(device.reg(0x21), 0x0B);           // 1600 Hz
 }
 
+TEST_F(AccelerometerTest, IsLeftAloneForTwoMillisecondsFromTheEndOfTheCommandThatResetsIt) {
+  for (int late_us = 0; late_us < 30; ++late_us) {
+    device.reset();
+    clock.time += 3 * tick;
+    Accelerometer accelerometer = make();
+    EXPECT_GT(read_while_time_passes(accelerometer, 20, Microseconds{late_us}), 5) << late_us;
+  }
+}
+
 TEST_F(AccelerometerTest, ShowsTheEndsOfItsRange) {
   device.noisy = false;
   device.force_g = {-40.0, 1.0, 50.0};

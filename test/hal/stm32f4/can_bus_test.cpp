@@ -30,6 +30,7 @@ TEST(CanBus, AControllerThatDoesNotAnswerIsAFaultAfterABoundedWait) {
   CanBusRig rig;
   rig.model.dead = true;
   EXPECT_EQ(rig.start(), BoardFault::can_failed);
+  EXPECT_EQ(rig.model.mistakes, 0) << "its bit timing is left alone";
   EXPECT_LT(rig.world.accesses(), 30'000U);
   EXPECT_TRUE(rig.silent());
   EXPECT_EQ(rig.bus.state(), CanState::down);
@@ -49,7 +50,6 @@ TEST(CanBus, RegistersThatReadZeroAsInTheEmulatorAreAFaultAndNotABus) {
   }
   CanBus bus{can, Pin{port, 0}, InterruptLine{set_pending, 19}};
   EXPECT_EQ(bus.start(apb1_hz, listens_to), BoardFault::can_failed);
-  EXPECT_EQ(test::RegisterWorld::peek(can.btr), 0x033F'0001U) << "written all the same: a trace shows it";
   for (std::uint32_t i = 0; i < 100; ++i) {
     EXPECT_FALSE(bus.send(numbered(i)));
   }

@@ -85,6 +85,9 @@ void FakeSpi::follow() {
       full_ = true;
     }
     shifting_.reset();
+    if (on_byte) {
+      on_byte();
+    }
     idle_at_ = ends_at_ + (clocks_ ? std::uint64_t{bus_hz_ / clock_hz() / 2} : looks_of_the_last_edge);
     if (waiting_) {
       const std::uint8_t next = *waiting_;

@@ -66,6 +66,9 @@ class FakeSpi {
   /// Behind every byte that is written an interrupt takes as long as so many looks.
   void interrupt_for(int looks) { interrupt_looks_ = looks; }
 
+  /// Called when a byte has gone over the wire, without `clocks`: for a clock that goes on meanwhile.
+  std::function<void()> on_byte{};
+
   // ---- what was seen ----
   std::vector<std::string> violations{};
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }

@@ -10,6 +10,16 @@ namespace {
 
 class ImuTest : public test::ImuRig {};
 
+TEST_F(ImuTest, IsLeftAloneForAMillisecondFromTheEndOfTheCommandThatResetsIt) {
+  for (int late_us = 0; late_us < 30; ++late_us) {
+    device.reset();
+    clock.time += 3 * tick;
+    Imu imu = make();
+    imu.start(SensorStart::in_flight);
+    EXPECT_GT(read_while_time_passes(imu, 200, Microseconds{late_us}), 5) << late_us;
+  }
+}
+
 TEST_F(ImuTest, MeasuresInTheUnitsOfItsConfiguration) {
   be_free_of_noise();
   // Half of each range, DS-000347 sections 3.1 and 3.2.

@@ -36,6 +36,14 @@ class PulseDiary : public avionics::FlyingRig {
     pass(20);
   }
 
+  /// What the same file does when the crystal of the processor has stopped.
+  void stop_crystal() {
+    timer.counts_per_access = 1;
+    Servo::end_without_crystal(timer.registers, driver_->counts());
+    timer.counts_per_access = 0;
+    pass(20);
+  }
+
   /// Of the processor: the driver begins anew, and the world goes on meanwhile, since `ended_us`. `later_us`: how much
   /// later than usual the timer is set up.
   void reset_processor_after(hal::ResetCause cause, double ended_us, double later_us = 0) {

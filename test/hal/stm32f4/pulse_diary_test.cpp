@@ -171,20 +171,20 @@ TEST(PulseDiary, AfterABrownOutThePulsesBeginWhereTheCanardsAreAndGoSlowlyToTrim
   EXPECT_NEAR(diary.since(0).back().width_us, trim_us, 0.1);
 }
 
-// The clock of the timer has failed with the crystal: what it would still send has no meaning.
-TEST(PulseDiary, ACrystalThatStopsIsSilenceAtOnce) {
+// The timer now counts at 16 MHz where it counted at 168. This timer does not know, so times here are those of its
+// counts: of the 1410 us of the pulse 110 are left, and end as 10.5.
+TEST(PulseDiary, WhenTheCrystalStopsThePulsesUnderWayEndWhenTheyWereToAndSilenceFollows) {
   PulseDiary diary;
   fly_at_the_limit(diary);
   diary.pass(2'300);
   const double event = diary.now_us();
-  Servo::hold_low(diary.timer.registers);
-  diary.pass(100);
+  diary.stop_crystal();
   diary.reset_processor_after(ResetCause::software, event);
   diary.fly_for(20 * millisecond);
   EXPECT_EQ(diary.page(event, -4'000, 12'000), R"(
-  -1.30: 1300/ 1300/ 1300/ 1300/
-   7.10: 1410 1410 1410 1410
-  10.10: 1410 1410 1410 1410
+  -1.30: 1310 1310 1310 1310
+   7.03: 1410 1410 1410 1410
+  10.03: 1410 1410 1410 1410
 )");
 }
 

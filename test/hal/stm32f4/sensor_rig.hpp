@@ -34,6 +34,20 @@ class SensorTest : public testing::Test {
   }
 
   SpiDevice place(const SpiSettings& settings) { return {bus, Pin{port.block(), 4}, settings}; }
+  /// As on the board: a byte takes time, and of two ticks one is later than its millisecond by as little as `late`. How
+  /// many of the readings were good.
+  template <typename Driver>
+  int read_while_time_passes(Driver& driver, int ticks, Microseconds late) {
+    spi.on_byte = [this] { clock.time += Microseconds{2}; };
+    int good = 0;
+    for (int i = 0; i < ticks; ++i) {
+      const Microseconds begun = clock.time;
+      good += driver.read().status == Status::ok ? 1 : 0;
+      clock.time = begun + tick + (i % 2 == 0 ? Microseconds{0} : late);
+    }
+    spi.on_byte = nullptr;
+    return good;
+  }
   template <typename Driver>
   auto next(Driver& driver) {
     clock.time += tick;
