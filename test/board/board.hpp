@@ -45,6 +45,8 @@ class Board {
   [[nodiscard]] double now_s() const { return timeline.now_s(); }
 
   // ---- the bus ----
+  /// More would only wait: the bus is busy with what has been sent for the next millisecond.
+  [[nodiscard]] bool bus_is_full() const { return arriving_.size() >= 8; }
   /// From another node; it comes in one after the other.
   void send(const hal::CanFrame& frame) { arriving_.push_back(frame); }
   /// What this node has sent since this was asked last.
@@ -81,6 +83,7 @@ class Board {
   double battery_v = 12.0;
   bool arm_switch_closed = false;
   bool abort_contact_closed = false;
+  bool crystal_runs = true;
 
  private:
   void begin(ResetKind kind);
@@ -95,7 +98,6 @@ class Board {
   Timeline::Event stop_;
   std::deque<hal::CanFrame> arriving_;
   std::vector<hal::CanFrame> sent_;
-  std::size_t taken_ = 0;
   bool own_turn_ = false;
   bool crystal_is_missed_ = false;
   std::optional<ResetKind> reset_asked_;
