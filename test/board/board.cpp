@@ -71,7 +71,6 @@ void Board::begin(ResetKind kind) {
   connect();
   processor.reset();
   crystal_is_missed_ = false;
-  taken_ = 0;
   timeline.schedule(follow_, timeline.now_s());
   timeline.schedule(slot_, timeline.now_s() + slot_s);
   timeline.schedule(byte_, timeline.now_s() + byte_s);
@@ -107,8 +106,8 @@ void Board::run_until(double time_s) {
 }
 
 void Board::follow() {
-  chip.follow();
   ResetDomain& in = *chip.domain;
+  chip.follow();
   in.converter.volts[battery_channel] = battery_v / battery_divider;
   devices::RegisterWorld::poke(in.port_c.block().idr,
                                (arm_switch_closed ? 1U << 3U : 0U) | (abort_contact_closed ? 0U : 1U << 1U));
@@ -133,9 +132,8 @@ void Board::pass_slot() {
   } else if (!sent && !own_turn_) {
     (void)can.slot();
   }
-  for (; taken_ < can.wire.size(); ++taken_) {
-    sent_.push_back(can.wire[taken_]);
-  }
+  sent_.insert(sent_.end(), can.wire.begin(), can.wire.end());
+  can.wire.clear();
   timeline.schedule(slot_, timeline.now_s() + slot_s);
 }
 

@@ -45,6 +45,8 @@ class Board {
   [[nodiscard]] double now_s() const { return timeline.now_s(); }
 
   // ---- the bus ----
+  /// More would only wait: the bus is busy with what has been sent for the next millisecond.
+  [[nodiscard]] bool bus_is_full() const { return arriving_.size() >= 8; }
   /// From another node; it comes in one after the other.
   void send(const hal::CanFrame& frame) { arriving_.push_back(frame); }
   /// What this node has sent since this was asked last.
@@ -95,7 +97,6 @@ class Board {
   Timeline::Event stop_;
   std::deque<hal::CanFrame> arriving_;
   std::vector<hal::CanFrame> sent_;
-  std::size_t taken_ = 0;
   bool own_turn_ = false;
   bool crystal_is_missed_ = false;
   std::optional<ResetKind> reset_asked_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -40,30 +41,14 @@ std::array<double, 3> times(const hal::Counts& counts, double scale) {
 
 constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-hal::FlashGeometry geometry_of(const devices::FakeW25q& flash) {
-  return {.size = static_cast<std::uint32_t>(flash.cells.size()), .sector_size = 4096, .page_size = 256};
-}
+constexpr hal::FlashGeometry flash_geometry{.size = 8U << 20U, .sector_size = 4096, .page_size = 256};
 
 }  // namespace
 
-BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan,
-                           const sim::BoardPorts& ports)
-    : board_{image, pace}, ports_{ports} {
-  const auto tick = image.address_of(tick_function);
-  if (!tick) {
-    throw text::Error{text::ErrorKind::bad_data, fmt::format("the image has no function {}", tick_function)};
-  }
-  board_.processor.on_return_of(*tick, [this](std::uint32_t record) { take_record(record); });
-  board_.accelerometer.noisy = false;  // the world's sensors are noisy enough
-  board_.imu.gyro_noise_deg_s = board_.imu.accelerometer_noise_g = 0.0;
-  board_.second_imu.noise_counts = 0.0;
-  board_.barometer.noise_counts = 10.0;
-  store(plan);
-  start();
-}
+std::vector<std::byte> new_flash() { return std::vector<std::byte>(flash_geometry.size, std::byte{0xFF}); }
 
-void BoardInWorld::store(const core::FlightPlan& plan) {
-  hal::sim::Flash cells{geometry_of(board_.flash)};
+std::vector<std::byte> flash_with(const core::FlightPlan& plan) {
+  hal::sim::Flash cells{flash_geometry};
   avionics::FlashAccess access{cells};
   avionics::PlanStore store{access};
   (void)store.load({});
@@ -72,14 +57,36 @@ void BoardInWorld::store(const core::FlightPlan& plan) {
   while (store.write() == avionics::PlanWrite::under_way) {
     store.update({});
   }
-  std::ranges::copy(cells.cells(), board_.flash.cells.begin());
+  return {cells.cells().begin(), cells.cells().end()};
+}
+
+BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan,
+                           const sim::BoardPorts& ports)
+    : BoardInWorld{image, pace, flash_with(plan), ports} {
+  await_first_rate();
+}
+
+BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std::byte> flash,
+                           const sim::BoardPorts& ports)
+    : board_{image, pace}, ports_{ports} {
+  const auto tick = image.address_of(tick_function);
+  if (!tick) {
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: no avionics is in it: there is no function {}",
+                                                             image.file().string(), tick_function)};
+  }
+  board_.processor.on_return_of(*tick, [this](std::uint32_t record) { take_record(record); });
+  board_.accelerometer.noisy = false;  // the world's sensors are noisy enough
+  board_.imu.gyro_noise_deg_s = board_.imu.accelerometer_noise_g = 0.0;
+  board_.second_imu.noise_counts = 0.0;
+  board_.barometer.noise_counts = 10.0;
+  board_.flash.cells = std::move(flash);
+  board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};
+  board_.switch_on();
 }
 
 // At rest on the pad, until the self-test of the IMU is over and its first samples have come, a second or so later;
 // then to where the avionics waits for its next tick.
-void BoardInWorld::start() {
-  board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};
-  board_.switch_on();
+void BoardInWorld::await_first_rate() {
   const auto sees = [this] { return has_record_ && record_.motion.gyro == core::SensorState::fresh; };
   while (!sees() && board_.now_s() < most_start_s) {
     board_.run_until(board_.now_s() + 0.1 * tick_s);
@@ -99,7 +106,11 @@ void BoardInWorld::start() {
 
 const core::TickRecord& BoardInWorld::tick() {
   show_world();
-  while (const auto frame = ports_.can_bus.receive()) {
+  while (!board_.bus_is_full()) {
+    const auto frame = ports_.can_bus.receive();
+    if (!frame) {
+      break;
+    }
     board_.send(*frame);
   }
   until_s_ += tick_s;
@@ -135,7 +146,10 @@ void BoardInWorld::show_world() {
     board_.barometer.pressure_pa = hardware_.barometer.pressure_pa;
   }
   for (std::size_t i = 0; i < hal::canards; ++i) {
-    board_.encoders[i].angle = hardware_.encoders.each[i].counts;
+    const hal::EncoderSample& sample = hardware_.encoders.each[i];
+    board_.encoders[i].angle = sample.counts;
+    board_.encoders[i].stuck_at =
+        sample.status == hal::Status::no_reading ? std::optional<std::uint8_t>{0} : std::nullopt;
   }
   board_.arm_switch_closed = hardware_.arm_switch_closed;
   board_.abort_contact_closed = hardware_.abort_contact_closed;

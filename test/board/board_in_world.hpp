@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "board.hpp"
 #include "core/tick_record.hpp"
@@ -24,6 +25,8 @@ class BoardInWorld final : public sim::FlightComputer {
   /// The image and the ports outlive it. `plan` goes into the flash before the board is switched on. Throws text::Error
   /// when the image has no avionics in it, or when it never comes to its first tick.
   BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan, const sim::BoardPorts& ports);
+  /// With this content of its flash, and from its power-up on: no time has passed yet.
+  BoardInWorld(const Image& image, const Pace& pace, std::vector<std::byte> flash, const sim::BoardPorts& ports);
 
   [[nodiscard]] hal::sim::WorldSide& hardware() override { return hardware_; }
   const core::TickRecord& tick() override;
@@ -36,8 +39,7 @@ class BoardInWorld final : public sim::FlightComputer {
   [[nodiscard]] const std::optional<protocol::BoardReport>& report() const { return report_; }
 
  private:
-  void store(const core::FlightPlan& plan);
-  void start();
+  void await_first_rate();
   void show_world();
   void hear_pulses();
   void note_report(const hal::CanFrame& frame);
@@ -56,5 +58,9 @@ class BoardInWorld final : public sim::FlightComputer {
   std::array<double, hal::canards> heard_s_{};  ///< when the last pulse of each ended
   core::Microseconds imu_time_{-1}, second_imu_time_{-1}, accelerometer_time_{-1};
 };
+
+/// The content of the flash of a new board; with a plan, of one that it was sent to.
+[[nodiscard]] std::vector<std::byte> new_flash();
+[[nodiscard]] std::vector<std::byte> flash_with(const core::FlightPlan& plan);
 
 }  // namespace fantail::board

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "board_server.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,40 +17,12 @@ using protocol::HilReader;
 using protocol::HilType;
 using protocol::HilWriter;
 
-constexpr double most_words_s = 0.5;
 constexpr std::string_view name_of_image = "fantail-stm32f405 on a virtual board";
-
-// The first line that it says: "Fantail 0.2.0, git 0123456789ab".
-std::pair<std::string, std::string> identity_of(const Image& image, const Pace& pace) {
-  Board board{image, pace};
-  board.switch_on();
-  const auto line_ends = [&board] {
-    const std::size_t begin = board.console.find("Fantail ");
-    return begin == std::string::npos ? begin : board.console.find('\n', begin);
-  };
-  while (line_ends() == std::string::npos && board.now_s() < most_words_s) {
-    board.run_until(board.now_s() + 1e-3);
-  }
-  constexpr std::string_view before = "Fantail ";
-  constexpr std::string_view between = ", git ";
-  const std::size_t begin = board.console.find(before);
-  const std::size_t middle = board.console.find(between, begin);
-  if (line_ends() == std::string::npos || middle == std::string::npos) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      fmt::format("the image has not said what it is in {} s; it is at {}. It said: {}", most_words_s,
-                                  image.where(board.processor.program_counter()), board.console)};
-  }
-  const std::size_t hash = middle + between.size();
-  return {board.console.substr(begin + before.size(), middle - begin - before.size()),
-          board.console.substr(hash, line_ends() - hash)};
-}
 
 }  // namespace
 
 BoardServer::BoardServer(const Image& image, const Pace& pace, hal::emulator::Channel& channel)
-    : image_{image}, pace_{pace}, link_{channel}, flash_{link_, cycles_} {
-  std::tie(version_, git_hash_) = identity_of(image, pace);
-}
+    : image_{image}, pace_{pace}, identity_{identity_of(image, pace)}, link_{channel}, flash_{link_, cycles_} {}
 
 void BoardServer::serve() {
   const protocol::LogFrame question = link_.receive();
@@ -69,8 +40,8 @@ void BoardServer::present() {
   const std::uint32_t layout = world_link::layout();
   writer(layout);
   writer.text(name_of_image);
-  writer.text(version_);
-  writer.text(git_hash_);
+  writer.text(identity_.version);
+  writer.text(identity_.git_hash);
   writer(std::uint32_t{0});
   writer(std::uint32_t{0});
   link_.answer(HilType::ready, writer.size());

@@ -14,6 +14,7 @@
 #include "hal/emulator/entropy.hpp"
 #include "hal/emulator/stopwatch.hpp"
 #include "hal/sim/can_bus.hpp"
+#include "image_identity.hpp"
 #include "protocol/hil_codec.hpp"
 #include "world_link/flash.hpp"
 #include "world_link/link.hpp"
@@ -55,6 +56,7 @@ class BoardServer {
 
   const Image& image_;
   Pace pace_;
+  ImageIdentity identity_;
   world_link::Link link_;
   Cycles cycles_;
   world_link::Flash flash_;
@@ -66,8 +68,6 @@ class BoardServer {
   std::unique_ptr<BoardInWorld> flown_;
   std::vector<Frame> traffic_;
   std::string said_;
-  std::string version_;
-  std::string git_hash_;
 };
 
 }  // namespace fantail::board

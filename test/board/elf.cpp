@@ -18,7 +18,7 @@ class File {
  public:
   explicit File(const std::filesystem::path& path) : path_{path} {
     std::ifstream file{path, std::ios::binary};
-    if (!file) {
+    if (!file || !std::filesystem::is_regular_file(path)) {
       throw text::Error{text::ErrorKind::no_such_input, path.string() + ": no such file, or it cannot be read"};
     }
     bytes_.assign(std::istreambuf_iterator<char>{file}, {});
@@ -63,7 +63,7 @@ Elf32_Ehdr head_of(const File& file) {
 
 }  // namespace
 
-Image::Image(const std::filesystem::path& path) : flash_(flash_size, std::byte{0xFF}) {
+Image::Image(const std::filesystem::path& path) : file_{path}, flash_(flash_size, std::byte{0xFF}) {
   const File file{path};
   const Elf32_Ehdr head = head_of(file);
   for (std::size_t i = 0; i < head.e_phnum; ++i) {

@@ -22,6 +22,7 @@ class Image {
   /// vector table, or with bytes outside the flash.
   explicit Image(const std::filesystem::path& file);
 
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   /// The whole flash of the processor; erased where nothing was flashed.
   [[nodiscard]] const std::vector<std::byte>& flash() const { return flash_; }
   /// Empty when no symbol of that name is there. Of a function without the bit that says Thumb.
@@ -31,6 +32,7 @@ class Image {
   [[nodiscard]] std::string where(std::uint32_t address) const;
 
  private:
+  std::filesystem::path file_;
   std::vector<std::byte> flash_;
   std::map<std::string, std::uint32_t> addresses_;
   std::map<std::uint32_t, std::string> names_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fantail-board, which `fantail fly --on board` starts: a virtual board at the end of two pipes.
+// fantail-board, the program of the verb `board`. And `fantail fly --on board` starts it: a virtual board at the end of
+// two pipes.
 //
 //   fantail-board --serve IMAGE FOLDER    IMAGE: fantail-stm32f405.elf; FOLDER: for what was measured at its pins
 //
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include "board_server.hpp"
+#include "fantail/run.hpp"
 #include "write_diary.hpp"
 
 namespace {
@@ -67,8 +69,7 @@ int serve(const std::string& file, const std::string& folder) {
 
 int main(int argc, char** argv) {
   if (argc != 4 || std::string{argv[1]} != "--serve") {
-    std::fputs("usage: fantail-board --serve IMAGE FOLDER\n", stderr);
-    return 64;
+    return fantail::tool::run(*fantail::tool::VerbCode::first, argc, argv);
   }
   try {
     return serve(argv[2], argv[3]);

@@ -32,6 +32,7 @@ OPTIONAL = re.compile(
     r"|ccache"  # cmake/flags.cmake: without it everything is compiled
     r"|lsb-release"  # pip calls it where it is, to tell the server what asks
     r"|python3-clang-19|libclang1-19|libllvm19"  # test/mutation: what makes mutants of a text is not tested without
+    r"|libunicorn(-dev|2)"  # test/board: without it there is no virtual board
 )
 # Files that are read because this machine has them, not because anything needs them.
 OF_THE_MACHINE = re.compile(

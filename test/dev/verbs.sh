@@ -115,6 +115,8 @@ thorough() {
   call 0 trace
   call 0 sanitize tools/json # the folder that is built the fastest
   call 0 lint tools/replies
+  [ -e /usr/include/unicorn/unicorn.h ] || { echo "SKIPPED: libunicorn-dev is not installed" && exit 77; }
+  call 74 board --can no_such_bus
 }
 
 "$2"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# Building, flashing and debugging the image for the board. Part of ./dev.
+# Building, flashing and debugging the image for the board, and the virtual board that runs it. Part of ./dev.
 
 firmware() {
   [ $# -eq 0 ] || usage
@@ -10,6 +10,17 @@ firmware() {
   arm_build "the flight image" fantail-stm32f405
   python3 firmware/boards/image_report.py build/arm/fantail-stm32f405.elf
   printf '\n  image   %s\n  map     %s\n' "build/arm/fantail-stm32f405.elf, .hex, .bin" "build/arm/fantail-stm32f405.map"
+}
+
+# The tests hold the virtual board: it is made of their devices.
+board_build() {
+  # shellcheck disable=SC2086
+  need $board_packages
+  arm_build "the image for the virtual board" fantail-stm32f405
+  host_options=FANTAIL_TESTS
+  # A build that was configured without Unicorn knows nothing of it.
+  grep -qs libexec/fantail-board build/host/build.ninja || rm -f build/host/build.ninja
+  host_build "the virtual board" fantail-board
 }
 
 flash() {

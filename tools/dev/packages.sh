@@ -11,6 +11,7 @@ gold_packages=""
 test_packages="$fly_packages $can_packages $gold_packages libgtest-dev libgmock-dev librapidcheck-dev mandoc python3-venv python3-dev"
 firmware_packages="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib libeigen3-dev cmake ninja-build git python3"
 arm_packages="$firmware_packages qemu-system-arm googletest"
+board_packages="$test_packages $firmware_packages libunicorn-dev"
 flash_packages="openocd stlink-tools dfu-util stm32flash"
 format_packages="clang-format-19"
 gate_packages="$test_packages clang-19 clang-tidy-19"
@@ -25,7 +26,7 @@ package_packages="$fly_packages $firmware_packages dpkg-dev file"
 shell_packages="zsh fish"
 cluster_packages="slurmctld slurmd slurm-client munge"
 # With --all no test may be skipped, and the tests call the verbs of this script, except those that take hours.
-all_packages="$test_packages $arm_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages $playground_packages $shell_packages locales nodejs"
+all_packages="$test_packages $arm_packages $board_packages $gate_packages $coverage_packages $mutation_packages $format_packages $cluster_packages $browser_packages $playground_packages $shell_packages locales nodejs"
 
 system_name() {
   # shellcheck disable=SC1091

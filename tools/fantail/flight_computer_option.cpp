@@ -55,9 +55,10 @@ std::filesystem::path new_folder() {
 }  // namespace
 
 void add_flight_computer_options(const Verb& verb, FlightComputerOptions& options) {
-  verb.option("--on", options.on,
-              "host (in this program), emulator (the ARM image on an emulated Cortex-M4), board (the bytes that are "
-              "flashed, on a virtual board), serial:DEVICE (a board on a serial line) [host]")
+  verb.option(
+          "--on", options.on,
+          "host (in this program), emulator (an emulated Cortex-M4), board (the bytes that are flashed, on a virtual "
+          "board), serial:DEVICE (a board on a serial line) [host]")
       .offers(
           [](std::string_view /*begun*/) { return manual::Offer{.words = {"host", "emulator", "board", "serial:"}}; })
       .check(objection_to_place)

@@ -72,7 +72,9 @@ fantail::manual::Command command() {
       .needs_command = true,
       .notes = description + std::string{examples}};
   for (const auto& verb : verb_table) {
-    program.commands.push_back({.name = "fantail " + std::string{verb.name}, .meaning = std::string{verb.meaning}});
+    if (verb.is_installed) {
+      program.commands.push_back({.name = "fantail " + std::string{verb.name}, .meaning = std::string{verb.meaning}});
+    }
   }
   return program;
 }
@@ -93,7 +95,8 @@ std::string overview() {
   for (const auto& verb : verb_table) {
     text += verb.group == group ? "" : fmt::format("\n{}:\n", verb.group);
     group = verb.group;
-    text += fmt::format("  {:<10} {}\n", verb.name, verb.meaning);
+    text += fmt::format("  {:<10} {}{}\n", verb.name,
+                        verb.is_installed ? "" : "(in the sources only, with libunicorn-dev) ", verb.meaning);
   }
   return text;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "fantail/standard_streams.hpp"
 #include "hal/linux/can_bus.hpp"
@@ -28,35 +30,32 @@ class PadEar final : public hal::CanBus {
   bool self_test_passed_ = false;
 };
 
-enum class PadCommand : std::uint8_t {
-  close_switch,
-  open_switch,
-  press_abort,
-  release_abort,
-  ignite,
-  await_session,
-  await_self_test,
-  help,
-  quit
+/// A line that may be typed at the pad, and what is done then.
+struct PadCommand {
+  std::string_view text;
+  std::string_view meaning;
+  std::function<void()> act;
 };
-
-[[nodiscard]] std::string pad_commands_help();
 
 /// What the hand at the pad does, from standard input, one command a line. After a command that waits, the next one is
 /// read when its condition holds, so that a script needs no clock.
 class PadScript {
  public:
-  explicit PadScript(const PadEar& ear) : ear_{ear} {}
+  /// Beside these commands there are `wait session`, `wait self-test`, `help` and `quit`. The ear outlives it.
+  PadScript(const PadEar& ear, std::vector<PadCommand> commands);
+  PadScript(const PadScript&) = delete;  // its own commands point to it
+  PadScript& operator=(const PadScript&) = delete;
 
-  /// The next command to be done now. Says on standard error what is not a command.
-  [[nodiscard]] std::optional<PadCommand> next();
+  /// Does what has been typed by now. Says on standard error what is not a command. False after "quit".
+  [[nodiscard]] bool obey();
 
  private:
-  [[nodiscard]] bool waits();
+  [[nodiscard]] std::string help() const;
 
-  const PadEar& ear_;
+  std::vector<PadCommand> commands_;
   LineInput input_;
-  std::optional<PadCommand> awaited_;
+  std::function<bool()> awaited_;  ///< empty: nothing is
+  bool is_over_ = false;
 };
 
 }  // namespace fantail::tool

@@ -10,9 +10,11 @@ struct VerbEntry {
   std::string_view group;
   std::string_view name;
   std::string_view meaning;
+  bool is_installed = true;
 };
 
-/// Every verb, in the order in which the help lists them, group by group. Each is a program fantail-NAME.
+/// Every verb, in the order in which the help lists them, group by group. Each is a program fantail-NAME. One
+/// that is not installed is built in the sources alone, and has no page of the manual.
 inline constexpr std::array verb_table{
     VerbEntry{"Your rocket", "new", "Make vehicle, plan and scenario of a new rocket from its shape or design"},
     VerbEntry{"Your rocket", "airframe", "Compute stability, roll damping, canard torque and inertia from a shape"},
@@ -36,6 +38,7 @@ inline constexpr std::array verb_table{
     VerbEntry{"A rocket on the bench", "bench", "Check and command a rocket over CAN"},
     VerbEntry{"A rocket on the bench", "node",
               "Run the avionics on this PC in real time, on CAN, with a simulated rocket"},
+    VerbEntry{"A rocket on the bench", "board", "Run the flight image on a virtual board in real time, on CAN", false},
     VerbEntry{"A rocket on the bench", "gateway",
               "Publish what a rocket reports on CAN as LCM messages; sends nothing on the bus"},
     VerbEntry{"A rocket on the bench", "watch", "Show LCM messages in a live panel: roll, canards, phase, link"},
