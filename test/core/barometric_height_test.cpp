@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/barometric_height.hpp"
+#include "core/pressure_height.hpp"
 
 #include <cmath>
 

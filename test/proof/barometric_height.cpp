@@ -5,9 +5,7 @@
 //   - then adds to height and vertical speed no more than the plan says that the accelerometer may be wrong by;
 //   - adds nothing where no accelerometer measures, or the two disagree;
 //   - says that the rocket is above a height only in a tick in which it is used, and none above the accelerometer's.
-// Roots may give any number.
-#include "any_root.hpp"
-#define sqrt any_root
+// A pressure may stand for any height.
 #include "core/barometric_height.cpp"
 
 using namespace fantail;

@@ -160,7 +160,7 @@ PROOFS = [
             Bug("a lie that was added stays", BAROMETER, "return reject(BarometerState::disagrees);", "return;"),
         ),
         options=("--unwind", "14", "-f", "no-access-control"),
-        stubs=("any_filter", "any_error"),
+        stubs=("any_filter", "any_error", "any_height"),
         seconds=300,
     ),
     Proof(
