@@ -50,15 +50,16 @@ int main() {
   const bool silent = height.state_ == BarometerState::silent;
 
   CLAIM(!used || (!alone && motion.speed_squared_m2_s2 <= 100.0F * 100.0F && height.state_ == BarometerState::used));
+  CLAIM(!used || inputs.barometer);
   CLAIM(!used || (std::abs(height.height_m_) <= std::abs(most.height_m) &&
                   std::abs(height.vertical_speed_m_s_) <= std::abs(most.vertical_speed_m_s)));
   CLAIM(used || !moved || (height.height_m_ == 0.0F && height.vertical_speed_m_s_ == 0.0F));
   CLAIM(!alone || silent || height.state_ == BarometerState::on_pad ||
         (height.height_m_ == 0.0F && height.vertical_speed_m_s_ == 0.0F));
   CLAIM(height.state_ != BarometerState::disagrees || height.state_ == before.state_ || height.height_m_ == 0.0F);
-  CLAIM(!used || !height.least_height_m_ ||
+  CLAIM(!used || !inputs.barometer || !height.least_height_m_ ||
         !(*height.least_height_m_ >
-          motion.height_m - motion.vertical_speed_m_s * seconds(inputs.time - *height.used_at_)));
+          motion.height_m - motion.vertical_speed_m_s * seconds(inputs.time - inputs.barometer->time)));
   CLAIM(!height.least_height_m_ || height.state_ == BarometerState::used);
 
   REACHABLE(1, used && moved);
