@@ -119,6 +119,13 @@ struct PhaseChange {
   std::optional<core::PhaseReason> reason = core::PhaseReason::power_on;  ///< empty: a table does not tell
 };
 
+/// What the barometer was good for in flight, tick after tick alike.
+struct BarometerSpell {
+  core::BarometerState state = core::BarometerState::silent;
+  double from_s = 0.0;
+  double to_s = 0.0;  ///< its last tick
+};
+
 /// What the sensors could not measure of a flight. Times are the first of each; empty: it did not happen.
 struct Unmeasured {
   std::optional<double> spin_from_s{};         ///< after detection the rocket turned faster than the gyro's range
@@ -202,6 +209,7 @@ struct Flight {
   std::vector<PhaseChange> phase_changes;
   std::optional<core::Vector3> gyro_bias_rad_s;  ///< that the law took off; empty: it never flew, or a table
   std::vector<CanardVerdictChange> canard_verdict_changes;
+  std::vector<BarometerSpell> barometer_spells;  ///< since launch detection; empty: the plan asks for none, or a table
   Unmeasured unmeasured;
   std::optional<BeforeBurnout> before_burnout;  ///< of a simulated flight; empty: nothing of it happened
   std::vector<Outage> outages;

@@ -258,7 +258,10 @@ std::string late_end(const flight::Flight& flight, const Figures& f) {
   switch (*end.reason) {
     case core::PhaseReason::tilted_too_far:
       return fmt::format(" The tilt limit ended control {} s before apogee.{}", before,
-                         before_s > near_apogee_s ? turned_after_end(f) : "");
+                         allowed_tilt_end_s(flight, f)
+                             ? fmt::format(" verdict.tilt_end_before_apogee_s = {} allows that.{}",
+                                           text::brief(flight.tilt_end_before_apogee_s, 2), turned_after_end(f))
+                             : "");
     case core::PhaseReason::control_time_over:
       return fmt::format(" The plan's control time{} was over {} s before apogee.", plan_time(flight), before);
     default: return fmt::format(" Control ended {} s before apogee: {}.", before, flight::display_name(*end.reason));

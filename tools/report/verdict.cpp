@@ -233,6 +233,7 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
     begin_lower(v.text);
     v.text = fmt::format("{} Until then: {}", early_end(flight, f), v.text);
   } else {
+    v.allowed_tilt_end_s = allowed_tilt_end_s(flight, f);
     v.text += late_end(flight, f);
   }
   return v;

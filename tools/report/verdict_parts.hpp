@@ -9,11 +9,9 @@
 #include "flight/flight.hpp"
 #include "json/value.hpp"
 #include "report/figures.hpp"
+#include "report/verdict.hpp"
 
 namespace fantail::report {
-
-/// Nobody minds the last half second: near apogee there is no flow over the canards.
-inline constexpr double near_apogee_s = 0.5;
 
 /// Of a flight without control: why it never began, as far as is known.
 [[nodiscard]] std::string no_control(const flight::Flight& flight, const Figures& figures);
@@ -35,9 +33,16 @@ inline constexpr double near_apogee_s = 0.5;
 /// how soon the roll was held, the canards before it. None of another plan.
 void add_gate_sentences(std::vector<std::string>& to, const flight::Flight& flight, const Figures& f);
 
+/// When the barometer that the plan asks for was used from launch detection to the end of control, and when and why it
+/// was not. Empty: the plan asks for none, or nobody knows.
+[[nodiscard]] std::string barometer_sentences(const flight::Flight& flight);
+
 /// Did control end before apogee, whatever ended it? In the tunnel, where there is no apogee: for another reason than
 /// the plan's own time.
 [[nodiscard]] bool ended_early(const flight::Flight& flight, const Figures& f);
+
+/// Verdict::allowed_tilt_end_s of control that did not end early.
+[[nodiscard]] std::optional<double> allowed_tilt_end_s(const flight::Flight& flight, const Figures& f);
 
 /// Of control that did not end early: by how much before apogee and by what limit, or how long after apogee. A sentence
 /// with a space before it; empty: it went on to apogee, or until the avionics detected one.
