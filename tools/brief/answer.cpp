@@ -37,7 +37,7 @@ constexpr auto brief_fields = result::fields<B>({
     {"guide_exit_speed", "speed at guide exit", m_s, 1, [](const B& b) { return Cell{b.nominal.guide_exit.speed_m_s}; },
      "when the rocket leaves the guide"},
     {"apogee", "apogee", m, 0, [](const B& b) { return Cell{b.nominal.apogee_m}; }, "above the site"},
-    {"top_speed", "top speed", m_s, 0, [](const B& b) { return Cell{b.nominal.top_speed_m_s}; },
+    {"top_speed", "top speed over ground", m_s, 0, [](const B& b) { return Cell{b.nominal.top_speed_m_s}; },
      "over ground in six degrees of freedom, else along the guide's line"},
     {"wind", "wind flown", m_s, 1, [](const B& b) { return b.is_six_dof ? Cell{b.wind_m_s} : Cell{}; },
      "at its reference height; null: wind is not flown"},

@@ -25,7 +25,7 @@ std::string bearing(double rad) {
 }
 
 std::string at(const Moment& moment) {
-  return fmt::format("{} s, {} m, {} m/s", fixed(moment.time_s, 2), fixed(moment.height_m, 0),
+  return fmt::format("{} s, {} m, {} m/s over ground", fixed(moment.time_s, 2), fixed(moment.height_m, 0),
                      fixed(moment.speed_m_s, 0));
 }
 

@@ -20,7 +20,7 @@ constexpr std::array texts{
     FigureText{"law.steers_to_place", Type::flag, "", 0, "the flight law steers towards a place"},
 
     FigureText{"flight.apogee_m", Type::number, "m", 0, "greatest height above the launch site"},
-    FigureText{"flight.top_speed_m_s", Type::number, "m/s", 1, "greatest speed"},
+    FigureText{"flight.top_speed_m_s", Type::number, "m/s", 1, "greatest speed through the air; of a log, the log's"},
     FigureText{"flight.largest_mach", Type::number, "", 2, "greatest Mach number"},
     FigureText{"flight.max_q_s", Type::number, "s", 2, "time of the largest dynamic pressure"},
     FigureText{"flight.burnout_s", Type::number, "s", 2, "time of the last thrust"},
