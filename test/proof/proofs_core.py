@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Proofs of firmware/core: the flight law."""
 
-from proof import INSIDE, Bug, Proof
+from proof import EACH_ALONE, INSIDE, Bug, Proof
 
 MIXER = "core/canard_mixer.cpp"
 PHASE = "core/flight_phase.cpp"
@@ -142,7 +142,7 @@ PROOFS = [
             Bug("a rocket that is carried", GATE, "motion.speed_m_s > least_speed_m_s", "true"),
             Bug("the guide alone is not enough", GATE, "case DormantUntil::guide: return true;", "case DormantUntil::guide: return is_burnt_out_;"),
         ),
-        options=INSIDE,
+        options=(*INSIDE, *EACH_ALONE),
         stubs=("any_filter",),
         seconds=300,
     ),
@@ -159,7 +159,7 @@ PROOFS = [
             Bug("alone it opens a gate", BAROMETER, "std::min(height_m - own_error_m, believed_m)", "height_m - own_error_m"),
             Bug("a lie that was added stays", BAROMETER, "return reject(BarometerState::disagrees);", "return;"),
         ),
-        options=("--unwind", "14", "-f", "no-access-control"),
+        options=("--unwind", "14", "-f", "no-access-control", *EACH_ALONE),
         stubs=("any_filter", "any_error", "any_height"),
         seconds=300,
     ),
