@@ -134,6 +134,7 @@ void fill(Row& r, const core::TickRecord& record, double time_s) {
   r.specific_force_m_s2 = static_cast<double>(record.motion.specific_force_m_s2.x);
   r.height_m = static_cast<double>(record.motion.height_m);
   r.speed_m_s = static_cast<double>(record.motion.speed_m_s);
+  r.tilt_from_guide_rad = finite_angle(record.motion.tilt_from_guide);
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ struct Row {
   double height_m = 0.0;
   double speed_m_s = 0.0;
   std::optional<Truth> truth{};
+  std::optional<double> tilt_from_guide_rad{};  ///< of the long axis, from where it pointed at rest; no file has it
   bool replayed = true;  ///< false: of a logged tick to which no replay leads; only what the log itself holds is known
 };
 

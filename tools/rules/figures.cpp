@@ -32,6 +32,10 @@ constexpr std::array texts{
     FigureText{"flight.left_trim_height_m", Type::number, "m", 1, "height at which the first canard leaves trim"},
     FigureText{"flight.canard_before_control_deg", Type::number, "deg", 2,
                "largest angle of a canard from its trim between lift-off and control, by its encoder"},
+    FigureText{"flight.tilt_off_trim_deg", Type::number, "deg", 1,
+               "largest angle from the launch guide while a canard is commanded away from trim"},
+    FigureText{"flight.off_trim_after_abort", Type::flag, "", 0,
+               "half a second after an abort or later, a canard is away from trim"},
     FigureText{"flight.tilt_at_rest_deg", Type::number, "deg", 1, "angle of the launch guide from the vertical"},
 
     FigureText{"rocket.mass_kg", Type::number, "kg", 3, "mass at lift-off"},
