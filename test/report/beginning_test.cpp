@@ -70,6 +70,32 @@ TEST(Opening, IsTheStateAtControlStartAndTheTurnsBeforeIt) {
   EXPECT_FALSE(figures(SyntheticFlight{}.flight).opening.dormant_turns) << "it did not wait";
 }
 
+flight::Flight without(double from_s, double to_s) {
+  flight::Flight flight = dormant_flight().flight;
+  std::erase_if(flight.rows, [&](const flight::Row& row) { return row.time_s > from_s && row.time_s < to_s; });
+  return flight;
+}
+
+// The first row behind the hole is of another time.
+TEST(Opening, IsNotKnownWhereAHoleHidesTheStartOfControl) {
+  const Figures f = figures(without(0.8, 1.5));
+  EXPECT_TRUE(f.misses_control_start);
+  EXPECT_FALSE(f.control_start_height_m);
+  EXPECT_EQ(f.opening, Opening{});
+  EXPECT_EQ(f.capture, Capture{});
+  EXPECT_FALSE(figures(without(0.5, 0.8)).opening.dormant_turns) << "where the wait began";
+  EXPECT_TRUE(figures(without(0.5, 0.8)).opening.roll_angle_rad);
+  EXPECT_TRUE(figures(without(0.7, 0.9)).opening.dormant_turns) << "the angle goes on behind a hole";
+  EXPECT_FALSE(figures(without(0.95, 1.02)).misses_control_start) << "a small one";
+}
+
+TEST(Neutral, CountsTheTimeThatIsNotOnRecord) {
+  EXPECT_NEAR(figures(without(0.7, 0.9)).neutral.missing_s, 0.2, 1e-9);
+  const double unread_s = figures(dormant_flight().flight).neutral.unread_s;  // it has no encoders
+  EXPECT_NEAR(figures(without(0.7, 0.9)).neutral.unread_s, unread_s - 0.2, 1e-9) << "counted once";
+  EXPECT_EQ(figures(dormant_flight().flight).neutral.missing_s, 0.0);
+}
+
 // 100 deg exp(-t / 0.2 s) is 10 deg after 0.2 s ln 10 = 0.4605 s: the first millisecond after that is 0.461.
 TEST(Capture, CountsUntilTheRollStaysNearWhereTheLawSettles) {
   SyntheticFlight made = dormant_flight();

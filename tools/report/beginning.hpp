@@ -19,7 +19,8 @@ struct Neutral {
   std::optional<double> until_s{};
   std::optional<double> command_rad{};
   std::optional<double> encoder_rad{};
-  double unread_s = 0.0;  ///< for so long in all, one of the encoders or more could not be read
+  double unread_s = 0.0;   ///< for so long in all, one of the encoders or more could not be read
+  double missing_s = 0.0;  ///< for so long in all, no row is on record
 
   friend bool operator==(const Neutral&, const Neutral&) = default;
 };
@@ -52,13 +53,18 @@ class OpeningWatch {
   /// Each row, in order. `roll_rad`: from where the law counts it.
   void add(const flight::Row& row, double roll_rad);
   [[nodiscard]] const Opening& found() const { return opening_; }
+  /// A hole lies before the first row under control, or nothing at all: that row shows another time.
+  [[nodiscard]] bool misses_start() const { return misses_start_; }
 
  private:
   Opening opening_{};
+  bool misses_start_ = false;
+  std::optional<double> last_s_{};
   std::optional<core::Phase> before_{};
   double dormant_from_rad_ = 0.0;
   double turns_before_ = 0.0;  ///< of earlier waits
   bool is_waiting_ = false;    ///< since a row that is on record
+  bool knows_turns_ = true;    ///< no wait began or ended in a hole
   bool is_open_ = false;
 };
 

@@ -75,7 +75,7 @@ Figures figures(const flight::Flight& flight) {
   }
   Figures f = running.figures(flight);
   const std::vector<std::span<const flight::Row>> spells = spells_of_control(flight);
-  for (std::size_t i = 0; i < spells.size() && i <= f.reopenings.size(); ++i) {
+  for (std::size_t i = f.misses_control_start ? 1 : 0; i < spells.size() && i <= f.reopenings.size(); ++i) {
     if (Capture& capture = i == 0 ? f.capture : f.reopenings[i - 1].capture; !capture.watched_s) {
       const std::optional<double> turn = capture.turn;
       capture = measured_capture(flight, spells[i]);

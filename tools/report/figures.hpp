@@ -98,6 +98,7 @@ struct Figures {
   Extent roll{};                        ///< when the roll angle is known
   HoldRecord hold{};                    ///< when, under control, its distance from the settle point is
   bool begins_under_control = false;    ///< the first row is, so nobody knows since when
+  bool misses_control_start = false;    ///< likewise, or a hole lies before the first row under control
   bool in_still_air = false;            ///< in a tunnel whose fan stands, or on a gimbal, at every tick
   core::Phase final_phase = core::Phase::safe;
 

@@ -69,8 +69,9 @@ std::string neutral(const Neutral& n) {
   if (n.encoder_rad) {
     text += fmt::format("; their encoders showed at most {} deg", within(*n.encoder_rad));
   }
+  text += n.missing_s > 0.0 ? fmt::format(". Of that time, {} are not on record.", in_s(n.missing_s)) : ".";
   return text +
-         (n.unread_s > 0.0 ? fmt::format(". For {} in all, an encoder could not be read.", in_s(n.unread_s)) : ".");
+         (n.unread_s > 0.0 ? fmt::format(" For {} in all, an encoder could not be read.", in_s(n.unread_s)) : "");
 }
 
 }  // namespace

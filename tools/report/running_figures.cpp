@@ -265,11 +265,14 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
   if (controlled_ == 0) {
     return f;
   }
-  if (!flight.tunnel) {
+  f.misses_control_start = opening_.misses_start();
+  if (!flight.tunnel && !f.misses_control_start) {
     f.control_start_height_m = if_finite(start_.height_m);
   }
   f.control_time_s = clock(end_.time_s) - clock(start_.time_s) - paused_s_;
-  f.capture = spells_.front().found(clock);
+  if (!f.misses_control_start) {
+    f.capture = spells_.front().found(clock);
+  }
   for (std::size_t i = 1; i < spells_.size(); ++i) {
     f.reopenings.push_back({clock(spells_[i].from_s), spells_[i].found(clock)});
   }

@@ -260,7 +260,7 @@ Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
   if (!flight.known.phase) {
     return {Outcome::not_judged, "Roll not judged: the log does not say when control was active."};
   }
-  if (!figures.control_time_s && flight.events.control_start_s) {
+  if (!figures.control_time_s && (flight.events.control_start_s || may_hide_control(flight, figures))) {
     return {Outcome::not_judged,
             fmt::format("Roll not judged: no tick under control is on record.{}", unknown_roll(flight, figures))};
   }

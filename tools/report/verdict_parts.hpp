@@ -13,6 +13,9 @@
 
 namespace fantail::report {
 
+/// To a reset after which nothing was resumed, or to one or a standstill after which nothing is on record any more.
+[[nodiscard]] bool was_lost(const flight::Flight& flight);
+
 /// Of a flight without control: why it never began, as far as is known.
 [[nodiscard]] std::string no_control(const flight::Flight& flight, const Figures& figures);
 
@@ -50,6 +53,9 @@ void add_gate_sentences(std::vector<std::string>& to, const flight::Flight& flig
 
 /// When and why control did, and what the rocket turned by until apogee: one or two sentences.
 [[nodiscard]] std::string early_end(const flight::Flight& flight, const Figures& f);
+
+/// Of a flight without control on record: it ended in a hole, and control may have begun there.
+[[nodiscard]] bool may_hide_control(const flight::Flight& flight, const Figures& figures);
 
 /// A clause of a verdict: "the roll is not known at all times under control", or the hold error is not, for another
 /// reason than a reset. Empty: both are, or the hold error never is.
