@@ -134,7 +134,7 @@ std::string page_html(const Brief& of, const result::Made& made) {
   const std::vector<std::string> columns{
       "<div>" + rocket(of) + wind_section(of) + sentences("Where it comes down", landing_sentences(of)) + "</div>",
       "<div>" + sentences("When canards may move", gate_sentences(of)) +
-          sentences("What ends control", end_sentences(of.plan)) +
+          sentences("What ends control", end_sentences(of)) +
           page::section("Abort input", page::paragraph(abort_sentence(abort))) +
           sentences("To disarm", disarm_sentences(abort)) + "</div>"};
   page::Page page{.kind = "Fantail \u00b7 brief for the range safety officer",

@@ -10,6 +10,7 @@
 #include "report/activity.hpp"
 #include "report/figures.hpp"
 #include "result/field.hpp"
+#include "text/bearing.hpp"
 
 // Every figure of a flight, with its key in summary.json.
 namespace fantail::report::fields {
@@ -177,7 +178,8 @@ inline constexpr auto barometer = result::fields<B>({
 
 inline constexpr auto wind = result::fields<flight::MeanWind>({
     {"speed", "wind", u::m_s, 1, &flight::MeanWind::speed_m_s, "without gusts"},
-    {"from", "from", u::deg, 0, &flight::MeanWind::from_rad, "0 north, 90 east"},
+    {"from", "from", u::deg, 0, [](const flight::MeanWind& w) { return result::Cell{text::bearing_rad(w.from_rad)}; },
+     "0 north, 90 east"},
     {"height", "at a height of", u::m, 0, &flight::MeanWind::height_m, "above ground"},
 });
 
