@@ -142,7 +142,7 @@ PROOFS = [
             Bug("a rocket that is carried", GATE, "motion.speed_m_s > least_speed_m_s", "true"),
             Bug("the guide alone is not enough", GATE, "case DormantUntil::guide: return true;", "case DormantUntil::guide: return is_burnt_out_;"),
         ),
-        options=(*INSIDE, *EACH_ALONE),
+        options=INSIDE,
         stubs=("any_filter",),
         seconds=300,
     ),

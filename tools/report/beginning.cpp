@@ -71,7 +71,6 @@ void OpeningWatch::add(const flight::Row& row, double roll_rad) {
     opening_.dormant_turns.reset();
   }
   is_waiting_ = is_waiting_ && row.phase == dormant;
-  }
   if (row.phase == controlling && !is_open_) {
     is_open_ = true;
     misses_start_ = !follows;
