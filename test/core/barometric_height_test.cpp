@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/barometric_height.hpp"
-#include "core/pressure_height.hpp"
 
 #include <cmath>
 
 #include "core/flight_plan_fields.hpp"
+#include "core/pressure_height.hpp"
 #include "test.hpp"
 
 namespace fantail::core {
