@@ -87,6 +87,7 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
     const bool without_imu = record.gyro_vote == core::GyroVote::second || record.gyro_vote == core::GyroVote::neither;
     return fail(without_imu ? SelfTestFailure::gyro_failed : SelfTestFailure::accelerometer_failed);
   }
+  pressure_pa_ = inputs.barometer ? inputs.barometer->pressure_pa : pressure_pa_;
   gyro_zeros_[0].take(inputs.gyro);
   gyro_zeros_[1].take(inputs.second_gyro.value_or(core::GyroSample{}));
   if (record.motion.at_rest_for == Microseconds{0}) {
@@ -103,7 +104,7 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
   }
   if (const auto failure = judge_averages()) {
     fail(*failure);
-  } else if (record.barometer_state == core::BarometerState::silent) {
+  } else if (barometer_fails(record)) {
     fail(SelfTestFailure::barometer_failed);
   } else if (const auto of_flash = judge_flash(flash)) {
     fail(*of_flash);

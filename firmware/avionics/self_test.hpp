@@ -64,6 +64,7 @@ class SelfTest {
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_sensors() const;
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_gyro_zeros() const;
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_averages() const;
+  [[nodiscard]] bool barometer_fails(const core::TickRecord& record) const;
   [[nodiscard]] std::optional<protocol::SelfTestFailure> judge_flash(const FlashFacts& flash) const;
   void move_canards(const core::TickRecord& record);
   void judge_canards();
@@ -83,6 +84,7 @@ class SelfTest {
   core::Microseconds ended_{};         ///< when the last one passed
   core::Microseconds gyros_agreed_{};  ///< when they last did
   Stage stage_ = Stage::still;
+  float pressure_pa_ = 0.0F;  ///< the barometer's last
   std::array<Average, 2> averages_{};
   std::array<GyroZero, 2> gyro_zeros_{};
   std::array<core::Angle, core::canard_count> encoder_sum_{};

@@ -15,6 +15,10 @@ namespace {
 constexpr Microseconds gyro_patience{100'000};  // for a spike, or a sample that came late
 constexpr float one_g_tolerance_m_s2 = 0.1F * core::standard_gravity_m_s2;
 
+// On every pad from below the sea to 4 500 m. An MS5607 sold as an MS5611 reads half the pressure, which is outside.
+constexpr float least_pad_pressure_pa = 56'000.0F;
+constexpr float largest_pad_pressure_pa = 112'000.0F;
+
 // A record of a tick is at most 80 bytes, and with all that stands between the ticks a flight has less than 80 a tick.
 constexpr std::int64_t record_bytes_per_s = 80'000;
 
@@ -53,6 +57,11 @@ std::optional<SelfTestFailure> SelfTest::judge_gyro_zeros() const {
     return SelfTestFailure::gyro_turns;
   }
   return gyro_zeros_[1].is_beyond(largest_rad_s) ? std::optional{SelfTestFailure::second_gyro_turns} : std::nullopt;
+}
+
+bool SelfTest::barometer_fails(const core::TickRecord& record) const {
+  const bool is_of_a_pad = pressure_pa_ >= least_pad_pressure_pa && pressure_pa_ < largest_pad_pressure_pa;
+  return record.barometer_state && (*record.barometer_state == core::BarometerState::silent || !is_of_a_pad);
 }
 
 // Meets PLN-2.

@@ -25,11 +25,6 @@ enum class BarometerState : std::uint8_t {
 /// How many values BarometerState has: one that is read must be below.
 inline constexpr std::size_t barometer_states = 6;
 
-/// Height over that of `pad`, where the pressure is `ratio` of the pad's, in the standard atmosphere with the pad's
-/// temperature: T / L (1 - ratio^(R L / g)), L = 6.5 K/km (ISO 2533). Up to 11 km, within 0.1 %. By roots, because
-/// powers are not the same in every C library.
-[[nodiscard]] float pressure_height_m(float ratio, float pad_temperature_k);
-
 /// Height and vertical speed by a barometer and the accelerometer together.
 ///
 /// The accelerometer's integral goes on untouched. What is added to it follows the difference to the barometer with a

@@ -30,8 +30,8 @@ namespace fantail::hal::stm32f4 {
 /// - temperature and pressure are within its ranges;
 /// - neither stands still.
 ///
-/// It cannot be told that light falls on it, that its port is blocked, or that it is an MS5607, which has the same
-/// commands and reads half.
+/// It cannot be told that light falls on it or that its port is blocked. An MS5607 has the same commands and reads
+/// half: avionics/self_test finds it.
 class Barometer final : public hal::Barometer {
  public:
   /// The bus of the device and the clock outlive this object.

@@ -146,6 +146,30 @@ TEST(SelfTestAlone, AnotherOneBeginsWithoutWhatTheLastOneFound) {
   rocket.run(whole_test - still_ticks + 1).expect(SelfTestFailure::none);
 }
 
+// On no pad is the air as thin as an MS5607 makes it, which was sold as an MS5611 and reads half: 542 hPa where the air
+// of all weathers is thickest, 1 084 hPa. The Dead Sea has some 1 065 hPa, 4 000 m in a storm 585 hPa.
+TEST(SelfTestAlone, RefusesABarometerWhosePressureIsThatOfNoLaunchSite) {
+  for (const auto& [pressure_pa, failure] : {std::pair{101'325.0F, SelfTestFailure::none},
+                                             {106'500.0F, SelfTestFailure::none},
+                                             {58'500.0F, SelfTestFailure::none},
+                                             {56'000.0F, SelfTestFailure::none},
+                                             {55'999.0F, SelfTestFailure::barometer_failed},
+                                             {54'200.0F, SelfTestFailure::barometer_failed},
+                                             {101'325.0F / 2.0F, SelfTestFailure::barometer_failed},
+                                             {112'000.0F, SelfTestFailure::barometer_failed}}) {
+    TestedRocket rocket{[pressure_pa](TestedRocket& r) {
+      r.record.barometer_state = core::BarometerState::on_pad;
+      r.inputs.barometer.reset();
+      if (r.tested_for() / tick_time % 10 == 0) {
+        r.inputs.barometer = {.time = r.inputs.time, .pressure_pa = pressure_pa};
+      }
+    }};
+    rocket.run(whole_test).expect(failure);
+  }
+  TestedRocket without;  // the plan asks for none
+  without.run(whole_test).expect(SelfTestFailure::none);
+}
+
 using protocol::ArmAction;
 using protocol::ArmReply;
 using protocol::SelfTestFailure;

@@ -5,6 +5,7 @@
 #include "briefs.hpp"
 #include "hal/signal_pattern.hpp"
 #include "test.hpp"
+#include "text/degrees.hpp"
 
 namespace fantail::brief {
 namespace {
@@ -43,7 +44,7 @@ TEST(Sheet, TheGateIsInWordsWithTheNumbersOfThePlan) {
 TEST(Sheet, WhatEndsControlHasTheFailedCanardAndTheAbortOnlyWhereThePlanHasThem) {
   const auto all = [](const std::vector<std::string>& changes) {
     std::string text;
-    for (const std::string& sentence : end_sentences(of_plan(changes).plan)) {
+    for (const std::string& sentence : end_sentences(of_plan(changes))) {
       text += sentence;
     }
     return text;
@@ -55,6 +56,31 @@ TEST(Sheet, WhatEndsControlHasTheFailedCanardAndTheAbortOnlyWhereThePlanHasThem)
       all({"run.canard_fault=end_control", "run.abort_input=open_aborts", "run.tilt_from=guide"});
   EXPECT_NE(strict.find("from the direction at rest on the guide"), std::string::npos) << strict;
   EXPECT_NE(strict.find("; a failed canard; abort."), std::string::npos) << strict;
+}
+
+TEST(Sheet, WhatEndedTheSimulatedControlIsSaid) {
+  Brief brief = of_plan({});
+  EXPECT_EQ(end_sentences(brief).back().find("Simulated"), std::string::npos) << "it went on to apogee";
+  brief.nominal.control_end =
+      ControlEnd{.time_s = 16.987, .before_apogee_s = 8.854, .why = "the rocket tilted too far"};
+  EXPECT_EQ(end_sentences(brief).back(),
+            "Simulated: control ends at 16.99 s, 8.85 s before apogee: the rocket tilted too far.");
+}
+
+// 359.7 deg rounds to 360, which is 0.
+TEST(Sheet, ABearingIsSpelledInOneWay) {
+  Brief brief = of_plan({});
+  brief.is_six_dof = true;
+  brief.wind_m_s = 4.0;
+  brief.wind_from_rad = text::radians(360.0);
+  brief.guide_tilt_rad = text::radians(6.0);
+  brief.guide_azimuth_rad = text::radians(85.0);
+  brief.landing = Landing{.has_parachute = true, .healthy_m = 100.0, .healthy_bearing_rad = text::radians(359.7)};
+  EXPECT_EQ(wind_flown(brief), "4 m/s from 0 deg");
+  EXPECT_EQ(lean(brief), "leans 6 deg towards 85 deg");
+  EXPECT_EQ(landing_sentences(brief).front(), "Under the parachute: 100 m from the guide, bearing 0 deg.");
+  const std::string text = text_of(brief);
+  EXPECT_EQ(text.find("360"), std::string::npos) << text;
 }
 
 TEST(Sheet, ABrokenAbortWireIsSaidForEitherSense) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/flight_plan_fields.hpp"
+#include "core/pressure_height.hpp"
 #include "test.hpp"
 
 namespace fantail::core {

@@ -176,7 +176,8 @@ Flown fly(const Pad& pad, const Burn& burn, const Fault& fault, core::RandomStre
     before = record.phase;
   }
   while (burn.story != Story::misfire && !ascent.is_over() &&
-         (ascent.time_s() < ascent.last_thrust_s() || ascent.pressure() > 0.5 * due.largest_pressure)) {
+         (ascent.time_s() < ascent.last_thrust_s() || ascent.pressure() > 0.5 * due.largest_pressure ||
+          due.height_s == forever)) {
     ascent.advance(tick_s);
     due.follow(ascent, burn, height_m);
   }

@@ -72,6 +72,17 @@ TEST(FaultHeadline, SaysHowManyFaultsAreNotSafeAndNamesTheWorstFirst) {
       headline(with_colours({not_judged, green})).starts_with("No fault is unsafe; 1 is safe in every flight. "));
 }
 
+TEST(FaultHeadline, AFaultThatNeverHappenedIsNotCountedAsSafe) {
+  Result result = with_colours({Colour::green, Colour::not_applicable});
+  EXPECT_EQ(headline(result).find("appened"), std::string::npos);
+  result.cells[1].is_reached = false;
+  result.never_happened = "The fault from 500 s after ignition on never happened: the flight ended at 14.20 s.";
+  EXPECT_TRUE(headline(result).ends_with(
+      "Safe in every flight: 1 cell. Never happened, because no flight reaches the phase, and not counted as safe: 1 "
+      "cell. The fault from 500 s after ignition on never happened: the flight ended at 14.20 s."))
+      << headline(result);
+}
+
 // Another rocket than the shipped one can have them.
 TEST(FaultReasons, OfARedCellNameTheCommandThatFliesItsWorstRun) {
   Result result;

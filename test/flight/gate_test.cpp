@@ -95,6 +95,12 @@ TEST(Gate, TheChosenTurnIsWhatTheReferenceHasBeyondThePlan) {
   EXPECT_FALSE(std::signbit(*chosen_turn(flight, row)));
   row.reference_rad = std::nan("");
   EXPECT_FALSE(chosen_turn(flight, row));
+  flight.plan.reference.kind = core::ReferenceKind::steps;
+  flight.plan.reference.step_times_count = flight.plan.reference.step_angles_count = 1;
+  flight.plan.reference.step_times[0] = core::Microseconds{2'000'000};
+  flight.plan.reference.step_angles[0] = core::Angle::from_degrees(-170.0F);
+  row.reference_rad = (-170.0 + 360.0) * std::numbers::pi / 180.0;
+  EXPECT_EQ(chosen_turn(flight, row, 3.0), 1.0) << "the plan's step counts from control start";
 }
 
 }  // namespace

@@ -26,6 +26,15 @@ Judgement judgement_of(const Decision& decision, std::string_view key) {
   return std::ranges::find(decision.criteria, key, &Criterion::key)->judgement;
 }
 
+TEST(Caution, HeldRunsThatRestOnTheTiltLimitsAllowanceAreCounted) {
+  Prediction p = all_held();
+  p.runs[3].allowed_tilt_end_s = 7.4;
+  p.runs[5].allowed_tilt_end_s = 2.0;
+  EXPECT_NE(decide(p, {}).text.find("In 2 of 200 held runs the tilt limit ended control up to 7.40 s before apogee, "
+                                    "which verdict.tilt_end_before_apogee_s allows"),
+            std::string::npos);
+}
+
 // 200 runs that rest 70.7 degrees away are none that is held, and the decision says how far and what was asked.
 TEST(Caution, ARollThatRestsFarFromItsCommandIsNoGo) {
   Prediction p = all_held();
@@ -157,7 +166,7 @@ TEST(Caution, RunsThatAreTooFewToTellAreNoGo) {
   p.authority = share(72, 72);
   const Decision d = decide(p, {});
   EXPECT_FALSE(d.go);
-  EXPECT_EQ(figures(d.text), (Numbers{"4.1", "9", "72", "95"}));
+  EXPECT_EQ(figures(d.text), (Numbers{"72", "95", "4.1", "9"}));
   EXPECT_NE(d.text.find("--runs"), std::string::npos) << d.text;
   EXPECT_EQ(judgement_of(d, "authority"), Judgement::not_judged) << "all of them, which is not a no";
   EXPECT_NE(d.criteria[0].found.find("too few runs"), std::string::npos);

@@ -45,6 +45,19 @@ TEST(Decision, IsGoWhenEveryCriterionIsMetAndSaysWithWhat) {
   }
 }
 
+TEST(Decision, ThatTooFewRunsAreTheOnlyReasonOfBeginsWithThem) {
+  Prediction p = good();
+  p.runs.resize(20);
+  p.authority = p.held = share(20, 20);
+  const Decision d = decide(p, {});
+  EXPECT_FALSE(d.go);
+  EXPECT_TRUE(d.text.starts_with("No go: 20 runs are too few to be sure of 95 %. Fly more with --runs. The fin offset"))
+      << d.text;
+  EXPECT_TRUE(criterion(d, "held").clause.starts_with(
+      "20 runs are too few to be sure of 90 %. Fly more with --runs. Roll is held"))
+      << d.text;
+}
+
 // "Held" alone misleads who does not know that the law settles off its reference.
 TEST(Decision, SaysWhatHeldMeansAndHowFarFromTheReferenceThatIs) {
   Prediction p = good();

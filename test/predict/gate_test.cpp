@@ -25,7 +25,8 @@ TEST(PredictedGate, SaysWhenItOpensHowTheRocketTurnsThenAndHowSoonItIsCaptured) 
   EXPECT_LT(p.captured_after_s.value().p95, 1.2);
   const Criterion c = gate(p, 0.1).value();
   EXPECT_EQ(c.judgement, Judgement::met);
-  EXPECT_NE(c.clause.find("the gate opens at 3.19 s, 151 m, 81 m/s; the rocket then turns at -"), std::string::npos)
+  EXPECT_NE(c.clause.find("the gate opens at 3.19 s, 151 m, 81 m/s through the air; the rocket then turns at -"),
+            std::string::npos)
       << c.clause;
   EXPECT_NE(c.clause.find("The roll is captured in 8 of 8 runs, 95 % of them within 1.0"), std::string::npos)
       << c.clause;

@@ -5,9 +5,7 @@
 //   - then adds to height and vertical speed no more than the plan says that the accelerometer may be wrong by;
 //   - adds nothing where no accelerometer measures, or the two disagree;
 //   - says that the rocket is above a height only in a tick in which it is used, and none above the accelerometer's.
-// Roots may give any number.
-#include "any_root.hpp"
-#define sqrt any_root
+// A pressure may stand for any height.
 #include "core/barometric_height.cpp"
 
 using namespace fantail;
@@ -43,24 +41,29 @@ int main() {
   motion.accelerometer = any_of<SensorState>(4);
   motion.speed_is_lower_bound = nondet_bool();
   motion.thrust_since = any_instant();
-  height.update(inputs, nondet_bool(), motion);
+  const bool flies = nondet_bool();
+  height.update(inputs, flies, motion);
 
   const MotionError most = motion_error(errors, inputs.time, motion);
   const bool moved = height.height_m_ != before.height_m_ || height.vertical_speed_m_s_ != before.vertical_speed_m_s_;
   const bool used = height.used_at_ != before.used_at_ && height.used_at_;
   const bool alone = motion.accelerometer == SensorState::failed || motion.speed_is_lower_bound;
+  const bool compared =
+      flies && !alone && height.last_time_ != before.last_time_ && motion.speed_squared_m2_s2 <= 100.0F * 100.0F;
   const bool silent = height.state_ == BarometerState::silent;
 
   CLAIM(!used || (!alone && motion.speed_squared_m2_s2 <= 100.0F * 100.0F && height.state_ == BarometerState::used));
+  CLAIM(!used || inputs.barometer);
   CLAIM(!used || (std::abs(height.height_m_) <= std::abs(most.height_m) &&
                   std::abs(height.vertical_speed_m_s_) <= std::abs(most.vertical_speed_m_s)));
   CLAIM(used || !moved || (height.height_m_ == 0.0F && height.vertical_speed_m_s_ == 0.0F));
+  CLAIM(!compared || height.agrees_since_ || (height.height_m_ == 0.0F && height.vertical_speed_m_s_ == 0.0F));
   CLAIM(!alone || silent || height.state_ == BarometerState::on_pad ||
         (height.height_m_ == 0.0F && height.vertical_speed_m_s_ == 0.0F));
   CLAIM(height.state_ != BarometerState::disagrees || height.state_ == before.state_ || height.height_m_ == 0.0F);
-  CLAIM(!used || !height.least_height_m_ ||
+  CLAIM(!used || !inputs.barometer || !height.least_height_m_ ||
         !(*height.least_height_m_ >
-          motion.height_m - motion.vertical_speed_m_s * seconds(inputs.time - *height.used_at_)));
+          motion.height_m - motion.vertical_speed_m_s * seconds(inputs.time - inputs.barometer->time)));
   CLAIM(!height.least_height_m_ || height.state_ == BarometerState::used);
 
   REACHABLE(1, used && moved);

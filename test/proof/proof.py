@@ -35,3 +35,5 @@ class Proof:
 
 # The harness looks at private members.
 INSIDE = ("--unwind", "5", "-f", "no-access-control")
+# Each claim by itself, with what it depends on: of many claims over many numbers that is quicker than all of them at once.
+EACH_ALONE = ("--multi-property",)

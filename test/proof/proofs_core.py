@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Proofs of firmware/core: the flight law."""
 
-from proof import INSIDE, Bug, Proof
+from proof import EACH_ALONE, INSIDE, Bug, Proof
 
 MIXER = "core/canard_mixer.cpp"
 PHASE = "core/flight_phase.cpp"
@@ -159,8 +159,8 @@ PROOFS = [
             Bug("alone it opens a gate", BAROMETER, "std::min(height_m - own_error_m, believed_m)", "height_m - own_error_m"),
             Bug("a lie that was added stays", BAROMETER, "return reject(BarometerState::disagrees);", "return;"),
         ),
-        options=("--unwind", "14", "-f", "no-access-control"),
-        stubs=("any_filter", "any_error"),
+        options=("--unwind", "14", "-f", "no-access-control", *EACH_ALONE),
+        stubs=("any_filter", "any_error", "any_height"),
         seconds=300,
     ),
     Proof(

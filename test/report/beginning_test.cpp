@@ -2,32 +2,17 @@
 // What comes before control, how it begins, and what the verdict makes of it.
 #include "report/beginning.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "dormant_flight.hpp"
 #include "report/sections.hpp"
-#include "synthetic_flight.hpp"
 #include "test.hpp"
 
 namespace fantail::report {
 namespace {
 
 using enum core::Phase;
-
-constexpr double opens_s = 1.0;
-constexpr double settles_deg = -10.0;  // u_d -5 deg, kp 0.5
-
-/// The synthetic flight with a gate by burn-out: dormant from 0.6 s to 1.0 s.
-SyntheticFlight dormant_flight() {
-  SyntheticFlight made;
-  flight::Flight& flight = made.flight;
-  flight.plan.dormancy.until = core::DormantUntil::burn_out;
-  made.each_controlled([](flight::Row& row) { row.phase = row.time_s < opens_s ? dormant : controlling; });
-  flight.events.dormant_s = 0.6;
-  flight.events.control_start_s = opens_s;
-  flight.phase_changes.back().phase = dormant;
-  flight.phase_changes.push_back({opens_s, controlling, core::PhaseReason::gate_open});
-  return made;
-}
 
 /// Roll under control: `off_deg(t)` from where the law settles, t since control start.
 void roll(SyntheticFlight& made, const std::function<double(double)>& off_deg) {
@@ -83,6 +68,32 @@ TEST(Opening, IsTheStateAtControlStartAndTheTurnsBeforeIt) {
   EXPECT_EQ(o.speed_m_s, 51.0);
   EXPECT_EQ(o.closings, 0U);
   EXPECT_FALSE(figures(SyntheticFlight{}.flight).opening.dormant_turns) << "it did not wait";
+}
+
+flight::Flight without(double from_s, double to_s) {
+  flight::Flight flight = dormant_flight().flight;
+  std::erase_if(flight.rows, [&](const flight::Row& row) { return row.time_s > from_s && row.time_s < to_s; });
+  return flight;
+}
+
+// The first row behind the hole is of another time.
+TEST(Opening, IsNotKnownWhereAHoleHidesTheStartOfControl) {
+  const Figures f = figures(without(0.8, 1.5));
+  EXPECT_TRUE(f.misses_control_start);
+  EXPECT_FALSE(f.control_start_height_m);
+  EXPECT_EQ(f.opening, Opening{});
+  EXPECT_EQ(f.capture, Capture{});
+  EXPECT_FALSE(figures(without(0.5, 0.8)).opening.dormant_turns) << "where the wait began";
+  EXPECT_TRUE(figures(without(0.5, 0.8)).opening.roll_angle_rad);
+  EXPECT_TRUE(figures(without(0.7, 0.9)).opening.dormant_turns) << "the angle goes on behind a hole";
+  EXPECT_FALSE(figures(without(0.95, 1.02)).misses_control_start) << "a small one";
+}
+
+TEST(Neutral, CountsTheTimeThatIsNotOnRecord) {
+  EXPECT_NEAR(figures(without(0.7, 0.9)).neutral.missing_s, 0.2, 1e-9);
+  const double unread_s = figures(dormant_flight().flight).neutral.unread_s;  // it has no encoders
+  EXPECT_NEAR(figures(without(0.7, 0.9)).neutral.unread_s, unread_s - 0.2, 1e-9) << "counted once";
+  EXPECT_EQ(figures(dormant_flight().flight).neutral.missing_s, 0.0);
 }
 
 // 100 deg exp(-t / 0.2 s) is 10 deg after 0.2 s ln 10 = 0.4605 s: the first millisecond after that is 0.461.
@@ -191,47 +202,6 @@ TEST(Gate, ThatStaysClosedIsNoFailure) {
   made.flight.phase_changes.pop_back();
   EXPECT_EQ(verdict_of(made.flight).text,
             "No control: the record ends while the canards waited for burn-out, from 0.60 s on.");
-}
-
-/// Control from 1.0 s, the gate closed from 2.0 s to 2.2 s.
-SyntheticFlight interrupted() {
-  SyntheticFlight made = dormant_flight();
-  made.each_controlled(
-      [](flight::Row& row) { row.phase = row.time_s > 1.9995 && row.time_s < 2.1995 ? dormant : controlling; });
-  made.flight.phase_changes.push_back({2.0, dormant, core::PhaseReason::gate_closed_again});
-  made.flight.phase_changes.push_back({2.2, controlling, core::PhaseReason::gate_open});
-  return made;
-}
-
-TEST(Gate, ThatClosesAgainInterruptsControl) {
-  SyntheticFlight made = interrupted();
-  // Off by 50 deg for a second after each beginning.
-  made.each_controlled([](flight::Row& row) {
-    const bool begins = row.time_s < 1.9995 || (row.time_s > 2.1 && row.time_s < 3.1995);
-    row.truth->roll_angle_rad = row.roll_angle_rad = text::radians(begins ? 40.0 : settles_deg);
-  });
-  const Figures f = figures(made.flight);
-  EXPECT_EQ(f.opening.closings, 1U);
-  EXPECT_NEAR(f.control_time_s.value(), 3.5 - 0.201, 1e-6) << "between two ticks that are 0.201 s apart";
-  EXPECT_NEAR(f.judged_time_s.value(), 1.3, 1e-6);
-  EXPECT_EQ(verdict_of(made.flight).outcome, Outcome::held) << verdict_of(made.flight).text;
-  const std::string page = result::text(answer(made.flight, f, verdict(made.flight, f)));
-  EXPECT_NE(page.find("gate closes"), std::string::npos);
-  EXPECT_NE(page.find("the motor pushes again"), std::string::npos);
-  EXPECT_NE(page.find("gate reopens"), std::string::npos);
-}
-
-TEST(Gate, ThatClosesForGoodEndsControlThen) {
-  SyntheticFlight made = interrupted();
-  made.each_controlled([](flight::Row& row) { row.phase = row.time_s > 2.0 ? dormant : controlling; });
-  made.flight.events.control_end_s = 2.0;
-  made.flight.phase_changes.back() = {4.5, finished, core::PhaseReason::gate_never_opened};
-  const Verdict v = verdict_of(made.flight);
-  EXPECT_EQ(v.outcome, Outcome::cut_short);
-  EXPECT_TRUE(says(v,
-                   "Control ended at 2.00 s, 2.50 s before apogee: the motor pushes again, and the plan's gate did "
-                   "not open again."))
-      << v.text;
 }
 
 TEST(Gate, IsShadedAndMarkedAndAStepIsNamedByThePlansAngle) {

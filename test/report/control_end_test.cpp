@@ -18,6 +18,37 @@ TEST(ControlEnd, WithoutALaunchThereIsNoControl) {
   EXPECT_EQ(v.text, "No control: no launch was detected.");
 }
 
+// It may have been launched after that.
+TEST(ControlEnd, ARecordTellsOfNoLaunchAsFarAsItGoes) {
+  SyntheticFlight record;
+  record.never_controlled(-0.5, core::Phase::armed, core::PhaseReason::armed_by_switch_and_command);
+  record.flight.seed.reset();
+  EXPECT_EQ(verdict_of(record.flight).text, "No control: no launch was detected up to 4.50 s, where the record ends.");
+}
+
+TEST(ControlEnd, ControlMayHaveBegunInAHoleThatEndsTheFlight) {
+  SyntheticFlight hidden;
+  hidden.never_controlled(4.0, core::Phase::finished, core::PhaseReason::apogee);
+  for (flight::Row& row : hidden.flight.rows) {
+    row.phase = row.phase == core::Phase::finished && row.time_s < 4.0 ? core::Phase::launched : row.phase;
+  }
+  EXPECT_EQ(verdict_of(hidden.flight).outcome, Outcome::no_control);
+  std::erase_if(hidden.flight.rows, [](const flight::Row& row) { return row.time_s > 0.5 && row.time_s < 4.0; });
+  EXPECT_EQ(verdict_of(hidden.flight).outcome, Outcome::not_judged);
+  EXPECT_TRUE(says(verdict_of(hidden.flight), "no tick under control is on record"));
+}
+
+// How soon before apogee the tilt limit may end control is a number of the scenario.
+TEST(ControlEnd, OfALogByTheTiltLimitIsNotCalledEarly) {
+  SyntheticFlight log;
+  log.end_control(3.0, core::PhaseReason::tilted_too_far);
+  EXPECT_EQ(verdict_of(log.flight).outcome, Outcome::cut_short) << "1.5 s before apogee, and 0.5 s are allowed";
+  log.flight.seed.reset();
+  log.flight.events.apogee_s.reset();
+  EXPECT_FALSE(verdict_of(log.flight).ended_early);
+  EXPECT_TRUE(says(verdict_of(log.flight), "The tilt limit ended control at 3.00 s."));
+}
+
 TEST(ControlEnd, EveryOtherWayToNoControlIsNamed) {
   flight::Flight never_armed = SyntheticFlight{}.flight;
   never_armed.rows.clear();

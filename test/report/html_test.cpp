@@ -100,7 +100,13 @@ TEST(Html, OfARollThatIsNotJudgedNoHoldErrorAndNoSettlePointIsTold) {
 
 TEST(Html, SaysWhichSpeedItShows) {
   SyntheticFlight synthetic;
-  EXPECT_NE(page_of(synthetic.flight).find("<dt>top speed</dt>"), std::string::npos);
+  EXPECT_NE(page_of(synthetic.flight).find("<dt>top speed through the air</dt>"), std::string::npos);
+  flight::Flight log = synthetic.flight;
+  log.seed.reset();
+  for (flight::Row& row : log.rows) {
+    row.truth.reset();
+  }
+  EXPECT_NE(page_of(log).find("<dt>top speed by the log</dt>"), std::string::npos);
   synthetic.flight.path = {{.time_s = 0.0}, {.time_s = 4.0, .north_m = 30.0, .height_m = 400.0}};
   const std::string page = page_of(synthetic.flight);
   EXPECT_NE(page.find("<dt>top speed over ground</dt>"), std::string::npos);

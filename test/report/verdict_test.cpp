@@ -29,6 +29,7 @@ TEST(Verdict, ALimitThatEndsControlInTheLastHalfSecondIsNamedThoughTheRollIsHeld
   tilted.end_control(4.1, core::PhaseReason::tilted_too_far);
   EXPECT_EQ(verdict_of(tilted.flight).outcome, Outcome::held);
   EXPECT_FALSE(verdict_of(tilted.flight).ended_by_tilt);
+  EXPECT_FALSE(verdict_of(tilted.flight).allowed_tilt_end_s);
   EXPECT_TRUE(verdict_of(tilted.flight).text.ends_with("The tilt limit ended control 0.40 s before apogee."))
       << verdict_of(tilted.flight).text;
   SyntheticFlight usual;
@@ -45,12 +46,26 @@ TEST(Verdict, NothingButTheTiltLimitMayEndControlAsEarlyAsTheScenarioAllowsIt) {
   tilted.flight.tilt_end_before_apogee_s = 0.7;
   tilted.end_control(3.9, core::PhaseReason::tilted_too_far);
   EXPECT_EQ(verdict_of(tilted.flight).outcome, Outcome::held);
-  EXPECT_TRUE(says(verdict_of(tilted.flight), "The tilt limit ended control 0.60 s before apogee. After that"))
+  EXPECT_NEAR(verdict_of(tilted.flight).allowed_tilt_end_s.value(), 0.6, 1e-9);
+  EXPECT_TRUE(says(verdict_of(tilted.flight),
+                   "The tilt limit ended control 0.60 s before apogee. "
+                   "verdict.tilt_end_before_apogee_s = 0.7 allows that. After that"))
       << verdict_of(tilted.flight).text;
   SyntheticFlight failed;
   failed.flight.tilt_end_before_apogee_s = 0.7;
   failed.end_control(3.9, core::PhaseReason::canard_fault);
   EXPECT_EQ(verdict_of(failed.flight).outcome, Outcome::cut_short);
+}
+
+TEST(Verdict, OfHeldFlightsItIsSaidHowManyRestOnTheAllowanceAndHowEarlyTheirControlEnded) {
+  AllowedTiltEnds ends;
+  ends.add(std::nullopt);
+  EXPECT_EQ(ends.sentence(3, "run"), "");
+  ends.add(2.5);
+  ends.add(7.346);
+  EXPECT_EQ(ends.sentence(3, "run"),
+            "In 2 of 3 held runs the tilt limit ended control up to 7.35 s before apogee, which "
+            "verdict.tilt_end_before_apogee_s allows");
 }
 
 TEST(Verdict, SaysWhichTimeTheHoldErrorLeavesOut) {

@@ -40,12 +40,11 @@ const Vocabulary vocabulary{.meaning_of =
                                   return names;
                                 }};
 
-std::optional<Known> value(const std::string& text) {
-  return Expression::parse(text, vocabulary).value([](const std::string& name) {
-    const auto found = values.find(name);
-    return found == values.end() ? std::nullopt : std::optional{found->second};
-  });
+std::optional<Known> value_of(const std::string& name) {
+  const auto found = values.find(name);
+  return found == values.end() ? std::nullopt : std::optional{found->second};
 }
+std::optional<Known> value(const std::string& text) { return Expression::parse(text, vocabulary).value(value_of); }
 
 std::string truth(const std::string& text) {
   const auto known = value(text);
@@ -125,6 +124,22 @@ TEST(Expression, OfAValueBeyondEveryNumberIsUnknown) {
 TEST(Expression, TellsTheNamesThatItNeedsEachOnce) {
   EXPECT_EQ(Expression::parse("height_m > 1 and open and height_m < 9", vocabulary).names(),
             (std::vector<std::string>{"height_m", "open"}));
+}
+
+// Values as for the truth above: what one side decides needs no other.
+TEST(Expression, TellsTheNamesThatDecideIt) {
+  const auto deciding = [](const std::string& text) {
+    return Expression::parse(text, vocabulary).deciding_names(value_of);
+  };
+  const std::string is_true = "height_m < 1e9";
+  const std::string is_false = "height_m > 1e9";
+  const std::string open = "hidden_m > 1";
+  EXPECT_EQ(deciding(is_true + " or " + open), (std::vector<std::string>{"height_m"}));
+  EXPECT_EQ(deciding(open + " or " + is_true), (std::vector<std::string>{"height_m"}));
+  EXPECT_EQ(deciding(open + " and " + is_false), (std::vector<std::string>{"height_m"}));
+  EXPECT_EQ(deciding("not (" + is_false + " and " + open + ")"), (std::vector<std::string>{"height_m"}));
+  EXPECT_EQ(deciding(is_true + " and " + open), (std::vector<std::string>{"height_m", "hidden_m"}));
+  EXPECT_EQ(deciding(is_false + " or " + open), (std::vector<std::string>{"height_m", "hidden_m"}));
 }
 
 TEST(Expression, IsRefusedWithItsPositionAndWhy) {

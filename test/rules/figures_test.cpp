@@ -82,7 +82,27 @@ TEST(RocketFigures, OfMarginsInFlightAreUnknownAboveTheModelsMachNumber) {
   const Findings all = of_rocket(scenario(), fast);
   EXPECT_TRUE(all.at("rocket.margin_at_launch_percent").known);
   EXPECT_FALSE(all.at("rocket.least_margin_percent").known);
-  EXPECT_NE(all.at("rocket.margin_calibres").how.find("Mach 1.30"), std::string::npos);
+  EXPECT_FALSE(all.at("rocket.damping_ratio").known);
+  for (const char* name : {"rocket.margin_calibres", "rocket.damping_ratio"}) {
+    EXPECT_NE(all.at(name).how.find("Mach 1.30"), std::string::npos) << name;
+  }
+}
+
+Finding of_log_with_mach(const std::optional<Known>& mach, const std::string& name) {
+  return of_rocket(scenario().vehicle, flown().side_moment_m3, {{"flight.largest_mach", {mach, ""}}}).at(name);
+}
+
+TEST(RocketFigures, OfALogAreThoseOfTheSimulationOnlyWhereTheLogShowsHowFastItFlew) {
+  const Findings simulated = of_rocket(scenario(), flown());
+  for (const char* name : {"rocket.margin_calibres", "rocket.margin_at_stop_calibres", "rocket.damping_ratio"}) {
+    EXPECT_EQ(of_log_with_mach(exactly(0.25), name).known, simulated.at(name).known) << name;
+    const Finding open = of_log_with_mach(Number{0.25, INFINITY}, name);
+    EXPECT_FALSE(open.known) << name;
+    EXPECT_NE(open.how.find("does not show the largest Mach number"), std::string::npos) << open.how;
+    EXPECT_FALSE(of_log_with_mach({}, name).known) << name;
+    EXPECT_NE(of_log_with_mach(Number{1.6, INFINITY}, name).how.find("reaches Mach 1.60"), std::string::npos) << name;
+  }
+  EXPECT_TRUE(of_log_with_mach({}, "rocket.total_impulse_n_s").known);
 }
 
 TEST(RocketFigures, OfAnUnstableRocketSayThatAStopMakesItNoBetter) {

@@ -7,6 +7,8 @@
 namespace fantail::rules {
 namespace {
 
+using Words = std::vector<std::string>;
+
 /// A pack with a clause for each of these: kind and what belongs to it.
 Pack pack_of(const std::vector<std::string>& clauses) {
   std::string text =
@@ -56,6 +58,46 @@ TEST(Judge, OfAPlanAloneJudgesNoClauseThatNeedsAFlight) {
   EXPECT_EQ(outcomes(judged), (std::vector{not_judged, not_judged, Outcome::blank, pass}));
   EXPECT_EQ(verdict(judged).sentence,
             "1 of 4 clauses passes. Not judged: 1 for the team to show (3), 2 that need a flight (1; 2).");
+}
+
+// The canards' law is the same whatever the plan.
+TEST(Judge, OfAPlanAloneJudgesAComputedClauseThatNeedsNoFlight) {
+  Subject alone{.what = "a plan", .found = of_law(), .why_missing = "a plan does not tell it", .plan_alone = true};
+  const std::string of_the_law = "kind = \"computed\"\npasses_if = \"not law.steers_to_place\"";
+  EXPECT_EQ(outcomes(judge(pack_of({of_the_law, unknown}), alone)), (std::vector{Outcome::pass, Outcome::not_judged}));
+}
+
+TEST(Judge, FailsABlankClauseWhereThereIsNothingToShow) {
+  const std::string abort =
+      "kind = \"blank\"\nteam_shows = \"the signal\"\nfails_if = 'plan.run.abort_input == \"none\"'";
+  const auto of = [&](const Findings& found) {
+    return judge(pack_of({abort}), {.what = "a plan", .found = found, .why_missing = "not there"}).front();
+  };
+  EXPECT_EQ(of({{"plan.run.abort_input", {"none", ""}}}).outcome, Outcome::fail);
+  EXPECT_EQ(of({{"plan.run.abort_input", {"none", ""}}}).evidence, (Words{"plan.run.abort_input = \"none\""}));
+  EXPECT_EQ(of({{"plan.run.abort_input", {"open_aborts", ""}}}).outcome, Outcome::blank);
+  EXPECT_EQ(of({}).outcome, Outcome::not_known);
+}
+
+TEST(Judge, ShowsOnlyTheEvidenceThatDecides) {
+  const std::string gate =
+      "kind = \"plan\"\npasses_if = 'plan.dormancy.until != \"height\" or plan.dormancy.height_m >= 2000'";
+  const std::vector<Judged> judged =
+      judge(pack_of({gate}),
+            {.what = "a plan",
+             .found = {{"plan.dormancy.until", {"burn_out", ""}}, {"plan.dormancy.height_m", {exactly(0), ""}}},
+             .why_missing = ""});
+  EXPECT_EQ(judged[0].evidence, (Words{"plan.dormancy.until = \"burn_out\""}));
+}
+
+TEST(RulesVerdict, SaysHowToNameTheRocketWhereAClauseNeedsIt) {
+  Subject log = subject;
+  log.no_rocket = "use --vehicle";
+  const auto said = [&](const std::vector<std::string>& clauses) {
+    return verdict(judge(pack_of(clauses), log), log).sentence;
+  };
+  EXPECT_NE(said({passes, unknown}).find(" The rocket is not known: use --vehicle."), std::string::npos);
+  EXPECT_EQ(said({passes}).find("rocket"), std::string::npos);
 }
 
 TEST(RulesVerdict, NamesWhatFailsAndWhatWasNotJudged) {

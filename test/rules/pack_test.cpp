@@ -85,6 +85,8 @@ TEST(Pack, WhoseKindsAndKeysDoNotFitIsRefused) {
   expect_refused(head + clause("kind = \"log\"\n"), {"passes_if is missing"});
   expect_refused(head + clause("kind = \"blank\"\n"), {"team_shows is missing"});
   expect_refused(head + clause("kind = \"blank\"\nteam_shows = \"x\"\npasses_if = \"true\"\n"), {"this one is blank"});
+  expect_refused(head + clause("kind = \"plan\"\npasses_if = \"true\"\nfails_if = \"true\"\n"),
+                 {"fails_if belongs to a clause of kind \"blank\""});
   expect_refused(head + clause("kind = \"plan\"\npasses_if = \"flight.apogee_m > 1\"\n"),
                  {"names flight.apogee_m; a clause of kind \"plan\" may name only plan.* and team.*"});
   expect_refused(head + good + good, {"id = \"3.1\" is the id of an earlier clause, too"});

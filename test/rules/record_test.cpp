@@ -167,6 +167,62 @@ TEST(Record, TakesNoCanardUnderControlForOneBeforeIt) {
   EXPECT_NEAR(number(without_start(8.5, 10.0), "canard_before_control_deg").low, 0.0, 0.01);
 }
 
+// A gate that closes again leaves dormant rows; without a gate every row before control is of the launch.
+TEST(Record, LeavesOpenWhetherAHoleHidesAnEarlierSpellOfControl) {
+  flight::Flight gated = whole();
+  for (flight::Row& row : gated.rows) {
+    row.phase = row.phase == core::Phase::launched && row.time_s > 1.0 ? core::Phase::dormant : row.phase;
+  }
+  EXPECT_EQ(number(gated, "control_start_s"), exactly(9.0));
+  EXPECT_NEAR(number(without(4.0, 5.0, gated), "control_start_s").low, 4.0, 1e-6);
+  EXPECT_EQ(number(without(4.0, 5.0, gated), "control_start_s").high, 9.0);
+  expect_open(without(4.0, 5.0, gated), "control_start_height_m", "");
+  expect_open(without(4.0, 5.0, gated), "left_trim_s", "misses 4.00 to 5.00 s");
+  EXPECT_EQ(number(without(4.0, 5.0), "control_start_s"), exactly(9.0));
+}
+
+/// Its axis leans by a degree a second from lift-off on; control ends at the abort.
+flight::Flight leaning() {
+  flight::Flight log = whole();
+  for (flight::Row& row : log.rows) {
+    row.tilt_from_guide_rad = text::radians(std::max(0.0, row.time_s));
+    const double away_rad = row.time_s >= 9.0 && row.time_s < 12.0 ? text::radians(3.0) : 0.0;
+    for (std::size_t k = 0; k < core::canard_count; ++k) {
+      const auto trim_rad = static_cast<double>(log.plan.canards.each[k].trim.radians());
+      row.commands_rad[k] = row.encoders_rad[k] = trim_rad + away_rad;
+    }
+  }
+  log.events.control_end_s = 12.0;
+  log.phase_changes.back() = {12.0, core::Phase::finished, core::PhaseReason::aborted};
+  return log;
+}
+
+TEST(Record, ShowsTheTiltUnderControl) {
+  EXPECT_NEAR(number(leaning(), "tilt_off_trim_deg").low, 11.99, 0.001);
+  EXPECT_EQ(number(leaning(), "tilt_off_trim_deg").low, number(leaning(), "tilt_off_trim_deg").high);
+  expect_open(without(10.0, 11.0, leaning()), "tilt_off_trim_deg", "the record misses 10.00 to 11.00 s");
+  flight::Flight table = leaning();
+  for (flight::Row& row : table.rows) {
+    row.tilt_from_guide_rad.reset();
+  }
+  expect_open(table, "tilt_off_trim_deg", "no attitude at 9.00 s");
+}
+
+TEST(Record, ShowsWhetherCanardsStandAtTrimAfterAnAbort) {
+  EXPECT_EQ(figure(leaning(), "off_trim_after_abort").known, Known{false});
+  flight::Flight stuck = leaning();
+  for (flight::Row& row : stuck.rows) {
+    *row.encoders_rad[1] += row.time_s > 11.0 ? text::radians(2.0) : 0.0;
+  }
+  EXPECT_EQ(figure(stuck, "off_trim_after_abort").known, Known{true});
+  EXPECT_NE(figure(stuck, "off_trim_after_abort").how.find("abort at 12.00 s; encoder of canard 2"), std::string::npos);
+  EXPECT_FALSE(figure(without(14.0, 15.0, leaning()), "off_trim_after_abort").known);
+  EXPECT_FALSE(figure(without(12.2, 30.0, leaning()), "off_trim_after_abort").known)
+      << "the record ends with the abort";
+  EXPECT_EQ(figure(whole(), "off_trim_after_abort").known, Known{false}) << "none came";
+  EXPECT_FALSE(figure(without(10.0, 11.0), "off_trim_after_abort").known) << "it may have come in the hole";
+}
+
 TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
   flight::Flight log = whole();
   for (flight::Row& row : log.rows) {

@@ -118,6 +118,55 @@ TEST(NewRocket, OfOneNameIsMadeOnceByTwoAtOnce) {
       std::string::npos);
 }
 
+// A team's own source: what it computes itself need not be there, and what the shape says nothing of is kept.
+TEST(NewRocket, KeepsParachuteServosAndSensorsOfASourceWithoutARollModelAndNamesWhatItLeaves) {
+  const Folder folder;
+  ASSERT_EQ(fantail({"new", "first", "--from", "kestrel"}, {.working_folder = folder.path()}).exit_code, 0);
+  std::string source = content(folder.path() / "first/vehicle.toml");
+  const std::size_t air = source.find("[aerodynamics]");
+  source.erase(air, source.find("[shape]") - air);
+  source.erase(source.find("roll_inertia_kg_m2"), std::string_view{"roll_inertia_kg_m2 = 0.0694766\n"}.size());
+  source.insert(source.find("mass_kg"), "drag_mach = [0, 0.8, 1]\ndrag_factor = [1, 1.1, 2]\n");
+  source += "lag_s = 0.03\n\n[canard_mounting]\ndirection = [\"reversed\", \"normal\", \"normal\", \"normal\"]\n";
+  source += "\n[imu]\nto_nose = \"+y\"\nalong_y = \"-x\"\nfull_scale_deg_s = 1000\n";
+  std::ofstream{folder.path() / "own.toml"} << source;
+  const Outcome made = fantail({"new", "mine", "--from", "own.toml"}, {.working_folder = folder.path()});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string vehicle = content(folder.path() / "mine/vehicle.toml");
+  for (const char* kept :
+       {"drag_mach = [0, 0.8, 1]\ndrag_factor = [1, 1.1, 2]\n", "[recovery]\ndrag_area_m2 = 0.55\ndelay_s = 1\n",
+        "[servo]\nlag_s = 0.03\ntorque_n_m = 1.5\n", "[imu]\nfull_scale_deg_s = 1000\n",
+        "roll_inertia_kg_m2 = 0.0694766\n", "torque_m = 0.16338 "}) {
+    EXPECT_NE(vehicle.find(kept), std::string::npos) << kept << vehicle;
+  }
+  EXPECT_NE(made.out.find("Not taken over: canard_mounting.direction, imu.to_nose, imu.along_y."), std::string::npos)
+      << made.out;
+  EXPECT_NE(made.out.find("a servo lag of 30 ms"), std::string::npos) << made.out;
+}
+
+// What it wrote itself is no reason for a warning.
+TEST(NewRocket, HasAPlanThatPlanCheckTakesWithoutAWarning) {
+  const Folder folder;
+  for (const char* source : {"tasha3_launch2", "smokey", "kestrel"}) {
+    ASSERT_EQ(fantail({"new", source, "--from", source}, {.working_folder = folder.path()}).exit_code, 0);
+    const Outcome checked =
+        fantail({"plan", "check", source + std::string{"/scenario.toml"}}, {.working_folder = folder.path()});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_EQ(checked.out.find("warning"), std::string::npos) << checked.out;
+  }
+}
+
+TEST(NewRocket, MayLieInAnotherFolderAndIsNamedAfterTheLastOne) {
+  const Folder folder;
+  folder.write("here/notes.txt", "dear");
+  const Outcome made =
+      fantail({"new", "../rockets/mine/", "--from", "smokey"}, {.working_folder = folder.path() / "here"});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(content(folder.path() / "rockets/mine/vehicle.toml").find("name = \"mine\""), std::string::npos);
+  EXPECT_NE(made.out.find("fantail fly ../rockets/mine/scenario.toml\n"), std::string::npos) << made.out;
+  Refusal({}, {"new", "/", "--from", "smokey"}, 64, {"\"/\" names no new folder"});
+}
+
 TEST(NewRocket, NeverTouchesWhatIsThere) {
   Refusal({{"mine/notes.txt", "dear"}}, {"new", "mine", "--from", "tasha3_launch2"}, 64, {"mine already exists"});
   Refusal({}, {"new", "mine", "--from", "tasha3_bench"}, 78, {"has no section [shape]"});

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "airframe/new_rocket.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
 #include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -23,34 +24,6 @@ using sim::Geometry;
 
 constexpr double stall_deg = 13.0;
 constexpr std::array nose_names{"cone", "ogive", "ellipsoid", "parabola", "haack"};
-
-constexpr std::string_view scenario_text = R"(
-vehicle = "vehicle.toml"
-plan = "plan.toml"
-seed = 1
-assumed = ["{offset}"]
-
-[disturbance] # the fins push as hard as canards at this angle: measure it in a tunnel or find it in a flight
-times_s = [0]
-angles_deg = [{offset_deg}]
-
-[flight]
-motion = "{motion}"
-
-[wind]
-speed_m_s = {wind}{wind_spread}
-
-# What fantail campaign draws: a table for each uncertain quantity. Uncomment this one, or write your own.
-# [[spread]]
-# field = "aerodynamics.torque_m"
-# law = "uniform"
-# effect = "factor"
-# low = 0.5
-# high = 2
-)";
-
-constexpr std::string_view wind_spread =
-    "\n# speed_spread_m_s = 1.5 # standard deviation: fantail predict varies the wind";
 
 std::string sentences(const char* key, const std::vector<std::string>& all) {
   std::string out = fmt::format("{} = [\n", key);
@@ -168,7 +141,7 @@ const std::optional<model::MassSum>& parts_of(const model::BuildUp& b) {
   return b.at_liftoff ? b.at_liftoff : b.after_burnout;
 }
 
-/// What the vehicle's file will say of its roll: everything else is as in every vehicle that says nothing of it.
+/// What the vehicle's file will say of its roll and of what the gains depend on.
 sim::Vehicle with_roll_of_shape(const sim::Vehicle& source, const model::BuildUp& b) {
   const auto& parts = parts_of(b);
   const double area_m2 = 0.25 * std::numbers::pi * source.geometry->diameter_m * source.geometry->diameter_m;
@@ -176,12 +149,32 @@ sim::Vehicle with_roll_of_shape(const sim::Vehicle& source, const model::BuildUp
   vehicle.mass_kg = source.mass_kg;
   vehicle.drag_area_m2 = source.drag_area_m2;
   vehicle.motor = source.motor;
+  vehicle.drag_over_mach = source.drag_over_mach;
+  vehicle.servo = source.servo;
+  vehicle.imu = source.imu;
+  vehicle.canard_air = {.wash = source.canard_air.wash, .wash_distance_m = source.canard_air.wash_distance_m};
   vehicle.compressibility = sim::Compressibility::prandtl_glauert;
   vehicle.roll_plant = {.inertia_kg_m2 = parts ? parts->roll_inertia_kg_m2 : source.roll_plant.inertia_kg_m2,
                         .reference_area_m2 = area_m2,
                         .damping_m2 = b.roll_damping_m4.value / area_m2,
                         .torque_m = b.roll_torque_m3 ? b.roll_torque_m3->value / area_m2 : 0.0};
   return vehicle;
+}
+
+std::string kept_in(std::string_view section, const NewRocket& rocket) {
+  const auto found = std::ranges::find(rocket.kept, section, &NewRocket::Kept::section);
+  return found == rocket.kept.end() ? "" : found->lines;
+}
+
+std::string kept_sections(const NewRocket& rocket) {
+  constexpr std::array<std::string_view, 4> written{"body", "aerodynamics", "airframe", "motor"};
+  std::string out;
+  for (const auto& [section, lines] : rocket.kept) {
+    if (std::ranges::find(written, section) == written.end()) {
+      out += fmt::format("\n[{}]\n{}", section, lines);
+    }
+  }
+  return out;
 }
 
 std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
@@ -212,6 +205,7 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   out += fmt::format("[body]\nname = {}\n{}mass_kg = {}\nroll_inertia_kg_m2 = {}\ndrag_area_m2 = {}\n",
                      text::toml_text(rocket.name), sentences("assumed", assumed), exact(v.mass_kg),
                      rounded(roll.inertia_kg_m2), rounded(v.drag_area_m2));
+  out += kept_in("body", rocket);
   out += fmt::format(
       "\n[aerodynamics]\nreference_area_m2 = {} # the cross-section\ndamping_m2 = {} # alpha\n"
       "torque_m = {} # beta, without the canards' wash on the fins\n",
@@ -224,29 +218,11 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
     out += fmt::format("canard_hinge_moment_m3 = {} # loads the servos once servo.torque_n_m is given\n",
                        rounded(b.hinge_moment_m3->value));
   }
-  out += airframe_section(*v.geometry, b);
-  out += shape_sections(v);
-  return out + fmt::format("\n[motor]\nfile = {}\n", text::toml_text(rocket.motor_file));
-}
-
-struct Offset {
-  double angle_deg;
-  std::string sentence;
-};
-
-/// What the scenario begins with: of fins that are canted, their cant.
-Offset fin_offset(const Geometry& shape, const model::BuildUp& b) {
-  constexpr double usual_deg = 3.0;
-  constexpr double most_deg = 45.0;  // of a scenario
-  const double cant_deg = b.cant_as_canards ? text::degrees(shape.fins->cant_rad * b.cant_as_canards->value) : 0.0;
-  if (cant_deg == 0.0) {
-    return {usual_deg, "Fin offset: 3 deg, not measured."};
-  }
-  const std::string computed = fmt::format("{} deg, computed from the fins' cant", text::fixed(cant_deg, 1));
-  return std::abs(cant_deg) <= most_deg
-             ? Offset{cant_deg, fmt::format("Fin offset: {}.", computed)}
-             : Offset{std::copysign(most_deg, cant_deg),
-                      fmt::format("Fin offset: the largest that a scenario allows; computed: {}.", computed)};
+  out += kept_in("aerodynamics", rocket);
+  const std::string airframe = airframe_section(*v.geometry, b);
+  out += airframe + (airframe.empty() ? "" : kept_in("airframe", rocket)) + shape_sections(v);
+  out += fmt::format("\n[motor]\nfile = {}\n{}", text::toml_text(rocket.motor_file), kept_in("motor", rocket));
+  return out + kept_sections(rocket);
 }
 
 }  // namespace
@@ -257,20 +233,14 @@ NewFiles files_of(const NewRocket& rocket) {
   const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
   core::FlightPlan usual = core::default_plan();
   usual.guide.minimum_speed_m_s = 17.0F;  // as in plan_text
-  const Offset offset = fin_offset(*rocket.vehicle.geometry, b);
+  const FinOffset offset = fin_offset(*rocket.vehicle.geometry, b);
   const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual, text::radians(offset.angle_deg));
-  NewFiles made{
-      .files = {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
-                {.name = "plan.toml", .content = first_line + plan_file(first, usual)},
-                {.name = "scenario.toml",
-                 .content = first_line + fmt::format(fmt::runtime(scenario_text), fmt::arg("offset", offset.sentence),
-                                                     fmt::arg("offset_deg", rounded(offset.angle_deg)),
-                                                     fmt::arg("motion", whole ? "six_dof" : "straight"),
-                                                     fmt::arg("wind", whole ? 3 : 0),
-                                                     fmt::arg("wind_spread", whole ? wind_spread : ""))}},
-      .gains = first              ? sentence(*first)
-               : b.roll_torque_m3 ? why_none(usual)
-                                  : ""};
+  NewFiles made{.files = {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
+                          {.name = "plan.toml", .content = first_line + plan_file(first, usual)},
+                          {.name = "scenario.toml", .content = first_line + scenario_file(offset, whole)}},
+                .gains = first              ? sentence(*first)
+                         : b.roll_torque_m3 ? why_none(usual)
+                                            : ""};
   if (rocket.motor) {
     made.files.push_back(*rocket.motor);
   }

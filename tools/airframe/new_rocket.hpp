@@ -57,7 +57,23 @@ struct NewRocket {
   std::string source;      ///< what its shape was read from
   std::vector<std::string> assumed;
   std::optional<text::NamedFile> motor{};  ///< that lies beside the vehicle from now on; none: a shipped one
+  /// Lines "key = value" of which the shape says nothing, in the order of a vehicle file.
+  struct Kept {
+    std::string section;
+    std::string lines{};
+  };
+  std::vector<Kept> kept{};
 };
+
+/// The fin offset that a new scenario begins with: of fins that are canted, their cant.
+struct FinOffset {
+  double angle_deg;
+  std::string sentence;
+};
+[[nodiscard]] FinOffset fin_offset(const sim::Geometry& shape, const model::BuildUp& computed);
+
+/// The scenario of a new rocket: in six degrees of freedom and wind, or along a straight line.
+[[nodiscard]] std::string scenario_file(const FinOffset& offset, bool in_six_dof);
 
 struct NewFiles {
   std::vector<text::NamedFile> files;

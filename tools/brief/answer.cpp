@@ -5,6 +5,7 @@
 #include "brief/sentences.hpp"
 #include "hal/signal_pattern.hpp"
 #include "json/value.hpp"
+#include "text/bearing.hpp"
 #include "text/number.hpp"
 
 namespace fantail::brief {
@@ -33,15 +34,17 @@ constexpr auto brief_fields = result::fields<B>({
     {"motor_class", "motor class", none, 0, &B::motor_class, "letter of the total impulse"},
     {"guide_length", "guide", m, 1, &B::guide_length_m, "length of the launch guide"},
     {"guide_tilt", "guide tilt", deg, 1, &B::guide_tilt_rad, "of the launch guide from the vertical"},
-    {"guide_azimuth", "guide azimuth", deg, 0, &B::guide_azimuth_rad, "where the guide leans to, from north over east"},
+    {"guide_azimuth", "guide azimuth", deg, 0, [](const B& b) { return Cell{text::bearing_rad(b.guide_azimuth_rad)}; },
+     "where the guide leans to, from north over east"},
     {"guide_exit_speed", "speed at guide exit", m_s, 1, [](const B& b) { return Cell{b.nominal.guide_exit.speed_m_s}; },
      "when the rocket leaves the guide"},
     {"apogee", "apogee", m, 0, [](const B& b) { return Cell{b.nominal.apogee_m}; }, "above the site"},
-    {"top_speed", "top speed", m_s, 0, [](const B& b) { return Cell{b.nominal.top_speed_m_s}; },
+    {"top_speed", "top speed over ground", m_s, 0, [](const B& b) { return Cell{b.nominal.top_speed_m_s}; },
      "over ground in six degrees of freedom, else along the guide's line"},
     {"wind", "wind flown", m_s, 1, [](const B& b) { return b.is_six_dof ? Cell{b.wind_m_s} : Cell{}; },
      "at its reference height; null: wind is not flown"},
-    {"wind_from", "wind from", deg, 0, [](const B& b) { return b.is_six_dof ? Cell{b.wind_from_rad} : Cell{}; },
+    {"wind_from", "wind from", deg, 0,
+     [](const B& b) { return b.is_six_dof ? Cell{text::bearing_rad(b.wind_from_rad)} : Cell{}; },
      "where that wind comes from"},
     {"wind_passed", "wind passed", m_s, 0,
      [](const B& b) { return b.wind_limit ? cell(b.wind_limit->passed_m_s) : Cell{}; },
@@ -56,7 +59,11 @@ constexpr auto brief_fields = result::fields<B>({
     {"landing", "landing", m, 0, [](const B& b) { return of_landing(b, &Landing::healthy_m); },
      "under the parachute, from the foot of the guide; null: not computed"},
     {"landing_bearing", "landing bearing", deg, 0,
-     [](const B& b) { return of_landing(b, &Landing::healthy_bearing_rad); }, "of that place, from north over east"},
+     [](const B& b) {
+       const auto bearing_rad = b.landing ? b.landing->healthy_bearing_rad : std::nullopt;
+       return bearing_rad ? Cell{text::bearing_rad(*bearing_rad)} : Cell{};
+     },
+     "of that place, from north over east"},
     {"landing_failed", "landing, failed canard", m, 0, [](const B& b) { return of_landing(b, &Landing::failed_m); },
      "the farthest landing under the parachute of all flights with a failed canard"},
     {"fall", "fall without parachute", m, 0, [](const B& b) { return of_fall(b, &Landing::healthy_fall_m); },
@@ -130,7 +137,7 @@ result::Document answer(const Brief& of, const result::Made& made) {
                    {"Wind limit", {result::Sentences{"wind_limit", wind_sentences(of)}}},
                    {"Where it comes down", {result::Sentences{"where_it_comes_down", landing_sentences(of)}}},
                    {"When canards may move", {result::Sentences{"gate", gate_sentences(of)}}},
-                   {"What ends control", {result::Sentences{"ends_control", end_sentences(of.plan)}}},
+                   {"What ends control", {result::Sentences{"ends_control", end_sentences(of)}}},
                    {"Abort input", {result::Sentences{"abort_input", {abort_sentence(of.plan.run.abort_input)}}}},
                    {"To disarm", {result::Sentences{"to_disarm", disarm_sentences(of.plan.run.abort_input)}}, files},
                    {"Rules", {result::Sentences{{}, rule_sentences(of.rules)}}},

@@ -43,12 +43,20 @@ struct Moment {
   double speed_m_s = 0.0;
 };
 
+/// Of control before apogee.
+struct ControlEnd {
+  double time_s = 0.0;  ///< after lift-off
+  double before_apogee_s = 0.0;
+  std::string why{};  ///< "the rocket tilted too far"
+};
+
 /// The scenario as it stands, flown once; in six degrees of freedom where the vehicle has an airframe.
 struct NominalFlight {
   double apogee_m = 0.0;
   double top_speed_m_s = 0.0;
   Moment guide_exit{};
   std::optional<Moment> control_start{};
+  std::optional<ControlEnd> control_end{};  ///< empty: it did not begin, or it went on to apogee
   bool was_armed = true;
   bool was_dormant = false;  ///< the plan's gate was closed when the guide was clear
   bool burns_at_control_start = false;

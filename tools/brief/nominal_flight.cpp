@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brief/brief.hpp"
 #include "campaign/flown_run.hpp"
 #include "flight/model_end.hpp"
+#include "flight/phase_names.hpp"
 #include "report/verdict.hpp"
 #include "text/error.hpp"
 
@@ -39,6 +42,19 @@ class FirstRow {
   std::optional<flight::PathPoint> before_{};  ///< while the next one is waited for
 };
 
+std::optional<ControlEnd> control_end(const flight::Flight& flight) {
+  constexpr double seen_s = 0.05;  // the avionics detect apogee a few hundredths before or after it
+  const auto& [end_s, apogee_s] = std::pair{flight.events.control_end_s, flight.events.apogee_s};
+  const auto change = std::ranges::find(flight.phase_changes, end_s, &flight::PhaseChange::time_s);
+  if (!flight.events.control_start_s || change == flight.phase_changes.end() || !change->reason || !apogee_s ||
+      *apogee_s - *end_s < seen_s) {
+    return std::nullopt;
+  }
+  return ControlEnd{.time_s = *end_s,
+                    .before_apogee_s = *apogee_s - *end_s,
+                    .why = std::string{flight::display_name(*change->reason)}};
+}
+
 }  // namespace
 
 NominalFlight fly_nominal(const sim::Scenario& scenario) {
@@ -59,6 +75,7 @@ NominalFlight fly_nominal(const sim::Scenario& scenario) {
           .top_speed_m_s = *flown.figures.max_speed_m_s,
           .guide_exit = *guide_exit,
           .control_start = in_control.moment(flown.flight),
+          .control_end = control_end(flown.flight),
           .was_armed = flown.flight.why_not_armed.empty(),
           .was_dormant = events.dormant_s.has_value(),
           .burns_at_control_start =

@@ -38,8 +38,8 @@ std::string rocket(const Brief& of) {
                       {"Lift-off mass", text::brief(of.mass_kg, 2) + " kg"},
                       {"Total impulse", fmt::format("{} N s, class {}", fixed(of.impulse_n_s, 0), of.motor_class)},
                       {"Guide", fmt::format("{} m, {}", text::brief(of.guide_length_m, 1), lean(of))},
-                      {"Speed at guide exit", fixed(of.nominal.guide_exit.speed_m_s, 1) + " m/s"},
-                      {"Top speed", fixed(of.nominal.top_speed_m_s, 0) + " m/s"},
+                      {"Speed at guide exit", fixed(of.nominal.guide_exit.speed_m_s, 1) + " m/s over ground"},
+                      {"Top speed", fixed(of.nominal.top_speed_m_s, 0) + " m/s over ground"},
                       {"Apogee", fixed(of.nominal.apogee_m, 0) + " m above the site"},
                       {"Roll control", of.nominal.roll}}));
 }
@@ -134,7 +134,7 @@ std::string page_html(const Brief& of, const result::Made& made) {
   const std::vector<std::string> columns{
       "<div>" + rocket(of) + wind_section(of) + sentences("Where it comes down", landing_sentences(of)) + "</div>",
       "<div>" + sentences("When canards may move", gate_sentences(of)) +
-          sentences("What ends control", end_sentences(of.plan)) +
+          sentences("What ends control", end_sentences(of)) +
           page::section("Abort input", page::paragraph(abort_sentence(abort))) +
           sentences("To disarm", disarm_sentences(abort)) + "</div>"};
   page::Page page{.kind = "Fantail \u00b7 brief for the range safety officer",

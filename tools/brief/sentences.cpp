@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "flight/model_end.hpp"
+#include "text/bearing.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -18,14 +19,8 @@ using text::fixed;
 
 double seconds(core::Microseconds time) { return 1e-6 * static_cast<double>(time.count()); }
 
-/// "085": as a compass has it.
-std::string bearing(double rad) {
-  const auto whole = static_cast<int>(std::lround(degrees(rad)));
-  return fmt::format("{:03}", (whole % 360 + 360) % 360);
-}
-
 std::string at(const Moment& moment) {
-  return fmt::format("{} s, {} m, {} m/s", fixed(moment.time_s, 2), fixed(moment.height_m, 0),
+  return fmt::format("{} s, {} m, {} m/s over ground", fixed(moment.time_s, 2), fixed(moment.height_m, 0),
                      fixed(moment.speed_m_s, 0));
 }
 
@@ -102,7 +97,7 @@ std::string failed_landing(const Landing& landing) {
 std::string lean(const Brief& of) {
   return of.guide_tilt_rad > 0.0
              ? fmt::format("leans {} deg towards {} deg", text::brief(degrees(of.guide_tilt_rad), 1),
-                           bearing(of.guide_azimuth_rad))
+                           text::bearing_deg(of.guide_azimuth_rad))
              : "vertical";
 }
 
@@ -110,8 +105,9 @@ std::string wind_flown(const Brief& of) {
   if (!of.is_six_dof) {
     return "none: the vehicle has no [airframe]";
   }
-  return of.wind_m_s > 0.0 ? fmt::format("{} m/s from {} deg", text::brief(of.wind_m_s, 1), bearing(of.wind_from_rad))
-                           : "calm";
+  return of.wind_m_s > 0.0
+             ? fmt::format("{} m/s from {} deg", text::brief(of.wind_m_s, 1), text::bearing_deg(of.wind_from_rad))
+             : "calm";
 }
 
 std::string doubts(const Brief& of) {
@@ -159,12 +155,13 @@ std::vector<std::string> landing_sentences(const Brief& of) {
   if (!landing.has_parachute) {
     all.emplace_back("Under a parachute: not computed, the vehicle has no section [recovery].");
   } else {
-    all.push_back(landing.healthy_m
-                      ? fmt::format("Under the parachute: {} m from the guide{}.", fixed(*landing.healthy_m, 0),
-                                    landing.healthy_bearing_rad
-                                        ? fmt::format(", bearing {} deg", bearing(*landing.healthy_bearing_rad))
-                                        : "")
-                      : "Under the parachute: not computed, it did not reach the ground under it.");
+    all.push_back(
+        landing.healthy_m
+            ? fmt::format("Under the parachute: {} m from the guide{}.", fixed(*landing.healthy_m, 0),
+                          landing.healthy_bearing_rad
+                              ? fmt::format(", bearing {} deg", text::bearing_deg(*landing.healthy_bearing_rad))
+                              : "")
+            : "Under the parachute: not computed, it did not reach the ground under it.");
     all.push_back(failed_landing(landing));
   }
   all.push_back(fall_sentence(landing));
@@ -211,20 +208,25 @@ std::vector<std::string> gate_sentences(const Brief& of) {
   return all;
 }
 
-std::vector<std::string> end_sentences(const core::FlightPlan& plan) {
-  const core::RunPlan& run = plan.run;
-  std::vector<std::string> all{fmt::format(
-      "Canards return to trim at: apogee; tilt over {} deg from {}; {} s of control; gyro silent for {} s; timing or "
-      "memory fault{}{}.",
-      text::brief(degrees(static_cast<double>(run.tilt_limit.radians())), 1),
-      run.tilt_from == core::TiltOrigin::guide ? "the direction at rest on the guide" : "the vertical",
-      text::brief(seconds(run.control_time), 1), text::brief(seconds(plan.motion.longest_gyro_gap), 3),
-      run.canard_fault == core::CanardFaultPolicy::end_control ? "; a failed canard" : "",
-      run.abort_input == core::AbortInput::none ? "" : "; abort")};
+std::vector<std::string> end_sentences(const Brief& of) {
+  const core::RunPlan& run = of.plan.run;
+  std::vector<std::string> all{
+      fmt::format("Canards return to trim at the first of: apogee; tilt over {} deg from {}; {} s of control; gyro "
+                  "silent for {} s; timing or "
+                  "memory fault{}{}.",
+                  text::brief(degrees(static_cast<double>(run.tilt_limit.radians())), 1),
+                  run.tilt_from == core::TiltOrigin::guide ? "the direction at rest on the guide" : "the vertical",
+                  text::brief(seconds(run.control_time), 1), text::brief(seconds(of.plan.motion.longest_gyro_gap), 3),
+                  run.canard_fault == core::CanardFaultPolicy::end_control ? "; a failed canard" : "",
+                  run.abort_input == core::AbortInput::none ? "" : "; abort")};
   if (run.canard_fault == core::CanardFaultPolicy::share) {
     all.emplace_back("A failed canard does not end control: the others compensate for it.");
   } else if (run.canard_fault == core::CanardFaultPolicy::continue_control) {
     all.emplace_back("A failed canard is recorded and does not end control.");
+  }
+  if (const auto& end = of.nominal.control_end) {
+    all.push_back(fmt::format("Simulated: control ends at {} s, {} s before apogee: {}.", fixed(end->time_s, 2),
+                              fixed(end->before_apogee_s, 2), end->why));
   }
   return all;
 }

@@ -23,7 +23,7 @@ inline constexpr std::string_view never_flown =
 /// When canards may move, and when that is in the nominal flight.
 [[nodiscard]] std::vector<std::string> gate_sentences(const Brief& brief);
 /// What ends control.
-[[nodiscard]] std::vector<std::string> end_sentences(const core::FlightPlan& plan);
+[[nodiscard]] std::vector<std::string> end_sentences(const Brief& of);
 [[nodiscard]] std::string abort_sentence(core::AbortInput input);
 [[nodiscard]] std::vector<std::string> disarm_sentences(core::AbortInput input);
 

@@ -16,14 +16,14 @@ constexpr std::size_t column(std::string_view name) {
 }
 
 static_assert(report::held_error_rad == text::radians(10.0), "the words below have it");
-constexpr std::size_t uncontrolled = column("uncontrolled_time_before_apogee_s");
+static_assert(uncontrolled_time_column == column("uncontrolled_time_before_apogee_s"));
 // A cause stands before its consequences, and of equally frequent ones it is named first.
 constexpr std::array criteria{
     Criterion{"ascent", "the ascent failed"},
     Criterion{"gate", "the plan's gate never opened"},
     Criterion{"no_control", "control never began"},
-    Criterion{"tilt", "the tilt limit ended control early", uncontrolled},
-    Criterion{"control_end", "control ended early, not by tilt", uncontrolled},
+    Criterion{"tilt", "the tilt limit ended control early", uncontrolled_time_column},
+    Criterion{"control_end", "control ended early, not by tilt", uncontrolled_time_column},
     Criterion{"mach", "too fast for the roll model", top_mach_column},
     Criterion{"stability", "the rocket was not stable", top_mach_column + 1, true},
     Criterion{"angle_of_attack", "angle of attack beyond the roll model", top_mach_column + 2},

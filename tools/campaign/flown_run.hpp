@@ -55,6 +55,8 @@ inline constexpr std::array<std::string_view, 17> figure_columns{"largest_hold_e
                                                                  "top_mach",
                                                                  "static_margin_calibres",
                                                                  "angle_of_attack_deg"};
+/// The place of report::Figures::ended_before_apogee_s.
+inline constexpr std::size_t uncontrolled_time_column = figure_columns.size() - 9;
 /// The place of the first of the five of dormancy::Opening, which stand before the last three.
 inline constexpr std::size_t gate_time_column = figure_columns.size() - 8;
 /// The place of the first of the last three, which are flight::Extremes.

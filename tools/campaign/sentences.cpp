@@ -55,6 +55,21 @@ void add_count(std::vector<std::string>& all, const Report& report, std::string_
   }
 }
 
+/// Of a question for "held": the runs that count for verdict.tilt_end_before_apogee_s alone. Nothing else lets a flight
+/// be held whose control ended earlier than report::near_apogee_s. With a space before it; empty: there is none.
+std::string allowed_tilt_ends(const Report& report) {
+  const Question& question = report.analysis.question;
+  report::AllowedTiltEnds ends;
+  for (const FlownRun& run : report.flown.runs) {
+    const auto& before_s = run.figures[uncontrolled_time_column];
+    const bool is_held = run.outcome == report::name(report::Outcome::held);
+    ends.add(is_held && before_s.value_or(0.0) > report::near_apogee_s ? before_s : std::nullopt);
+  }
+  const bool asks_held = question.relation == Relation::is && question.outcome == report::name(report::Outcome::held);
+  const std::string sentence = asks_held ? ends.sentence(report.analysis.share.count, "run") : "";
+  return sentence.empty() ? "" : fmt::format(" {}.", sentence);
+}
+
 /// Such a flight may be held in the simulation all the same. With a space before it; empty: there is none.
 std::string begun_on_guide(const Report& report) {
   const auto begins_there = [](const FlownRun& run) { return run.note.starts_with(begun_on_guide_note); };
@@ -133,10 +148,10 @@ result::Answer answer_of(const Report& report) {
 std::string headline(const Report& report) {
   const Analysis& a = report.analysis;
   return outside_the_model(report) + judged(report) +
-         fmt::format("{}: {} of {}, {} %; 95 % confidence interval {} to {} %.{}{}{}", a.question.words(),
+         fmt::format("{}: {} of {}, {} %; 95 % confidence interval {} to {} %.{}{}{}{}", a.question.words(),
                      a.share.count, runs(a.share.of), percent(100.0 * a.share.value),
                      end_percent(a.share.low, std::floor, a.required), end_percent(a.share.high, std::ceil, a.required),
-                     reasons(a), strongest_influence(a), begun_on_guide(report));
+                     allowed_tilt_ends(report), reasons(a), strongest_influence(a), begun_on_guide(report));
 }
 
 std::string reasons(const Analysis& analysis) {

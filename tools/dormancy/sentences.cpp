@@ -144,7 +144,7 @@ std::string opening_clause(const sim::Scenario& scenario, const Outlook& outlook
     return {};
   }
   const Opening& opening = *outlook.opening;
-  std::string all = fmt::format("the gate opens at {} s, {} m, {} m/s", fixed(opening.time_s, 2),
+  std::string all = fmt::format("the gate opens at {} s, {} m, {} m/s through the air", fixed(opening.time_s, 2),
                                 fixed(opening.height_m, 0), fixed(opening.speed_m_s, 0));
   if (!opening.was_waited_for) {
     all += ", where control begins in any case: it was open at the end of the guide";

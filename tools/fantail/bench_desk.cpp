@@ -21,6 +21,7 @@
 #include "protocol/plan_block.hpp"
 #include "text/local_time.hpp"
 #include "text/output_folder.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 
@@ -63,8 +64,8 @@ Desk desk(const std::string& vehicle_name, const std::string& plan_name) {
 void expect_plan_in_force(const Desk& desk, const BenchOptions& options, const link::AvionicsLink& link) {
   const std::string& plan = desk.heading.plan;
   if (desk.plan_crc && *desk.plan_crc != link.reported<protocol::HeartbeatReport>("heartbeat").plan_crc) {
-    throw RequirementNotMet{"the plan in the rocket is not " + plan + "; send it with fantail bench plan " + plan +
-                            " --can " + options.interface};
+    throw RequirementNotMet{"the plan in the rocket is not " + plan + "; send it with fantail bench plan " +
+                            text::shell_word(plan) + " --can " + text::shell_word(options.interface)};
   }
 }
 

@@ -23,6 +23,7 @@
 #include "protocol/plan_block.hpp"
 #include "replies/sentence.hpp"
 #include "text/error.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -138,7 +139,7 @@ void print_text(const DormancyOptions& options, const Gates& gates, bool was_ask
     show(
         "Still to do: put the values into your plan file, because bench plan sends that file as it stands. Run the "
         "self-test again: fantail bench arm --can {}. Make a new bench sheet: an older one names the old plan.\n",
-        options.bench.interface);
+        text::shell_word(options.bench.interface));
   } else {
     show("  {:<19}{}\n", "plan", avionics::text(gates.before.source));
   }

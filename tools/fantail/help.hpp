@@ -27,6 +27,7 @@ inline constexpr std::array exit_codes{
     manual::ExitCode{static_cast<int>(ExitCode::input_output), "input/output"},
     manual::ExitCode{static_cast<int>(ExitCode::bad_configuration), "bad configuration"},
     manual::ExitCode{static_cast<int>(ExitCode::interrupted), "interrupted"},
+    manual::ExitCode{static_cast<int>(ExitCode::pipe_closed), "output pipe closed"},
 };
 
 /// fantail(1): what the program says of itself, and what holds for every verb.

@@ -80,11 +80,7 @@ fantail::manual::Command command() {
 }
 
 ExitCode printed() {
-  if (fantail::tool::output_was_taken()) {
-    return ExitCode::done;
-  }
-  say("fantail: standard output could not be written\n");
-  return ExitCode::input_output;
+  return fantail::tool::output_was_taken() ? ExitCode::done : fantail::tool::complain_about_output();
 }
 
 /// What a person sees who does not know where to begin.

@@ -169,6 +169,7 @@ struct FlightCheck {
   std::string verdict{};
   std::optional<double> before_apogee_s{};  ///< control ends so long before it, where it ends early
   std::vector<std::string> warnings{};
+  std::string note{};  ///< what the outcome rests on
 };
 
 FlightCheck check_flight(const sim::Scenario& scenario) {
@@ -195,6 +196,11 @@ FlightCheck check_flight(const sim::Scenario& scenario) {
   }
   if (flown.verdict.outcome != report::Outcome::held || flown.verdict.begun_on_guide_s) {
     found.warnings.push_back(fmt::format("a flight of {} with this plan: {}", scenario.name, found.verdict));
+  } else if (const auto& before_s = flown.verdict.allowed_tilt_end_s) {
+    found.note = fmt::format(
+        "a flight of {} counts as held, though the tilt limit ends control {} s before apogee: "
+        "verdict.tilt_end_before_apogee_s = {} allows that",
+        scenario.name, text::fixed(*before_s, 2), text::brief(scenario.tilt_end_before_apogee_s, 2));
   }
   return found;
 }
@@ -232,6 +238,7 @@ json::Value json_of(const Subject& subject, const LoopCheck& loop, const FlightC
   all["control_ends_before_apogee_s"] =
       number(flight.before_apogee_s.has_value(), flight.before_apogee_s.value_or(0.0));
   all["flight_warnings"] = flight.warnings;
+  all["flight_note"] = flight.note.empty() ? json::Value{} : json::Value{flight.note};
   all["gate"] = gate.json;
   return all;
 }
@@ -263,6 +270,9 @@ void show_check(const Subject& found, const LoopCheck& loop, const FlightCheck& 
     for (const std::string& warning : all) {
       show("{}: warning: {}\n", file, text::printable(warning));
     }
+  }
+  if (!flight.note.empty()) {
+    show("{}: note: {}\n", file, text::printable(flight.note));
   }
 }
 

@@ -24,10 +24,12 @@ PlanRules::PlanRules(const std::optional<std::string>& pack, const std::filesyst
     : file_{file} {
   if (pack) {
     pack_ = rules::load_pack(*pack);
-    judged_ = rules::judge(*pack_, {.what = file.string(),
-                                    .found = rules::of_plan(plan),
-                                    .why_missing = "a plan does not tell it",
-                                    .plan_alone = true});
+    rules::Subject subject{.what = file.string(),
+                           .found = rules::of_plan(plan),
+                           .why_missing = "a plan does not tell it",
+                           .plan_alone = true};
+    subject.found.merge(rules::of_law());
+    judged_ = rules::judge(*pack_, subject);
   }
 }
 

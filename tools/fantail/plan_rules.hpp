@@ -12,7 +12,7 @@
 
 namespace fantail::tool {
 
-/// The clauses of a rule pack that ask for fields of a plan. The others need a flight: fantail rules.
+/// The clauses of a rule pack that name neither a flight nor a rocket. The others need both: fantail rules.
 class PlanRules {
  public:
   /// `pack` is a shipped name or a path, or empty: then nothing is judged. `plan` is that of `file`. Throws

@@ -30,8 +30,6 @@ ExitCode complain(const std::string& message, ExitCode code) {
   return code;
 }
 
-ExitCode complain_about_output() { return complain("standard output could not be written", ExitCode::input_output); }
-
 ExitCode code_of(text::ErrorKind kind) {
   switch (kind) {
     case text::ErrorKind::usage: return ExitCode::usage;

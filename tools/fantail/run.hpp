@@ -8,7 +8,8 @@
 
 namespace fantail::tool {
 
-/// What the program says to a script. The numbers of the errors are those of <sysexits.h>.
+/// What the program says to a script. The numbers of the errors are those of <sysexits.h>, the
+/// last two those that a shell gives to a signal.
 enum class ExitCode : int {
   done = 0,
   requirement_not_met = 1,
@@ -20,6 +21,7 @@ enum class ExitCode : int {
   input_output = 74,
   bad_configuration = 78,
   interrupted = 130,
+  pipe_closed = 141,
 };
 
 /// The program did what it was asked to, and the answer is no. what() is for standard error; it may be empty when the

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include "fantail/terminal.hpp"
@@ -63,6 +64,15 @@ void say_for_now(std::string_view line) {
 bool output_was_taken() {
   std::cout.flush();
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+}
+
+ExitCode complain_about_output() {
+  pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+  if (poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) {
+    return ExitCode::pipe_closed;
+  }
+  say("fantail: standard output could not be written\n");
+  return ExitCode::input_output;
 }
 
 bool show_live(const std::string& text) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "fantail/run.hpp"
+
 namespace fantail::tool {
 
 /// A stream that the caller closed would lend its number to the next file opened, and messages would land in results:
@@ -26,6 +28,10 @@ void say_for_now(std::string_view line);
 
 /// False when standard output has lost anything of what was printed.
 [[nodiscard]] bool output_was_taken();
+
+/// To a program that has lost output: a full disk is a fault to tell of, a reader that has left (`| head`) has seen
+/// enough and hears nothing.
+[[nodiscard]] ExitCode complain_about_output();
 
 /// Writes what a person is watching to standard output, at once. False: there is no use in going on. A reader that has
 /// left has seen enough; that is no fault, and a full disk is one, which the end of the program will say.

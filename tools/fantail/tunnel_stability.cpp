@@ -14,6 +14,7 @@
 
 #include "fantail/command_line.hpp"
 #include "fantail/deliver.hpp"
+#include "fantail/flown_vehicle.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/tunnel_options.hpp"
@@ -60,40 +61,19 @@ std::optional<std::vector<double>> parse_speeds(std::string_view text) {
   return speeds.empty() ? std::nullopt : std::optional{speeds};
 }
 
-/// What was changed of the vehicle for this flight; changes of plan and scenario are others'.
-void apply_changes(const flight::FlownAirframe& flown, input::Document& document) {
-  const std::vector<std::string> sections = input::sections_of(input::vehicle_fields());
-  for (const std::string& change : flown.changes) {
-    if (const std::string section = change.substr(0, change.find('.'));
-        std::ranges::find(sections, section) != sections.end()) {
-      document.apply(input::parse_override(change));
-    }
-  }
-}
-
 void take_airframe(const StabilityOptions& options, tunnel::StabilityHeading& heading) {
-  const auto flown = logs::flown_airframe(options.logs.front(), {});
-  if (!options.vehicle && !flown) {
+  const FlownVehicle flown = flown_vehicle(options.logs.front(), options.vehicle);
+  if (!flown.document) {
     if (!std::filesystem::exists(options.logs.front())) {
       throw text::Error{text::ErrorKind::no_such_input, options.logs.front() + ": no such file"};
     }
-    throw UsageError{"no rocket given, and no summary.json beside the log names one: use --vehicle NAME|FILE"};
+    throw UsageError{flown.why_unknown};
   }
-  const std::string named = options.vehicle ? *options.vehicle : flown->vehicle_file;
-  // A path is one from the folder of a scenario that nobody names here: in this folder it may be another rocket's.
-  if (const auto shipped = input::shipped_names(input::Shipped::vehicle);
-      !options.vehicle && std::ranges::find(shipped, named) == shipped.end()) {
-    throw UsageError{fmt::format("{} was flown with the vehicle \"{}\" of its scenario: name that file with --vehicle",
-                                 options.logs.front(), named)};
-  }
-  input::Document document = input::Document::load(input::find_input(input::Shipped::vehicle, named));
-  if (!options.vehicle) {
-    apply_changes(*flown, document);
-  }
-  const sim::Vehicle vehicle = input::read_vehicle(document);
+  const sim::Vehicle vehicle = input::read_vehicle(*flown.document);
   if (!vehicle.airframe) {
     throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("vehicle {} has no section [airframe], which gives inertia and normal force", named)};
+                      fmt::format("vehicle {} has no section [airframe], which gives inertia and normal force",
+                                  flown.document->file())};
   }
   const sim::Airframe& a = *vehicle.airframe;
   heading.airframe_source = vehicle.name;

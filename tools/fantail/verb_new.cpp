@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "airframe/summary.hpp"
 #include "campaign/flown_run.hpp"
 #include "fantail/new_from_design.hpp"
+#include "fantail/new_from_vehicle.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/run.hpp"
 #include "fantail/terminal.hpp"
@@ -45,6 +45,11 @@ struct NamedMotor {
   std::optional<std::string> designation{};  ///< one of several in the file
   bool is_shipped = false;
 
+  /// As a file in another folder may name it.
+  [[nodiscard]] std::string absolute() const {
+    return std::filesystem::absolute(file).string() + (designation ? '#' + *designation : "");
+  }
+
   [[nodiscard]] std::optional<text::NamedFile> copy() const {
     if (is_shipped) {
       return std::nullopt;
@@ -67,18 +72,23 @@ NamedMotor motor_called(const std::string& named, const std::filesystem::path& f
 
 std::string file_part(const std::string& named) { return named.substr(0, named.rfind('#')); }
 
+NamedMotor asked_motor(const NewOptions& options) {
+  return motor_called(*options.motor, input::find_input(input::Shipped::motor, file_part(*options.motor)));
+}
+
 NamedMotor motor_of(const NewOptions& options, const input::Document& document) {
   if (options.motor) {
-    return motor_called(*options.motor, input::find_input(input::Shipped::motor, file_part(*options.motor)));
+    return asked_motor(options);
   }
   input::Section motor{document, "motor"};
   const std::string named = motor.text("file");
   return motor_called(named, input::find_named_input(input::Shipped::motor, document, motor, "file", file_part(named)));
 }
 
-airframe::NewRocket from_vehicle(const NewOptions& options) {
-  const std::string file = input::find_input(input::Shipped::vehicle, options.from);
-  const input::Document document = input::Document::load(file);
+airframe::NewRocket from_vehicle(const NewOptions& options, const std::string& file) {
+  input::Document document = input::Document::load(file);
+  const bool same_motor = !options.motor || !document.root()["motor"]["file"];
+  add_computed_keys(document, options.motor ? std::optional{asked_motor(options).absolute()} : std::nullopt);
   airframe::NewRocket rocket{.name = {},
                              .vehicle = input::read_vehicle(document),
                              .motor_file = {},
@@ -94,8 +104,9 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
   const double own_propellant_kg = rocket.vehicle.motor.propellant_kg();
   rocket.motor_file = motor.name;
   rocket.motor = motor.copy();
-  rocket.vehicle.motor = input::load_rasp(motor.file, motor.designation).curve;
-  if (options.motor) {
+  keep_equipment(document, same_motor, rocket);
+  if (!same_motor) {
+    rocket.vehicle.motor = input::load_rasp(motor.file, motor.designation).curve;
     rocket.vehicle.mass_kg += rocket.vehicle.motor.propellant_kg() - own_propellant_kg;
     if (auto& design = rocket.vehicle.geometry->design) {
       design = sim::Geometry::Design{.file = design->file, .left_out = design->left_out};
@@ -105,7 +116,8 @@ airframe::NewRocket from_vehicle(const NewOptions& options) {
                     "different mass of the motor case is not counted.",
                     rocket.source));
   } else {
-    rocket.assumed.push_back(fmt::format("Mass, motor and drag area: those of {}.", rocket.source));
+    rocket.assumed.push_back(
+        fmt::format("Mass{} and drag area: those of {}.", options.motor ? "" : ", motor", rocket.source));
   }
   return rocket;
 }
@@ -122,8 +134,7 @@ airframe::NewRocket from_design(const NewOptions& options) {
                     "thrustcurve.org",
                     options.from, motors.empty() ? "none" : motors)};
   }
-  const NamedMotor motor =
-      motor_called(*options.motor, input::find_input(input::Shipped::motor, file_part(*options.motor)));
+  const NamedMotor motor = asked_motor(options);
   airframe::NewRocket rocket = rocket_of_design(design, std::filesystem::path{options.from}.filename().string(),
                                                 input::load_rasp(motor.file, motor.designation));
   rocket.motor_file = motor.name;
@@ -134,8 +145,8 @@ airframe::NewRocket from_design(const NewOptions& options) {
   return rocket;
 }
 
-[[noreturn]] void refuse_name(const std::string& name) {
-  throw UsageError{name + " already exists or is not a folder name, and nothing is replaced: use another name"};
+[[noreturn]] void refuse_taken(const std::string& name) {
+  throw UsageError{name + " already exists, and nothing is replaced: use another name"};
 }
 
 /// Of several that make the same name at once, one gets the folder.
@@ -145,7 +156,7 @@ void take(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder.parent_path(), failed);
   }
   if (!failed && !std::filesystem::create_directory(folder, failed) && !failed) {
-    refuse_name(folder.string());
+    refuse_taken(folder.string());
   }
   if (failed) {
     throw text::OutputError{fmt::format("{}: {}", folder.string(), failed.message())};
@@ -175,20 +186,6 @@ sim::Scenario write(const std::filesystem::path& folder, const std::vector<text:
   }
 }
 
-/// What of the vehicle it was made from has another value now, and no sentence of the new one says so.
-void show_changes(const sim::Vehicle& source, const sim::Vehicle& made) {
-  constexpr double same_share = 1e-3;
-  if (source.name != made.name) {
-    show("Changed: body.name, from \"{}\" to \"{}\"\n", source.name, made.name);
-  }
-  const double from = source.roll_plant.inertia_kg_m2;
-  const double to = made.roll_plant.inertia_kg_m2;
-  if (std::abs(to - from) > same_share * from) {
-    show("Changed: body.roll_inertia_kg_m2, from {} to {}, the sum of the parts\n", text::brief(from, 6),
-         text::brief(to, 6));
-  }
-}
-
 /// The verdict on a first flight of the new rocket.
 std::string first_flight(const sim::Scenario& scenario) {
   const campaign::JudgedFlight flown = campaign::fly_and_judge(scenario);
@@ -198,13 +195,25 @@ std::string first_flight(const sim::Scenario& scenario) {
                      is_too_fast ? " A weaker motor or more mass keeps it slower." : "");
 }
 
-void make(const NewOptions& options) {
-  const std::filesystem::path folder{options.name};
-  if (folder.filename().empty() || std::filesystem::exists(folder)) {
-    refuse_name(options.name);
+/// "mine", "../rockets/mine", and with a slash behind it, as shells complete it.
+std::filesystem::path new_folder(const std::string& name) {
+  const std::filesystem::path named{name};
+  std::filesystem::path folder = named.has_filename() ? named : named.parent_path();
+  if (!folder.has_filename()) {
+    throw UsageError{fmt::format("\"{}\" names no new folder", name)};
   }
+  if (std::filesystem::exists(folder)) {
+    refuse_taken(name);
+  }
+  return folder;
+}
+
+void make(const NewOptions& options) {
+  const std::filesystem::path folder = new_folder(options.name);
   const bool is_design = std::filesystem::path{options.from}.extension() == ".ork";
-  airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options);
+  const std::string source =
+      is_design ? options.from : input::find_input(input::Shipped::vehicle, options.from).string();
+  airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options, source);
   rocket.name = folder.filename().string();
   const airframe::NewFiles files = airframe::files_of(rocket);
   const sim::Scenario scenario = write(folder, files.files, rocket, options.from);
@@ -221,8 +230,11 @@ void make(const NewOptions& options) {
   }
   show("{}{}", files.gains, files.gains.empty() ? "" : "\n");
   show("{}", first_flight(scenario));
-  if (!is_design) {
-    show_changes(rocket.vehicle, made);
+  const auto changed = is_design ? std::vector<std::string>{}
+                                 : changes(input::Document::load(source), rocket.vehicle,
+                                           input::Document::load((folder / "vehicle.toml").string()), made);
+  for (const std::string& change : changed) {
+    show("{}\n", change);
   }
   for (const std::string& assumed : made.assumed) {
     show("Assumed: {}\n", assumed);
@@ -231,13 +243,15 @@ void make(const NewOptions& options) {
   for (const text::NamedFile& file : files.files) {
     show("  made  {}\n", (folder / file.name).string());
   }
-  show("\nNext: fantail airframe {}, fantail fly {}\n", text::shell_word((folder / "vehicle.toml").string()),
+  show("\nNext: fantail airframe {}\n      fantail fly {}\n", text::shell_word((folder / "vehicle.toml").string()),
        text::shell_word((folder / "scenario.toml").string()));
 }
 
 void fill(const Verb& verb) {
   auto options = std::make_shared<NewOptions>();
-  verb.option("NAME", options->name, "Name of the rocket and of its new folder").required();
+  verb.option("NAME", options->name,
+              "New folder for the files, such as my_rocket or ../my_rocket; its last part is the rocket's name")
+      .required();
   verb.option("--from", options->from,
               "Source of its shape: a vehicle with the section [shape], or an OpenRocket file (.ork)")
       .offers(shipped(input::Shipped::vehicle))
@@ -251,7 +265,8 @@ void fill(const Verb& verb) {
       "Examples:\n"
       "  fantail new my_rocket --from tasha3_launch2          vehicle, plan and scenario in my_rocket/, to be edited\n"
       "  fantail new my_rocket --from my.ork --motor my.eng   from a design of OpenRocket\n"
-      "  fantail new my_rocket --from shape.toml              from a vehicle file of your own");
+      "  fantail new my_rocket --from shape.toml              from a vehicle file of your own, which needs no "
+      "[aerodynamics]");
   verb.action([options] { make(*options); });
 }
 

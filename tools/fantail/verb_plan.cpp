@@ -160,8 +160,8 @@ void fill(const Verb& plan) {
       .offers(shipped(input::Shipped::scenario));
   check
       .option("--rules", options->rules,
-              "A rule pack (irec, euroc, launch_canada, nar_tripoli, or a path): its clauses on plans are judged, too. "
-              "The others need a flight: fantail rules")
+              "A rule pack (irec, euroc, launch_canada, nar_tripoli, or a path): its clauses that need no flight "
+              "are judged, too. The others: fantail rules")
       .offers(shipped(input::Shipped::rules));
   add(plan, showing, options);
   add(plan, packing, options).option("--out", options->out, "File to write [PLAN.ftpl]").offers(files);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -8,13 +9,16 @@
 #include <fmt/format.h>
 
 #include "fantail/deliver.hpp"
+#include "fantail/flown_vehicle.hpp"
 #include "fantail/log_info.hpp"
 #include "fantail/offers.hpp"
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "fly/describe.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/shipped.hpp"
+#include "input/vehicle_file.hpp"
 #include "logs/flight_file.hpp"
 #include "rules/judge.hpp"
 #include "rules/record.hpp"
@@ -26,6 +30,7 @@ namespace {
 struct RulesOptions {
   std::string pack;
   ScenarioOptions scenario{};  ///< or a log
+  std::optional<std::string> vehicle;
   std::string out;
   bool json = false;
 };
@@ -54,6 +59,10 @@ struct Held {
 
 /// A canard that nothing commanded shows little.
 Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pack) {
+  if (options.vehicle) {
+    throw UsageError{"--vehicle names the rocket of a log, and " + options.scenario.scenario +
+                     " is a scenario, which names its own"};
+  }
   const sim::Scenario scenario = load(options.scenario);
   refuse_unless_launch(
       scenario.surroundings == sim::Surroundings::flight && scenario.plan.run.start == core::Start::launch,
@@ -71,14 +80,32 @@ Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pac
   return held;
 }
 
+/// Of a folder its log, which alone has the attitude.
+std::filesystem::path recorded(const std::filesystem::path& log) {
+  std::error_code ignored;
+  const std::filesystem::path inside = log / "flight.ftl";
+  return std::filesystem::exists(inside, ignored) ? inside : log;
+}
+
+void add_rocket(const RulesOptions& options, Held& held) {
+  const FlownVehicle flown = flown_vehicle(options.scenario.scenario, options.vehicle);
+  if (!flown.document) {
+    held.subject.no_rocket = flown.why_unknown;
+    return;
+  }
+  const sim::Vehicle vehicle = input::read_vehicle(*flown.document);
+  held.inputs.emplace_back(flown.document->file());
+  held.subject.what += ", with the rocket " + vehicle.name;
+  held.subject.found.merge(rules::of_rocket(vehicle, fly::side_moment_m3(vehicle), held.subject.found));
+}
+
 Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
   const std::string& log = options.scenario.scenario;
   if (!changes_of(options.scenario).empty()) {
     throw UsageError{log + " is a log, which --set and --seed cannot change"};
   }
   Held held{.inputs = {pack, log}, .name = name_of_log(log)};
-  held.made = made_with(held.inputs);
-  const flight::Flight flight = logs::read_flight(log);
+  const flight::Flight flight = logs::read_flight(recorded(log));
   refuse_unless_launch(!flight.tunnel, log);
   held.subject.what = fmt::format("{}, as it was recorded{}", log, flight.known.plan ? "" : ", without a flight plan") +
                       (flight.known.phase ? rules::control_in_log(flight).of_subject : "");
@@ -89,6 +116,8 @@ Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
     held.subject.found.merge(rules::of_plan(flight.plan));
     held.subject.found.merge(rules::of_law());
   }
+  add_rocket(options, held);
+  held.made = made_with(held.inputs);
   return held;
 }
 
@@ -116,6 +145,10 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario,
                        ", which is flown once. Or a flight log (.ftl), a table with the columns of flight.csv, or a "
                        "flight folder");
+  verb.option("--vehicle", options->vehicle,
+              "The rocket of a log: a shipped name or a path [the shipped one in the flight's summary.json]")
+      .offers(shipped(input::Shipped::vehicle))
+      .value_name("NAME|FILE");
   verb.option("--out", options->out,
               "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO, with the changes in the name; of a log "
               "out/rules/PACK+LOG_flown]")
@@ -127,7 +160,7 @@ void fill(const Verb& verb) {
       "document.\n"
       "Examples:\n"
       "  fantail rules irec tasha3_launch2                  may this plan fly there, clause by clause?\n"
-      "  fantail rules irec flown.ftl                       did the canards stand at trim as long as they had to?\n"
+      "  fantail rules irec flown.ftl --vehicle rocket.toml did the canards stand at trim as long as they had to?\n"
       "  fantail rules my_range.toml tasha3_launch2 --json  a pack of your own, for a script");
   verb.action([options] { check_rules(*options); });
 }

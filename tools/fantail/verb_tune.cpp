@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -49,12 +50,15 @@ core::OffsetRejection rejection(const std::string& word, core::OffsetRejection o
                               : core::OffsetRejection::observer;
 }
 
-std::string scenario_command(const ScenarioOptions& options) {
-  std::string command = "fantail tune " + text::shell_word(options.scenario);
-  for (const std::string& change : options.changes) {
+std::string scenario_command(const TuneOptions& options) {
+  std::string command = "fantail tune " + text::shell_word(options.scenario.scenario);
+  for (const std::string& change : options.scenario.changes) {
     command += " --set " + text::shell_word(change);
   }
-  return command + (options.seed.empty() ? "" : " --seed " + text::shell_word(options.seed));
+  for (const auto& [option, value] : {std::pair{" --seed ", options.scenario.seed}, {" --plan ", options.plan}}) {
+    command += value.empty() ? "" : option + text::shell_word(value);
+  }
+  return command;
 }
 
 tune::Request request(const TuneOptions& options, core::OffsetRejection of_plan) {
@@ -66,7 +70,8 @@ tune::Request request(const TuneOptions& options, core::OffsetRejection of_plan)
           .flights = options.flights,
           .threads = options.threads,
           .command = command_of(options.scenario),
-          .scenario_command = scenario_command(options.scenario),
+          .scenario_command = scenario_command(options),
+          .replaces = options.force,
           .version = FANTAIL_VERSION};
 }
 

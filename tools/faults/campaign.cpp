@@ -12,6 +12,7 @@
 #include "faults/stop_rule.hpp"
 #include "faults/tasks.hpp"
 #include "flight/model_end.hpp"
+#include "fly/describe.hpp"
 #include "fly/fly_scenario.hpp"
 #include "runs/runner.hpp"
 #include "text/error.hpp"
@@ -79,6 +80,13 @@ CellLimit limit_of(const Cell& cell, const Twins& twins) {
 /// Of the flight without a fault: that a fault throws a rocket about is what is looked for.
 std::string beyond_model(const Twins& twins) {
   return flight::how_far_beyond(fly::fly_without_rows(twins.scenario, [](const auto&, const auto&) {}).extremes);
+}
+
+/// Of the faults that the scenario has of its own, by the longest of the flights without another.
+std::string never_happened(const Twins& twins) {
+  const std::size_t moments =
+      std::ranges::max(twins.twins, {}, [](const Twin& twin) { return twin.phases.size(); }).phases.size();
+  return fly::never_happened(twins.scenario, 1e-3 * static_cast<double>(moments) - twins.scenario.pad_time_s);
 }
 
 runs::Identity identity_of(const Campaign& campaign, const std::string& program, const Twins& twins) {
@@ -152,6 +160,7 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
                 .cells = {},
                 .flights = summary.flights,
                 .damaged = summary.damaged,
+                .never_happened = never_happened(twins),
                 .beyond_model = beyond_model(twins)};
   std::vector<CellSum> cells(tasks.size());
   for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -159,6 +168,7 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
   }
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     result.cells.push_back(conclude(tasks[i].cell, cells[i], limits[i].limit));
+    result.cells.back().is_reached = !tasks[i].is_not_reached;
     result.cells.back().of_rocket = about_stop(result.cells.back(), twins);
   }
   return result;

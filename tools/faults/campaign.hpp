@@ -92,8 +92,9 @@ struct CellResult {
   std::uint64_t red = 0;
   std::array<std::uint64_t, outcomes> counts{};
   std::optional<Run> worst{};
-  std::string figure{};  ///< of the worst, a clause
-  std::string report{};  ///< folder of its flight report, beside the page; empty: none
+  std::string figure{};    ///< of the worst, a clause
+  std::string report{};    ///< folder of its flight report, beside the page; empty: none
+  bool is_reached = true;  ///< the flight without the fault has time in its phase; else nothing was flown
   const KnownLimit* limit = nullptr;
   std::string of_rocket{};  ///< whether the rocket that was flown does what the limit asks for; empty: not computed
 };
@@ -105,8 +106,9 @@ struct Result {
   std::string plan;
   std::vector<CellResult> cells;  ///< a row of the table after the other, phase by phase
   std::uint64_t flights = 0;
-  std::uint64_t damaged = 0;   ///< stored parts that were damaged, and were flown again
-  std::string beyond_model{};  ///< how far its flight without a fault is beyond the roll model; empty: not
+  std::uint64_t damaged = 0;     ///< stored parts that were damaged, and were flown again
+  std::string never_happened{};  ///< faults of the scenario's own, a sentence each; empty: all began
+  std::string beyond_model{};    ///< how far its flight without a fault is beyond the roll model; empty: not
 };
 
 /// Of the cells that the campaign asks for and the scenario can have: how many flights they are.

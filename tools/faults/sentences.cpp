@@ -136,12 +136,15 @@ std::string headline(const Result& result) {
   const auto line = [](std::string_view what, std::size_t number, const std::string& more = {}) {
     return number == 0 ? std::string{} : fmt::format(" {}: {}{}.", what, text::counted(number, "cell"), more);
   };
-  return fmt::format("{}{}. {} in {}.{}{}{}{}{}{}", flight::outside_model(result.beyond_model), faults_sentence(result),
-                     text::counted(result.flights, "flight"), text::counted(flown, "cell"),
+  const auto never = static_cast<std::size_t>(std::ranges::count(result.cells, false, &CellResult::is_reached));
+  return fmt::format("{}{}. {} in {}.{}{}{}{}{}{}{}{}{}", flight::outside_model(result.beyond_model),
+                     faults_sentence(result), text::counted(result.flights, "flight"), text::counted(flown, "cell"),
                      red == 0 ? " No cell is RED." : "", line("RED", red, worst_of(result, Colour::red)),
                      line("Not safe because of a known limit", limits, worst_of(result, Colour::known_limit)),
                      line("Checked only against the rules for every flight", not_judged),
-                     line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe));
+                     line("Safe, though a limit is listed", without_need), line("Safe in every flight", safe),
+                     line("Never happened, because no flight reaches the phase, and not counted as safe", never),
+                     result.never_happened.empty() ? "" : " ", result.never_happened);
 }
 
 std::string command_of(const Campaign& campaign) {

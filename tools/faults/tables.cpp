@@ -33,7 +33,7 @@ std::string with_flights(const CellResult& cell) {
     case Colour::not_judged: return fmt::format("not judged further, {}", cell.flights);
     case Colour::not_applicable: break;
   }
-  return "not applicable";
+  return cell.is_reached ? "not applicable" : "never happened: phase not reached";
 }
 
 /// Faults of one device of which the same is safe, in all phases.
@@ -87,7 +87,7 @@ std::vector<result::Block> matrix(const Result& result, std::string_view device)
       table.rows.emplace_back(table.columns.size(), Judged{});
       table.rows.back()[0] = Judged{.words = std::string{last->fault}, .below = std::string{last->meaning}};
     }
-    is_flown = is_flown || cell.colour != Colour::not_applicable;
+    is_flown = is_flown || cell.colour != Colour::not_applicable || !cell.is_reached;
     table.rows.back()[column_of[static_cast<std::size_t>(cell.cell.phase)]] =
         Judged{mark_of(cell.colour), with_flights(cell),
                cell.colour == Colour::red || cell.colour == Colour::known_limit ? "" : cell.figure};

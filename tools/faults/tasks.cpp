@@ -50,8 +50,9 @@ std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
         continue;
       }
       Task task{.cell = {.row = &row, .phase = phase, .stays_at_trim = twins.stay_at_trim}, .grid = {}};
-      if (task.cell.expected().applies() && why_not(row, twins.scenario).empty() && grids[i]->size() > 0) {
-        task.grid = grids[i];
+      if (task.cell.expected().applies() && why_not(row, twins.scenario).empty()) {
+        task.is_not_reached = grids[i]->size() == 0;
+        task.grid = task.is_not_reached ? nullptr : grids[i];
       }
       tasks.push_back(std::move(task));
     }

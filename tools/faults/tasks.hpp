@@ -12,6 +12,7 @@ namespace fantail::faults {
 struct Task {
   Cell cell;
   std::shared_ptr<const Grid> grid;
+  bool is_not_reached = false;  ///< no flight has time in the phase
 };
 
 /// A row of the table after the other, phase by phase. Throws text::Error (usage) for a device or fault that is none.

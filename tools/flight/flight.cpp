@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/gain_schedule.hpp"
+#include "flight/barometer.hpp"
 
 namespace fantail::flight {
 namespace {
@@ -133,6 +134,7 @@ void fill(Row& r, const core::TickRecord& record, double time_s) {
   r.specific_force_m_s2 = static_cast<double>(record.motion.specific_force_m_s2.x);
   r.height_m = static_cast<double>(record.motion.height_m);
   r.speed_m_s = static_cast<double>(record.motion.speed_m_s);
+  r.tilt_from_guide_rad = finite_angle(record.motion.tilt_from_guide);
 }
 
 }  // namespace
@@ -148,6 +150,7 @@ void note_tick(Flight& flight, const core::TickRecord& record, double time_s) {
   flight.last_tick_s = time_s;
   note_canards(flight, record, time_s);
   note_unmeasured(flight, record, time_s);
+  note_barometer(flight, record, time_s);
 }
 
 void add_tick(Flight& flight, const core::TickRecord& record, double time_s, const std::optional<Truth>& truth) {
@@ -169,31 +172,28 @@ void end_control_with_outage(Flight& flight) {
 void set_time_zero(Flight& flight, double zero_s) {
   flight.clock = {zero_s};
   const auto move = [clock = flight.clock](double& time_s) { time_s = clock(time_s); };
-  for (const NamedEvent& event : named_events) {
-    if (auto& time_s = flight.events.*event.time_s) {
+  const auto move_known = [&move](std::optional<double>& time_s) {
+    if (time_s) {
       move(*time_s);
     }
+  };
+  for (const NamedEvent& event : named_events) {
+    move_known(flight.events.*event.time_s);
   }
   Unmeasured& u = flight.unmeasured;
   for (std::optional<double>* time_s : {&u.spin_from_s, &u.silent_from_s, &u.speed_bound_from_s}) {
-    if (*time_s) {
-      move(**time_s);
-    }
+    move_known(*time_s);
   }
   if (flight.before_burnout) {
     BeforeBurnout& b = *flight.before_burnout;
     for (std::optional<double>* time_s : {&b.turned_over_s, &b.sank_s, &b.parachute_s, &b.ground_s, &b.left_again_s}) {
-      if (*time_s) {
-        move(**time_s);
-      }
+      move_known(*time_s);
     }
   }
   if (flight.imposed_roll) {
     move(flight.imposed_roll->time_s);
   }
-  if (flight.trajectory_end_s) {
-    move(*flight.trajectory_end_s);
-  }
+  move_known(flight.trajectory_end_s);
   if (flight.airframe) {
     std::map<double, double> course;
     for (const auto& [time_s, inertia_kg_m2] : flight.airframe->roll_inertia_course) {
@@ -203,12 +203,12 @@ void set_time_zero(Flight& flight, double zero_s) {
   }
   for (Outage& outage : flight.outages) {
     move(outage.from_s);
-    if (outage.to_s) {
-      move(*outage.to_s);
-    }
+    move_known(outage.to_s);
   }
   std::ranges::for_each(flight.phase_changes, [&](auto& change) { move(change.time_s); });
   std::ranges::for_each(flight.canard_verdict_changes, [&](auto& change) { move(change.time_s); });
+  std::ranges::for_each(flight.barometer_spells, move, &BarometerSpell::from_s);
+  std::ranges::for_each(flight.barometer_spells, move, &BarometerSpell::to_s);
   std::ranges::for_each(flight.rows, [&](auto& r) { move(r.time_s); });
   std::ranges::for_each(flight.path, [&](auto& point) { move(point.time_s); });
   std::ranges::for_each(flight.turning, [&](auto& point) { move(point.time_s); });

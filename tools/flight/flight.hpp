@@ -49,6 +49,7 @@ struct Row {
   double height_m = 0.0;
   double speed_m_s = 0.0;
   std::optional<Truth> truth{};
+  std::optional<double> tilt_from_guide_rad{};  ///< of the long axis, from where it pointed at rest; no file has it
   bool replayed = true;  ///< false: of a logged tick to which no replay leads; only what the log itself holds is known
 };
 
@@ -117,6 +118,13 @@ struct PhaseChange {
   double time_s = 0.0;
   core::Phase phase = core::Phase::safe;
   std::optional<core::PhaseReason> reason = core::PhaseReason::power_on;  ///< empty: a table does not tell
+};
+
+/// What the barometer was good for in flight, tick after tick alike.
+struct BarometerSpell {
+  core::BarometerState state = core::BarometerState::silent;
+  double from_s = 0.0;
+  double to_s = 0.0;  ///< its last tick
 };
 
 /// What the sensors could not measure of a flight. Times are the first of each; empty: it did not happen.
@@ -202,6 +210,7 @@ struct Flight {
   std::vector<PhaseChange> phase_changes;
   std::optional<core::Vector3> gyro_bias_rad_s;  ///< that the law took off; empty: it never flew, or a table
   std::vector<CanardVerdictChange> canard_verdict_changes;
+  std::vector<BarometerSpell> barometer_spells;  ///< since launch detection; empty: the plan asks for none, or a table
   Unmeasured unmeasured;
   std::optional<BeforeBurnout> before_burnout;  ///< of a simulated flight; empty: nothing of it happened
   std::vector<Outage> outages;

@@ -82,11 +82,12 @@ bool captures(const Flight& flight) {
   return flight.known.plan && flight.plan.controller.entry == core::ControlEntry::capture;
 }
 
-std::optional<double> chosen_turn(const Flight& flight, const Row& first_under_control) {
+std::optional<double> chosen_turn(const Flight& flight, const Row& first_under_control, double since_control_start_s) {
   if (!captures(flight) || !std::isfinite(first_under_control.reference_rad)) {
     return std::nullopt;
   }
-  const core::Angle planned = core::roll_reference(flight.plan.reference, core::Microseconds{0});
+  const core::Angle planned =
+      core::roll_reference(flight.plan.reference, core::Microseconds{std::llround(1e6 * since_control_start_s)});
   const double added_rad = first_under_control.reference_rad - static_cast<double>(planned.radians());
   return std::round(added_rad / (2.0 * std::numbers::pi)) + 0.0;
 }

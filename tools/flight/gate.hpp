@@ -30,8 +30,10 @@ namespace fantail::flight {
 /// Does the law begin with a whole turn of its own choice?
 [[nodiscard]] bool captures(const Flight& flight);
 
-/// That turn: how many whole turns capture put on the plan's reference, by the first row under control. Empty: the law
-/// does not capture, or the reference is not known.
-[[nodiscard]] std::optional<double> chosen_turn(const Flight& flight, const Row& first_under_control);
+/// That turn: how many whole turns capture put on the plan's reference, by the first row under control, or by the first
+/// after the gate reopened, so long after control start. Empty: the law does not capture, or the reference is not
+/// known.
+[[nodiscard]] std::optional<double> chosen_turn(const Flight& flight, const Row& first_under_control,
+                                                double since_control_start_s = 0.0);
 
 }  // namespace fantail::flight

@@ -123,6 +123,9 @@ flight::Flight describe(const sim::Scenario& scenario) {
     flight.path_frame = flight::PathFrame::plane;
     limit_to_path(flight.notes);
   }
+  if (const std::string temperature = wrong_air_temperature(scenario); !temperature.empty()) {
+    flight.notes.push_back(temperature + ".");
+  }
   if (scenario.motion == sim::FlightMotion::six_dof && !scenario.path) {
     const auto& assumed = scenario.vehicle.airframe_assumed;
     flight.notes.insert(flight.notes.end(), assumed.begin(), assumed.end());

@@ -12,6 +12,10 @@
 namespace fantail::fly {
 namespace {
 
+std::string_view zero_of(const sim::Scenario& scenario) {
+  return scenario.surroundings != sim::Surroundings::flight ? "the start command" : "ignition";
+}
+
 /// "from power-up to 3 s after ignition"
 std::string time_text(const sim::Fault& fault, const sim::Scenario& scenario, std::string_view zero) {
   const bool always = fault.from_s <= -scenario.pad_time_s;
@@ -62,7 +66,7 @@ std::string number_text(const sim::Fault& fault) {
 }  // namespace
 
 std::string fault_text(const sim::Fault& fault, const sim::Scenario& scenario) {
-  const std::string_view zero = scenario.surroundings != sim::Surroundings::flight ? "the start command" : "ignition";
+  const std::string_view zero = zero_of(scenario);
   if (const auto* reset = std::get_if<sim::Reset>(&fault.how)) {
     return reset_text(fault, *reset, zero);
   }
@@ -75,6 +79,17 @@ std::string fault_text(const sim::Fault& fault, const sim::Scenario& scenario) {
     return fmt::format("Fault: {}, canard {}{}, {}.", words.kind, fault.canard + 1, number_text(fault), time);
   }
   return fmt::format("Fault: {}{} {}.", words.kind, number_text(fault), time);
+}
+
+std::string never_happened(const sim::Scenario& scenario, double end_s) {
+  std::string all;
+  for (const sim::Fault& fault : scenario.faults) {
+    if (fault.from_s > end_s) {
+      all += fmt::format("{}The fault from {:g} s after {} on never happened: the flight ended at {:.2f} s.",
+                         all.empty() ? "" : " ", fault.from_s, zero_of(scenario), end_s);
+    }
+  }
+  return all;
 }
 
 }  // namespace fantail::fly

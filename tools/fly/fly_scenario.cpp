@@ -227,6 +227,9 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   if (!flight.tunnel && !events.liftoff) {
     flight.notes.emplace_back("The rocket never left the pad: its motor never pushed with more than its weight.");
   }
+  if (std::string never = never_happened(scenario, in_seconds(world.now()) - scenario.pad_time_s); !never.empty()) {
+    flight.notes.push_back(std::move(never));
+  }
   // A rocket that never left counts from ignition, or from the refused start command.
   const double zero_s = events.liftoff ? in_seconds(*events.liftoff) : scenario.pad_time_s;
   if (scenario.imposed_roll && events.liftoff) {

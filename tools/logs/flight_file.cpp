@@ -7,6 +7,7 @@
 #include "flight_log/to_report.hpp"
 #include "report/results.hpp"
 #include "text/error.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::logs {
 namespace {
@@ -128,7 +129,7 @@ flight::Flight read_flight_log(const std::filesystem::path& file) {
   if (!flight_log::is_one_flight(log)) {
     refuse(
         fmt::format("contains {} flights; extract one with fantail log export {} --to csv --flight N, N from 1 to {}",
-                    log.flights.size(), file.string(), log.flights.size()));
+                    log.flights.size(), text::shell_word(file.string()), log.flights.size()));
   }
   std::vector<flight_log::Regeneration> replays;
   for (const flight_log::Flight& flight : log.flights) {

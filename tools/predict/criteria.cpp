@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "predict/sentences.hpp"
+#include "report/hold.hpp"
 #include "stability/canard_sense.hpp"
 #include "text/apart.hpp"
 #include "text/number.hpp"
@@ -54,7 +55,7 @@ Criterion share_asked(std::string key, std::string label, const Share& share, do
 }
 
 std::string more_runs(const Share& share, double threshold) {
-  return fmt::format("{} too few to be sure of {}: fly more with --runs", text::counted(share.of, "run is", "runs are"),
+  return fmt::format("{} too few to be sure of {}. Fly more with --runs", text::counted(share.of, "run is", "runs are"),
                      percent(threshold));
 }
 
@@ -83,7 +84,7 @@ Criterion authority(const Prediction& p, double threshold) {
                                          : "larger than",
                          p.reach.text(), of_the_runs(within ? share.value : 1.0 - share.value));
   if (too_few_runs(share, threshold)) {
-    c.clause += ". " + more_runs(share, threshold);
+    c.clause = as_sentences({more_runs(share, threshold), c.clause});
   }
   if (std::string why = stability::why_uncontrollable(p.flown); !why.empty()) {
     c.clause = std::move(why);
@@ -167,14 +168,22 @@ Criterion held(const Prediction& p, double threshold) {
   if (share.value >= threshold && share.count > 0) {
     clause += held_where(p);
   }
-  std::vector<std::string> all{std::move(clause)};
-  if (share.count > 0) {
-    const bool is_still = p.flown.plan.reference.kind == core::ReferenceKind::hold;
-    all.push_back(fmt::format("this leaves out the first second of control{}", is_still ? "" : " and of each step"));
-  }
+  std::vector<std::string> all;
   if (too_few_runs(share, threshold)) {
     all.push_back(more_runs(share, threshold));
-  } else if (c.judgement == Judgement::not_met && p.spin_rate_rad_s) {
+  }
+  all.push_back(std::move(clause));
+  if (share.count > 0) {
+    flight::Flight of_plan;
+    of_plan.plan = p.flown.plan;
+    all.push_back("this leaves out " + report::settling_left_out(of_plan));
+  }
+  report::AllowedTiltEnds allowed;
+  for (const Run& run : p.runs) {
+    allowed.add(run.outcome == report::Outcome::held ? run.allowed_tilt_end_s : std::nullopt);
+  }
+  all.push_back(allowed.sentence(share.count, "run"));
+  if (c.judgement == Judgement::not_met && p.spin_rate_rad_s) {
     all.push_back(fmt::format("without authority the rocket turns at about {} degrees a second at top speed",
                               fixed(degrees(p.spin_rate_rad_s->p50), 0)));
   }
@@ -184,6 +193,7 @@ Criterion held(const Prediction& p, double threshold) {
     all.push_back(fmt::format("it is not held in run {}: {}", not_held - p.runs.begin(), cause(*not_held)));
   }
   all.insert(all.end(), others.begin(), others.end());
+  std::erase(all, "");
   c.clause = as_sentences(all);
   return c;
 }

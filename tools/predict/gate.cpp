@@ -41,9 +41,10 @@ std::string why_closed(const Prediction& p) {
 
 /// Medians.
 std::string how_it_opens(const Prediction& p) {
-  return fmt::format("the gate opens at {} s, {} m, {} m/s; the rocket then turns at {} deg/s (medians)",
-                     fixed(p.gate_time_s->p50, 2), fixed(p.gate_height_m->p50, 0), fixed(p.gate_speed_m_s->p50, 0),
-                     fixed(degrees(p.gate_rate_rad_s->p50), 0));
+  return fmt::format(
+      "the gate opens at {} s, {} m, {} m/s through the air; the rocket then turns at {} deg/s (medians)",
+      fixed(p.gate_time_s->p50, 2), fixed(p.gate_height_m->p50, 0), fixed(p.gate_speed_m_s->p50, 0),
+      fixed(degrees(p.gate_rate_rad_s->p50), 0));
 }
 
 /// What the canards leave of the rotation in runs whose offset they cannot balance; empty: there are none.
@@ -78,6 +79,9 @@ std::optional<Criterion> gate(const Prediction& p, double threshold) {
   }
   Criterion c = share_asked("gate", "The plan's gate opens", p.opened, threshold);
   std::vector<std::string> clauses;
+  if (too_few_runs(p.opened, threshold)) {
+    clauses.push_back(more_runs(p.opened, threshold));
+  }
   const auto closed = static_cast<std::size_t>(std::ranges::count_if(p.runs, &Run::gate_stays_closed));
   if (closed > 0) {
     const std::string many = closed == p.runs.size()
@@ -90,9 +94,6 @@ std::optional<Criterion> gate(const Prediction& p, double threshold) {
     clauses.push_back(how_it_opens(p));
     clauses.push_back(how_it_is_captured(p));
     clauses.push_back(not_stopped(p));
-  }
-  if (too_few_runs(p.opened, threshold)) {
-    clauses.push_back(more_runs(p.opened, threshold));
   }
   std::erase(clauses, "");
   c.clause = as_sentences(clauses);

@@ -63,7 +63,7 @@ bool asks_a_point_mass(const Prediction& p) {
 std::optional<double> largest_tilt_rad(const Prediction& p) {
   std::optional<double> largest_rad;
   for (const Run& run : p.runs) {
-    if (run.largest_tilt_rad && !run.ended_by_tilt) {
+    if (run.largest_tilt_rad && !run.ended_by_tilt && !run.allowed_tilt_end_s) {
       largest_rad = std::max(largest_rad.value_or(0.0), *run.largest_tilt_rad);
     }
   }

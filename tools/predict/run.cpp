@@ -159,6 +159,7 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
   run.verdict = verdict.text;
   run.ended_early = verdict.ended_early;
   run.ended_by_tilt = verdict.ended_by_tilt;
+  run.allowed_tilt_end_s = verdict.allowed_tilt_end_s;
   run.begun_on_guide_s = verdict.begun_on_guide_s;
   run.gate_stays_closed =
       !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;

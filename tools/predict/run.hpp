@@ -31,9 +31,10 @@ struct Run {
   double offset_rad = 0.0;            ///< the largest under control; without control of the airframe's two
   double authority_margin_rad = 0.0;  ///< canard_reach() less |offset|
   report::Outcome outcome = report::Outcome::no_control;
-  std::string verdict{};                     ///< what the flight report says of it
-  bool ended_early = false;                  ///< control; whatever the outcome
-  bool ended_by_tilt = false;                ///< likewise, at the plan's tilt limit
+  std::string verdict{};                       ///< what the flight report says of it
+  bool ended_early = false;                    ///< control; whatever the outcome
+  bool ended_by_tilt = false;                  ///< likewise, at the plan's tilt limit
+  std::optional<double> allowed_tilt_end_s{};  ///< report::Verdict
   std::optional<double> largest_tilt_rad{};  ///< of the long axis from where the plan counts it, under control; in six
                                              ///< degrees of freedom
   std::vector<std::string> notes{};  ///< whatever the outcome, without what was assumed beforehand, a sentence each
@@ -63,11 +64,11 @@ inline void fields(runs::RowText& text, TunnelStep& step) {
 /// All but the wind, which drawn_wind() gives again.
 inline void fields(runs::RowText& text, Run& run) {
   text(run.seed, run.airframe, run.offset_rad, run.authority_margin_rad, run.outcome, run.verdict, run.ended_early,
-       run.ended_by_tilt, run.largest_tilt_rad, run.notes, run.largest_hold_error_rad, run.saturated_share,
-       run.settle_rad, run.settle_reference_rad, run.lowest_speed_m_s, run.opening, run.gate_stays_closed,
-       run.begun_on_guide_s, run.top_speed_m_s, run.extremes.top_mach, run.extremes.static_margin_calibres,
-       run.extremes.angle_of_attack_rad, run.apogee_m, run.drift_m, run.spin_rate_rad_s, run.roll_angle_rad,
-       run.roll_rate_rad_s, run.reference_rad);
+       run.ended_by_tilt, run.allowed_tilt_end_s, run.largest_tilt_rad, run.notes, run.largest_hold_error_rad,
+       run.saturated_share, run.settle_rad, run.settle_reference_rad, run.lowest_speed_m_s, run.opening,
+       run.gate_stays_closed, run.begun_on_guide_s, run.top_speed_m_s, run.extremes.top_mach,
+       run.extremes.static_margin_calibres, run.extremes.angle_of_attack_rad, run.apogee_m, run.drift_m,
+       run.spin_rate_rad_s, run.roll_angle_rad, run.roll_rate_rad_s, run.reference_rad);
 }
 
 /// Flies the scenario with this airframe in the place of the vehicle's own damping and torque and of the scenario's

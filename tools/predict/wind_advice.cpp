@@ -29,7 +29,8 @@ struct Tried {
 
 enum class Guide : std::uint8_t { as_it_stands, upright };
 
-/// The first of the runs that came to the tilt limit, with their airframes, seeds and winds, in a part of those.
+/// The first of the runs whose control ended early at the tilt limit, with their airframes, seeds and winds, in a part
+/// of those.
 Tried fly_again(const Prediction& p, double part_of_wind, Guide guide, const Look& look) {
   sim::Scenario changed = p.flown;
   changed.wind_spread = {};
@@ -52,10 +53,10 @@ Tried fly_again(const Prediction& p, double part_of_wind, Guide guide, const Loo
 }
 
 std::string came_to(const Tried& tried) {
-  return tried.tilted > 0 ? fmt::format("{} still reach{} it", tried.tilted, tried.tilted == 1 ? "es" : "")
+  return tried.tilted > 0 ? fmt::format("it still does so in {} of them", tried.tilted)
          : tried.held == tried.runs
-             ? "none reaches it and all hold their roll"
-             : fmt::format("none reaches it, and {} hold{} the roll", tried.held, tried.held == 1 ? "s" : "");
+             ? "it does so in none and all hold their roll"
+             : fmt::format("it does so in none, and {} hold{} the roll", tried.held, tried.held == 1 ? "s" : "");
 }
 
 std::string with_less_wind(const Prediction& p, const Look& look) {
@@ -66,8 +67,8 @@ std::string with_less_wind(const Prediction& p, const Look& look) {
     }
   }
   const Tried calm = fly_again(p, 0.0, Guide::as_it_stands, look);
-  return fmt::format(" {}ithout wind, {}.",
-                     calm.tilted == 0 ? "In a quarter of their wind, some still reach it. W" : "W", came_to(calm));
+  return fmt::format(" {}ithout wind, {}.", calm.tilted == 0 ? "In a quarter of their wind, it still does so. W" : "W",
+                     came_to(calm));
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ std::string advice_on_wind(const Prediction& p, const Look& look) {
     found += fmt::format(" From an upright guide, {}.", came_to(fly_again(p, 1.0, Guide::upright, look)));
   }
   const std::string text =
-      fmt::format("In {} of {}, control ends at the plan's tilt limit.", tilted, runs(p.runs.size()));
+      fmt::format("In {} of {}, the plan's tilt limit ends control early.", tilted, runs(p.runs.size()));
   const std::string again = tilted == 1 ? "It was"
                                         : fmt::format("{} {} of them were", tilted > most_tried ? "The first" : "All",
                                                       std::min(tilted, most_tried));

@@ -83,7 +83,8 @@ std::string sentence(protocol::SelfTestFailure failure, const std::optional<std:
     case Failure::second_gyro_turns:
       return "the second gyro reads a steady turn: its zero is off by more than half the plan's "
              "motion.quiet_rate_deg_s, or the rocket turns";
-    case Failure::barometer_failed: return "the barometer that the plan requires gives no usable pressure";
+    case Failure::barometer_failed:
+      return "the barometer that the plan requires gives no pressure from 560 to 1120 hPa";
     case Failure::newer_plan:
       return "the plan in the flash was made for a newer version of the firmware: flash that version, or send a plan";
   }

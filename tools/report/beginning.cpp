@@ -31,7 +31,9 @@ void NeutralWatch::add(const flight::Row& row, const flight::Flight& flight) {
     }
   }
   const bool all_read = std::ranges::all_of(row.encoders_rad, [](const auto& angle) { return angle.has_value(); });
-  neutral_.unread_s += all_read ? 0.0 : since_s;
+  const bool is_hole = since_s > RunningExtent::shortest_hole_s;
+  neutral_.missing_s += is_hole ? since_s : 0.0;
+  neutral_.unread_s += all_read || is_hole ? 0.0 : since_s;
 }
 
 Neutral NeutralWatch::found(const flight::Clock& clock) const {
@@ -39,7 +41,9 @@ Neutral NeutralWatch::found(const flight::Clock& clock) const {
   for (std::optional<double>* time_s : {&result.from_s, &result.until_s}) {
     *time_s = *time_s ? std::optional{clock(**time_s)} : std::nullopt;
   }
-  result.unread_s = std::round(1e4 * result.unread_s) / 1e4;  // whatever the clock of the rows
+  for (double* all_s : {&result.unread_s, &result.missing_s}) {
+    *all_s = std::round(1e4 * *all_s) / 1e4;  // whatever the clock of the rows
+  }
   return result;
 }
 
@@ -47,20 +51,32 @@ void OpeningWatch::add(const flight::Row& row, double roll_rad) {
   using enum core::Phase;
   const std::optional<core::Phase> before = before_;
   before_ = row.phase;
+  const bool follows = last_s_ && row.time_s - *last_s_ <= RunningExtent::shortest_hole_s;
+  last_s_ = row.time_s;
   if (before == controlling && row.phase == dormant) {
     ++opening_.closings;
   }
-  if (is_open_) {
-    return;
+  const bool begins = row.phase == dormant && before && before != dormant;
+  const bool ends = before == dormant && row.phase != dormant;
+  if (begins) {
+    dormant_from_rad_ = roll_rad;
+    is_waiting_ = true;
   }
-  if (row.phase == dormant && before && before != dormant) {
-    dormant_from_rad_ = if_finite(roll_rad);
+  knows_turns_ = knows_turns_ && (follows || !(begins || ends));
+  if (is_waiting_ && knows_turns_) {
+    const double turns = turns_before_ + (roll_rad - dormant_from_rad_) / (2.0 * std::numbers::pi);
+    opening_.dormant_turns = if_finite(turns);
+    turns_before_ = ends ? turns : turns_before_;
+  } else if (!knows_turns_) {
+    opening_.dormant_turns.reset();
   }
-  if ((row.phase == dormant || before == dormant) && dormant_from_rad_) {
-    opening_.dormant_turns = if_finite((roll_rad - *dormant_from_rad_) / (2.0 * std::numbers::pi));
-  }
-  if (row.phase == controlling) {
+  is_waiting_ = is_waiting_ && row.phase == dormant;
+  if (row.phase == controlling && !is_open_) {
     is_open_ = true;
+    misses_start_ = !follows;
+    if (misses_start_) {
+      return;
+    }
     opening_.speed_m_s = if_finite(flight::best_known(row, &flight::Truth::speed_m_s, row.speed_m_s));
     opening_.roll_angle_rad = if_finite(roll_rad);
     opening_.roll_rate_rad_s = if_finite(flight::best_known(row, &flight::Truth::roll_rate_rad_s, row.roll_rate_rad_s));
@@ -113,22 +129,20 @@ bool holds_an_angle(const flight::Flight& flight) {
          (!flight.known.plan || flight.plan.controller.proportional_gain > 0.0F);
 }
 
-Capture measured_capture(const flight::Flight& flight) {
+Capture measured_capture(const flight::Flight& flight, std::span<const flight::Row> control) {
   CaptureWatch watch{flight.tunnel};
-  const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
-  const auto begin = std::ranges::find_if(flight.rows, is_control);
-  if (!holds_an_angle(flight) || begin == flight.rows.end()) {
+  if (!holds_an_angle(flight) || control.empty()) {
     return {};
   }
-  const auto end = std::find_if(begin, flight.rows.end(), [&](const flight::Row& row) {
-    return !is_control(row) || row.reference_rad != begin->reference_rad;
-  });
-  const auto settled = std::find_if(begin, end, [&](const flight::Row& row) {
-    return row.time_s - begin->time_s > first_settling_time_s(flight) - row_time_rounding_s;
+  const flight::Row& first = control.front();
+  const auto end =
+      std::ranges::find_if(control, [&](const flight::Row& row) { return row.reference_rad != first.reference_rad; });
+  const auto settled = std::find_if(control.begin(), end, [&](const flight::Row& row) {
+    return row.time_s - first.time_s > first_settling_time_s(flight) - row_time_rounding_s;
   });
   double sum_rad = 0.0;
   std::size_t rows = 0;
-  double last_s = begin->time_s;
+  double last_s = first.time_s;
   for (auto row = settled; row != end && row->time_s - settled->time_s <= Capture::stays_s; ++row) {
     sum_rad += row->roll_angle_rad;
     rows += 1;
@@ -138,7 +152,8 @@ Capture measured_capture(const flight::Flight& flight) {
     return {};
   }
   const double rest_rad = sum_rad / static_cast<double>(rows);
-  std::for_each(begin, end, [&](const flight::Row& row) { watch.add(row, if_finite(row.roll_angle_rad - rest_rad)); });
+  std::for_each(control.begin(), end,
+                [&](const flight::Row& row) { watch.add(row, if_finite(row.roll_angle_rad - rest_rad)); });
   return watch.found({});
 }
 

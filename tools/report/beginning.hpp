@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "flight/flight.hpp"
 #include "text/degrees.hpp"
@@ -18,7 +19,8 @@ struct Neutral {
   std::optional<double> until_s{};
   std::optional<double> command_rad{};
   std::optional<double> encoder_rad{};
-  double unread_s = 0.0;  ///< for so long in all, one of the encoders or more could not be read
+  double unread_s = 0.0;   ///< for so long in all, one of the encoders or more could not be read
+  double missing_s = 0.0;  ///< for so long in all, no row is on record
 
   friend bool operator==(const Neutral&, const Neutral&) = default;
 };
@@ -39,7 +41,8 @@ struct Opening {
   std::optional<double> speed_m_s{};
   std::optional<double> roll_angle_rad{};  ///< from where the law counts it
   std::optional<double> roll_rate_rad_s{};
-  std::optional<double> dormant_turns{};  ///< net, while the canards waited for the gate; empty: they did not
+  std::optional<double> dormant_turns{};  ///< net, while the canards waited for the gate, every time; empty: they did
+                                          ///< not
   std::size_t closings = 0;               ///< so often the gate closed again under control
 
   friend bool operator==(const Opening&, const Opening&) = default;
@@ -50,15 +53,23 @@ class OpeningWatch {
   /// Each row, in order. `roll_rad`: from where the law counts it.
   void add(const flight::Row& row, double roll_rad);
   [[nodiscard]] const Opening& found() const { return opening_; }
+  /// A hole lies before the first row under control, or nothing at all: that row shows another time.
+  [[nodiscard]] bool misses_start() const { return misses_start_; }
 
  private:
   Opening opening_{};
+  bool misses_start_ = false;
+  std::optional<double> last_s_{};
   std::optional<core::Phase> before_{};
-  std::optional<double> dormant_from_rad_{};
+  double dormant_from_rad_ = 0.0;
+  double turns_before_ = 0.0;  ///< of earlier waits
+  bool is_waiting_ = false;    ///< since a row that is on record
+  bool knows_turns_ = true;    ///< no wait began or ended in a hole
   bool is_open_ = false;
 };
 
-/// How the roll comes to where it is held, from control start to the first change of the reference.
+/// How the roll comes to where it is held, from control start, or from where the gate reopened, to the first change of
+/// the reference.
 struct Capture {
   static constexpr double near_rad = text::radians(10.0);
   static constexpr double stays_s = 1.0;
@@ -72,6 +83,14 @@ struct Capture {
   std::optional<double> saturated_fraction{};  ///< until then; where it did not come there, while it was looked at
 
   friend bool operator==(const Capture&, const Capture&) = default;
+};
+
+/// Control after the gate had closed again.
+struct Reopening {
+  double time_s = 0.0;
+  Capture capture{};
+
+  friend bool operator==(const Reopening&, const Reopening&) = default;
 };
 
 /// The one judge of capture, for reports, predictions and campaigns.
@@ -108,7 +127,8 @@ class CaptureWatch {
 /// Does the law hold an angle at all?
 [[nodiscard]] bool holds_an_angle(const flight::Flight& flight);
 
-/// Of a log, where nobody knows the fin offset: from where the roll came to rest.
-[[nodiscard]] Capture measured_capture(const flight::Flight& flight);
+/// Of a log, where nobody knows the fin offset: from where the roll came to rest. `control`: rows under control,
+/// without a pause.
+[[nodiscard]] Capture measured_capture(const flight::Flight& flight, std::span<const flight::Row> control);
 
 }  // namespace fantail::report

@@ -32,13 +32,16 @@ constexpr std::size_t most_step_labels = 3;
 std::vector<page::Level> reference_steps(const flight::Flight& flight) {
   std::vector<page::Level> steps;
   const flight::Row* before = nullptr;
-  double turns = 0.0;  // that capture put on the plan's angles
+  double turns = 0.0;  // that capture put on the plan's angles, anew where the gate reopens
+  std::optional<double> start_s;
   for (const flight::Row& row : flight.rows) {
+    before = row.phase == core::Phase::dormant ? nullptr : before;
     if (row.phase != core::Phase::controlling || !std::isfinite(row.reference_rad)) {
       continue;
     }
+    start_s = start_s.value_or(row.time_s);
     if (before == nullptr) {
-      turns = flight::chosen_turn(flight, row).value_or(0.0);
+      turns = flight::chosen_turn(flight, row, row.time_s - *start_s).value_or(0.0);
     } else if (row.reference_rad != before->reference_rad) {
       const double planned_deg = text::degrees(row.reference_rad) - 360.0 * turns;
       const std::string sign = planned_deg > 0.0 ? "+" : "";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,10 +29,13 @@ constexpr auto moment_fields = result::fields<Moment>({
     {"meaning", "meaning", result::units::none, 0, &Moment::meaning, "why, or what it is"},
 });
 
+bool was_under_control(std::span<const flight::PhaseChange> changes) {
+  return std::ranges::find(changes, core::Phase::controlling, &flight::PhaseChange::phase) != changes.end();
+}
+
 /// Where it was not the apogee also what for.
 std::string what_control_end_means(const flight::Flight& flight, const Verdict& verdict) {
-  if (std::ranges::find(flight.phase_changes, core::Phase::controlling, &flight::PhaseChange::phase) ==
-      flight.phase_changes.end()) {
+  if (!was_under_control(flight.phase_changes)) {
     const auto reason =
         flight.phase_changes.empty() ? core::PhaseReason::flew_without_launch : flight.phase_changes.back().reason;
     return reason == core::PhaseReason::flew_without_launch || !reason
@@ -51,14 +55,19 @@ std::string what_control_end_means(const flight::Flight& flight, const Verdict& 
                      !reason ? "the log does not say why" : flight::display_name(*reason));
 }
 
-/// The gate closed again under control, and opened again.
+/// The gate closed again under control, and opened again. A record may miss where control began.
 void add_gate_events(std::vector<Moment>& to, const flight::Flight& flight) {
   for (std::size_t i = 1; i < flight.phase_changes.size(); ++i) {
     const flight::PhaseChange& change = flight.phase_changes[i];
     const core::Phase before = flight.phase_changes[i - 1].phase;
     if (change.phase == core::Phase::dormant && before == core::Phase::controlling) {
       to.push_back({change.time_s, "gate closes", flight::gate_has_closed(flight) + ", canards return to trim"});
-    } else if (change.phase == core::Phase::controlling && change.time_s != flight.events.control_start_s) {
+    } else if (change.phase == core::Phase::controlling &&
+               !was_under_control(std::span{flight.phase_changes}.first(i))) {
+      if (!flight.events.control_start_s) {
+        to.push_back({change.time_s, "under control", "the record does not show when control began"});
+      }
+    } else if (change.phase == core::Phase::controlling) {
       to.push_back({change.time_s, "gate reopens", flight::gate_has_opened(flight) + ", control goes on"});
     }
   }
@@ -81,7 +90,7 @@ result::Table events(const flight::Flight& flight, const Verdict& verdict) {
       one.meaning = flight::gate_has_opened(flight);
     } else if (one.what == "dormant") {
       one.meaning = "canards at trim, waiting for " + flight::gate_name(flight);
-    } else if (one.what == "control ends" && !flight.events.control_start_s && flight.events.dormant_s) {
+    } else if (one.what == "control ends" && flight.events.dormant_s && !was_under_control(flight.phase_changes)) {
       one.what = "control never began";
       one.meaning = what_control_end_means(flight, verdict);
     } else if (one.what == "control ends") {

@@ -10,6 +10,7 @@
 #include "report/activity.hpp"
 #include "report/figures.hpp"
 #include "result/field.hpp"
+#include "text/bearing.hpp"
 
 // Every figure of a flight, with its key in summary.json.
 namespace fantail::report::fields {
@@ -22,7 +23,8 @@ inline constexpr result::Unit turns{"", "turns"}, turns_of{"_turns", "turns"}, h
 using F = Figures;
 inline constexpr auto figures = result::fields<F>({
     {"apogee", "apogee", u::m, 1, &F::apogee_m, "greatest height above the site: true where the truth is known"},
-    {"max_speed", "top speed", u::m_s, 1, &F::max_speed_m_s, "likewise; over ground where the flight has a path"},
+    {"max_speed", "top speed", u::m_s, 1, &F::max_speed_m_s,
+     "over ground where the flight has a path; else true speed through the air, or that of the log"},
     {"control_start_height", "height at control start", u::m, 2, &F::control_start_height_m, "likewise"},
     {"control_time", "time under control", u::s, 2, &F::control_time_s,
      "from its first tick to its last, without the time in which the plan's gate had closed again"},
@@ -44,9 +46,10 @@ inline constexpr auto figures = result::fields<F>({
     {"ended_before_apogee", "control ends before apogee", u::s, 3, &F::ended_before_apogee_s, "negative: after it"},
     {"roll_after_end", "turned after control", u::deg, 1, &F::roll_after_end_rad,
      "largest change of the roll angle from the end of control until apogee"},
-    {"roll_turns", "net roll under control", turns, 2, &F::roll_turns, "from control start to its end"},
+    {"roll_turns", "net roll under control", turns, 2, &F::roll_turns,
+     "in the time under control, without the time in which the plan's gate had closed again"},
     {"roll_turns_without_control", "net roll without control", turns, 2, &F::roll_turns_without_control,
-     "of the same rocket with its canards at trim"},
+     "of the same rocket in the same time, with its canards at trim"},
     {"at_limit_since", "at the limit since", u::s, 2, &F::at_limit_since_s,
      "first tick of a saturation that lasts to the end of control, for half a second or more"},
 });
@@ -94,10 +97,13 @@ inline constexpr auto neutral = result::fields<N>({
 
 using O = Opening;
 inline constexpr auto opening = result::fields<O>({
-    {"speed", "speed at control start", u::m_s, 1, &O::speed_m_s, "true where the truth is known"},
-    {"roll_angle", "roll angle at control start", u::deg, 1, &O::roll_angle_rad, "likewise, from launch detection"},
+    {"speed", "speed at control start", u::m_s, 1, &O::speed_m_s,
+     "true speed through the air, along the axis; of a log, the log's"},
+    {"roll_angle", "roll angle at control start", u::deg, 1, &O::roll_angle_rad,
+     "true where the truth is known, from launch detection"},
     {"roll_rate", "roll rate at control start", u::deg_s, 1, &O::roll_rate_rad_s, "likewise"},
-    {"dormant", "net roll while dormant", turns_of, 2, &O::dormant_turns, "while the canards waited for the gate"},
+    {"dormant", "net roll while dormant", turns_of, 2, &O::dormant_turns,
+     "while the canards waited for the gate, all such times together"},
     {"closings", "gate closed again", u::times, 0, &O::closings, "how often, under control"},
 });
 
@@ -110,6 +116,15 @@ inline constexpr auto capture = result::fields<C>({
     {"watched", "looked at for", u::s, 2, &C::watched_s, "until it had stayed for a second, or the reference changed"},
     {"saturated_fraction", "canards at their limit in it", u::percent, 1, &C::saturated_fraction,
      "share of that time with the command at its limit"},
+});
+
+using R = Reopening;
+[[nodiscard]] inline Cell if_known(const std::optional<double>& value) { return value ? Cell{*value} : Cell{}; }
+inline constexpr auto reopening = result::fields<R>({
+    {"time", "gate reopens", u::s, 3, &R::time_s, "control goes on"},
+    {"turn", "turn that capture chose", u::none, 0, [](const R& r) { return if_known(r.capture.turn); }, "as at first"},
+    {"after", "captured after", u::s, 2, [](const R& r) { return if_known(r.capture.after_s); }, "from then on"},
+    {"watched", "looked at for", u::s, 2, [](const R& r) { return if_known(r.capture.watched_s); }, "as at first"},
 });
 
 using S = SideDeflection;
@@ -153,9 +168,18 @@ inline constexpr auto unmeasured = result::fields<U>({
      "estimates of height and speed"},
 });
 
+using B = flight::BarometerSpell;
+inline constexpr auto barometer = result::fields<B>({
+    {"state", "barometer", u::none, 0, [](const B& b) { return Cell{std::string{core::name(b.state)}}; },
+     "used, or why not: silent, on_pad, too_fast, disagrees or alone"},
+    {"from", "from", u::s, 3, &B::from_s, "since launch detection"},
+    {"to", "to", u::s, 3, &B::to_s, "last tick of it"},
+});
+
 inline constexpr auto wind = result::fields<flight::MeanWind>({
     {"speed", "wind", u::m_s, 1, &flight::MeanWind::speed_m_s, "without gusts"},
-    {"from", "from", u::deg, 0, &flight::MeanWind::from_rad, "0 north, 90 east"},
+    {"from", "from", u::deg, 0, [](const flight::MeanWind& w) { return result::Cell{text::bearing_rad(w.from_rad)}; },
+     "0 north, 90 east"},
     {"height", "at a height of", u::m, 0, &flight::MeanWind::height_m, "above ground"},
 });
 

@@ -2,24 +2,46 @@
 #include "report/figures.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <vector>
+
+#include <fmt/core.h>
 
 #include "report/running_figures.hpp"
 
 namespace fantail::report {
 namespace {
 
-/// With the times in which the gate had closed again.
-std::span<const flight::Row> under_control(const flight::Flight& flight) {
+/// Without a pause each: between two of them the gate had closed again.
+std::vector<std::span<const flight::Row>> spells_of_control(const flight::Flight& flight) {
   const auto is_control = [](const flight::Row& row) { return row.phase == core::Phase::controlling; };
-  const auto first = std::ranges::find_if(flight.rows, is_control);
-  const auto end = std::find_if(first, flight.rows.end(), [&](const flight::Row& row) {
-    return !is_control(row) && row.phase != core::Phase::dormant;
-  });
-  const auto last = std::find_if(std::reverse_iterator{end}, std::reverse_iterator{first}, is_control);
-  return {first, last.base()};
+  std::vector<std::span<const flight::Row>> all;
+  auto begin = std::ranges::find_if(flight.rows, is_control);
+  while (begin != flight.rows.end() && is_control(*begin)) {
+    const auto end = std::find_if_not(begin, flight.rows.end(), is_control);
+    all.emplace_back(begin, end);
+    begin =
+        std::find_if(end, flight.rows.end(), [](const flight::Row& row) { return row.phase != core::Phase::dormant; });
+  }
+  return all;
+}
+
+/// Net, of the free roll in the time of these; empty: not known.
+std::optional<double> turns_without_control(const flight::Flight& flight,
+                                            const std::vector<std::span<const flight::Row>>& spells) {
+  double sum_rad = 0.0;
+  for (const std::span<const flight::Row> spell : spells) {
+    const auto begin_rad = flight::free_roll_angle_rad(flight.without_control, spell.front().time_s);
+    const auto end_rad = flight::free_roll_angle_rad(flight.without_control, spell.back().time_s);
+    if (!begin_rad || !end_rad) {
+      return {};
+    }
+    sum_rad += *end_rad - *begin_rad;
+  }
+  return spells.empty() ? std::nullopt : std::optional{sum_rad / (2.0 * std::numbers::pi)};
 }
 
 }  // namespace
@@ -32,11 +54,18 @@ double true_zero_rad(const flight::Flight& flight) {
   return zero.rad();
 }
 
-std::string_view top_speed_name(const flight::Flight& flight) {
+std::string_view speed_kind(const flight::Flight& flight) {
+  const bool is_true = flight.seed || std::ranges::any_of(flight.rows, [](const flight::Row& row) {
+                         return row.truth && std::isfinite(row.truth->speed_m_s);
+                       });
+  return is_true ? "through the air" : "by the log";
+}
+
+std::string top_speed_name(const flight::Flight& flight) {
   if (flight.tunnel) {
     return "largest air speed";
   }
-  return flight.path.empty() ? "top speed" : "top speed over ground";
+  return fmt::format("top speed {}", flight.path.empty() ? speed_kind(flight) : "over ground");
 }
 
 Figures figures(const flight::Flight& flight) {
@@ -45,19 +74,18 @@ Figures figures(const flight::Flight& flight) {
     running.add(row, flight);
   }
   Figures f = running.figures(flight);
-  if (f.control_time_s && !f.capture.watched_s) {
-    const std::optional<double> turn = f.capture.turn;
-    f.capture = measured_capture(flight);
-    f.capture.turn = turn;
-  }
-  if (const auto control = under_control(flight); !control.empty()) {
-    f.side_deflection = side_deflection(flight, control);
-    const auto begin_rad = flight::free_roll_angle_rad(flight.without_control, control.front().time_s);
-    const auto end_rad = flight::free_roll_angle_rad(flight.without_control, control.back().time_s);
-    if (begin_rad && end_rad) {
-      f.roll_turns_without_control = (*end_rad - *begin_rad) / (2.0 * std::numbers::pi);
+  const std::vector<std::span<const flight::Row>> spells = spells_of_control(flight);
+  for (std::size_t i = f.misses_control_start ? 1 : 0; i < spells.size() && i <= f.reopenings.size(); ++i) {
+    if (Capture& capture = i == 0 ? f.capture : f.reopenings[i - 1].capture; !capture.watched_s) {
+      const std::optional<double> turn = capture.turn;
+      capture = measured_capture(flight, spells[i]);
+      capture.turn = turn;
     }
   }
+  if (!spells.empty()) {
+    f.side_deflection = side_deflection(flight, {spells.front().begin(), spells.back().end()});
+  }
+  f.roll_turns_without_control = turns_without_control(flight, spells);
   return f;
 }
 

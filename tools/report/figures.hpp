@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
@@ -77,8 +79,8 @@ struct Figures {
   std::optional<double> authority_margin_rad;  ///< how much farther the canards could go, or come back, than u_d needs;
                                                ///< the least under control; negative: they cannot balance it
   std::optional<double> authority_rad;         ///< how far they deflect in the sense that this u_d needs
-  std::optional<double> roll_turns;            ///< net turns from control start to its end
-  std::optional<double> roll_turns_without_control;  ///< those of the same rocket with its canards at trim
+  std::optional<double> roll_turns;            ///< net turns under control, without those while the gate had closed
+  std::optional<double> roll_turns_without_control;  ///< in the same time, with its canards at trim
   /// First tick of the saturation that lasts to the end of control, when that is at least half a second.
   std::optional<double> at_limit_since_s;
   double command_at_end_rad = 0.0;              ///< last command under control
@@ -91,18 +93,23 @@ struct Figures {
   std::optional<CameraRoll> camera_roll;
   Neutral neutral{};
   Opening opening{};
-  Capture capture{};
-  Extent roll{};                      ///< when the roll angle is known
-  HoldRecord hold{};                  ///< when, under control, its distance from the settle point is
-  bool begins_under_control = false;  ///< the first row is, so nobody knows since when
-  bool in_still_air = false;          ///< in a tunnel whose fan stands, or on a gimbal, at every tick
+  Capture capture{};                    ///< at control start
+  std::vector<Reopening> reopenings{};  ///< the gate had closed in between
+  Extent roll{};                        ///< when the roll angle is known
+  HoldRecord hold{};                    ///< when, under control, its distance from the settle point is
+  bool begins_under_control = false;    ///< the first row is, so nobody knows since when
+  bool misses_control_start = false;    ///< likewise, or a hole lies before the first row under control
+  bool in_still_air = false;            ///< in a tunnel whose fan stands, or on a gimbal, at every tick
   core::Phase final_phase = core::Phase::safe;
 
   friend bool operator==(const Figures&, const Figures&) = default;
 };
 
+/// Which speed the rows of this flight have: the true one "through the air", or what stands in a log, "by the log".
+[[nodiscard]] std::string_view speed_kind(const flight::Flight& flight);
+
 /// Which speed Figures::max_speed_m_s of this flight is: "top speed over ground".
-[[nodiscard]] std::string_view top_speed_name(const flight::Flight& flight);
+[[nodiscard]] std::string top_speed_name(const flight::Flight& flight);
 
 [[nodiscard]] Figures figures(const flight::Flight& flight);
 

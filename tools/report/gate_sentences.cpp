@@ -14,15 +14,15 @@ namespace {
 
 std::string in_s(double time_s, int decimals = 2) { return text::fixed(time_s, decimals) + " s"; }
 
-/// "at 151 m and 81 m/s, turning at -155 deg/s, with a roll angle of -260 deg"
-std::string at_opening(const Figures& f) {
+/// "at 151 m and 81 m/s through the air, turning at -155 deg/s, with a roll angle of -260 deg"
+std::string at_opening(const flight::Flight& flight, const Figures& f) {
   const Opening& o = f.opening;
   std::vector<std::string> parts;
   if (f.control_start_height_m) {
     parts.push_back(text::fixed(*f.control_start_height_m, 0) + " m");
   }
   if (o.speed_m_s) {
-    parts.push_back(text::fixed(*o.speed_m_s, 0) + " m/s");
+    parts.push_back(fmt::format("{} m/s {}", text::fixed(*o.speed_m_s, 0), speed_kind(flight)));
   }
   std::string text = parts.empty() ? "" : fmt::format("at {}", fmt::join(parts, " and "));
   if (o.roll_rate_rad_s && o.roll_angle_rad) {
@@ -69,8 +69,9 @@ std::string neutral(const Neutral& n) {
   if (n.encoder_rad) {
     text += fmt::format("; their encoders showed at most {} deg", within(*n.encoder_rad));
   }
+  text += n.missing_s > 0.0 ? fmt::format(". Of that time, {} are not on record.", in_s(n.missing_s)) : ".";
   return text +
-         (n.unread_s > 0.0 ? fmt::format(". For {} in all, an encoder could not be read.", in_s(n.unread_s)) : ".");
+         (n.unread_s > 0.0 ? fmt::format(" For {} in all, an encoder could not be read.", in_s(n.unread_s)) : "");
 }
 
 }  // namespace
@@ -86,12 +87,16 @@ void add_gate_sentences(std::vector<std::string>& to, const flight::Flight& flig
   };
   if (const auto& start_s = flight.events.control_start_s; start_s && f.control_time_s) {
     const std::string gate = !flight::has_gate(flight) ? "" : " (" + flight::gate_has_opened(flight) + ")";
-    const std::string state = at_opening(f);
+    const std::string state = at_opening(flight, f);
     add(fmt::format("Control began at {}{}{}{}.", in_s(*start_s), gate, state.empty() ? "" : ", ", state));
     if (flight::has_gate(flight)) {
       add(motor(flight));
     }
     add(captured(f.capture));
+    for (const Reopening& again : f.reopenings) {
+      const std::string held = captured(again.capture);
+      add(fmt::format("The gate closed and reopened at {}.{}{}", in_s(again.time_s), held.empty() ? "" : " ", held));
+    }
   }
   if (flight::has_gate(flight)) {
     add(neutral(f.neutral));

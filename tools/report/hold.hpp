@@ -110,7 +110,9 @@ class RunningRest {
   std::size_t rows_ = 0;
 };
 
-/// What the hold error leaves out: "after the first second of control and of each step".
+/// What the hold error leaves out: "the first second of control and of each step".
+[[nodiscard]] std::string settling_left_out(const flight::Flight& flight);
+/// "after" that.
 [[nodiscard]] std::string once_settled(const flight::Flight& flight);
 
 /// Where the law of the plan comes to rest: "R + u_d/kp".

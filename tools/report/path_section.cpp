@@ -17,6 +17,7 @@
 #include "report/chart_drawer.hpp"
 #include "report/phase_colors.hpp"
 #include "report/sections.hpp"
+#include "text/bearing.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -134,7 +135,7 @@ result::Section path_section(const flight::Flight& flight) {
   const auto along = [sine = std::sin(heading), cosine = std::cos(heading)](const PathPoint& p) {
     return cosine * p.north_m + sine * p.east_m;
   };
-  const auto bearing_deg = (std::lround(text::degrees(heading)) + 360) % 360;
+  const long bearing_deg = text::bearing_deg(heading);
   const std::string direction = bearing_deg % 45 == 0 ? compass(*std::ranges::max_element(path, {}, flight::distance_m))
                                                       : fmt::format("{}\u00b0", bearing_deg);
   Chart side = from_the_side(path, fmt::format("distance towards {} / m", direction), along);

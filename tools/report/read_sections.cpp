@@ -75,6 +75,7 @@ void add_beginning(std::vector<Figure>& to, const flight::Flight& flight, const 
   }
   result::Figures opening = result::figures("", f.opening, fields::opening);
   std::erase_if(opening.all, [&](const Figure& one) { return one.key == "closings" && f.opening.closings == 0; });
+  opening["speed"].remark = speed_kind(flight);
   add(to, opening);
   result::Figures capture = result::figures("", f.capture, fields::capture);
   if (!flight.seed) {
@@ -163,6 +164,9 @@ std::vector<std::string> beside_the_verdict(const flight::Flight& flight, const 
                                               : ": R is its reference, u_d the fin offset"));
   }
   add_gate_sentences(all, flight, f);
+  if (std::string barometer = barometer_sentences(flight); !barometer.empty()) {
+    all.push_back(std::move(barometer));
+  }
   if (f.roll_turns && f.roll_turns_without_control && !nothing_controls_roll(flight)) {
     all.push_back(fmt::format("Under control it made {} turns; with its canards at trim it would have made {}.",
                               fixed(*f.roll_turns, 2), fixed(*f.roll_turns_without_control, 2)));

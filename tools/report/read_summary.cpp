@@ -150,6 +150,17 @@ void read_unmeasured(flight::Unmeasured& u, const Json& json) {
   u.speed_bound_from_s = number(json, "speed_bound_from_s");
 }
 
+void read_barometer(flight::Flight& flight, const Json& list) {
+  for (const Json& spell : list) {
+    const auto state = named<core::BarometerState>(text(spell, "state"), core::barometer_states);
+    const auto from_s = number(spell, "from_s");
+    const auto to_s = number(spell, "to_s");
+    if (state && from_s && to_s) {
+      flight.barometer_spells.push_back({*state, *from_s, *to_s});
+    }
+  }
+}
+
 void read_outages(flight::Flight& flight, const Json& list) {
   for (const Json& outage : list) {
     if (const auto from_s = number(outage, "from_s")) {
@@ -232,6 +243,7 @@ void add_summary(flight::Flight& flight, const std::filesystem::path& file) {
   flight.tilt_end_before_apogee_s =
       number(summary, "tilt_end_before_apogee_s").value_or(flight.tilt_end_before_apogee_s);
   read_unmeasured(flight.unmeasured, member(summary, "unmeasured"));
+  read_barometer(flight, member(summary, "barometer"));
   flight.before_burnout = read_before_burnout(member(summary, "before_burnout"));
   read_outages(flight, member(summary, "outages"));
   read_loop_margins(flight, member(summary, "loop_margins"));

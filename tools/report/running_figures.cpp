@@ -21,12 +21,6 @@ double roll_angle_rad(const flight::Row& row) {
   return flight::best_known(row, &flight::Truth::roll_angle_rad, row.roll_angle_rad);
 }
 
-void keep_largest(std::optional<double>& kept, double value) {
-  if (std::isfinite(value) && (!kept || value > *kept)) {
-    kept = value;
-  }
-}
-
 void keep_farthest_from_zero(std::optional<double>& kept, double value) {
   if (std::isfinite(value) && (!kept || std::abs(value) > std::abs(*kept))) {
     kept = value;
@@ -59,7 +53,7 @@ void TrueZero::add(const flight::Row& row) {
   last_s_ = row.time_s;
 }
 
-RunningFigures::RunningFigures(bool tunnel) : zero_{tunnel}, capture_{tunnel}, oscillation_{tunnel ? 2.0 : 1.0} {}
+RunningFigures::RunningFigures(bool tunnel) : zero_{tunnel}, tunnel_{tunnel}, oscillation_{tunnel ? 2.0 : 1.0} {}
 
 void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   begins_under_control_ = begins_under_control_ || (rows_ == 0 && row.phase == core::Phase::controlling);
@@ -76,7 +70,7 @@ void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   const double roll_rad = is_true ? row.truth->roll_angle_rad - zero_.rad() : row.roll_angle_rad;
   neutral_.add(row, flight);
   opening_.add(row, roll_rad);
-  change_stage(row);
+  change_stage(row, flight);
   switch (stage_) {
     case Stage::before_control:
     case Stage::paused: break;
@@ -85,16 +79,18 @@ void RunningFigures::add(const flight::Row& row, const flight::Flight& flight) {
   }
 }
 
-void RunningFigures::change_stage(const flight::Row& row) {
+void RunningFigures::change_stage(const flight::Row& row, const flight::Flight& flight) {
   const bool is_control = row.phase == core::Phase::controlling;
   const bool waits = row.phase == core::Phase::dormant;
   if (stage_ == Stage::before_control && is_control) {
-    begin_control(row);
+    start_ = {.time_s = row.time_s, .height_m = height_m(row)};
+    begin_spell(row, flight);
   } else if (stage_ == Stage::under_control && waits) {
     pause_control();
   } else if (stage_ == Stage::paused && is_control) {
-    stage_ = Stage::under_control;
     paused_s_ += row.time_s - end_.time_s;
+    turned_rad_ += end_.roll_angle_rad - spells_.back().from_rad;
+    begin_spell(row, flight);
   } else if (stage_ != Stage::before_control && !is_control && !waits) {
     stage_ = Stage::after_control;
   }
@@ -111,18 +107,21 @@ void RunningFigures::add_motion(const flight::Row& row) {
   }
   if (std::isfinite(height_m(row))) {
     height_.add(row.time_s);
+    largest_height_m_ = std::max(largest_height_m_.value_or(height_m(row)), height_m(row));
   }
-  keep_largest(largest_height_m_, height_m(row));
 }
 
-void RunningFigures::begin_control(const flight::Row& row) {
+void RunningFigures::begin_spell(const flight::Row& row, const flight::Flight& flight) {
   stage_ = Stage::under_control;
-  start_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .height_m = height_m(row)};
+  spells_.push_back({.from_s = row.time_s,
+                     .from_rad = roll_angle_rad(row),
+                     .capture = CaptureWatch{tunnel_},
+                     .turn = flight::chosen_turn(flight, row, row.time_s - start_.time_s)});
 }
 
 void RunningFigures::pause_control() {
   stage_ = Stage::paused;
-  capture_.end();
+  spells_.back().capture.end();
   hold_.pause();
   rest_.pause();
   oscillation_.pause();
@@ -130,16 +129,13 @@ void RunningFigures::pause_control() {
 }
 
 void RunningFigures::add_controlled(const flight::Row& row, double roll_rad, const flight::Flight& flight) {
-  if (controlled_ == 0) {
-    turn_ = flight::chosen_turn(flight, row);
-  }
   controlled_ += 1;
   end_ = {.time_s = row.time_s, .roll_angle_rad = roll_angle_rad(row), .command_rad = row.command_rad};
   hold_.add(row, roll_rad, flight);
   rest_.add(row, roll_rad, flight);
   const auto settles_rad = holds_an_angle(flight) ? flight::settle_point_rad(row, flight) : std::nullopt;
   const double error_rad = roll_rad - settles_rad.value_or(roll_rad);
-  capture_.add(row, settles_rad && std::isfinite(error_rad) ? std::optional{error_rad} : std::nullopt);
+  spells_.back().capture.add(row, settles_rad && std::isfinite(error_rad) ? std::optional{error_rad} : std::nullopt);
   if (row.truth && std::isfinite(row.truth->disturbance_rad)) {
     const double offset_rad = row.truth->disturbance_rad;
     keep_farthest_from_zero(largest_offset_rad_, offset_rad);
@@ -269,14 +265,19 @@ Figures RunningFigures::figures(const flight::Flight& flight, const flight::Cloc
   if (controlled_ == 0) {
     return f;
   }
-  if (!flight.tunnel) {
+  f.misses_control_start = opening_.misses_start();
+  if (!flight.tunnel && !f.misses_control_start) {
     f.control_start_height_m = if_finite(start_.height_m);
   }
   f.control_time_s = clock(end_.time_s) - clock(start_.time_s) - paused_s_;
-  f.capture = capture_.found(clock);
-  f.capture.turn = turn_;
+  if (!f.misses_control_start) {
+    f.capture = spells_.front().found(clock);
+  }
+  for (std::size_t i = 1; i < spells_.size(); ++i) {
+    f.reopenings.push_back({clock(spells_[i].from_s), spells_[i].found(clock)});
+  }
   f.command_at_end_rad = end_.command_rad;
-  f.roll_turns = if_finite((end_.roll_angle_rad - start_.roll_angle_rad) / (2.0 * std::numbers::pi));
+  f.roll_turns = if_finite((turned_rad_ + (end_.roll_angle_rad - spells_.back().from_rad)) / (2.0 * std::numbers::pi));
   if (!f.in_still_air) {  // nothing holds anything there
     f.largest_hold_error_rad = hold_.largest_error_rad();
     f.mean_hold_error_rad = hold_.mean_error_rad();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "flight/flight.hpp"
 #include "report/activity.hpp"
@@ -56,8 +57,19 @@ class RunningFigures {
 
   struct Start {
     double time_s = 0.0;
-    double roll_angle_rad = 0.0;
     double height_m = 0.0;
+  };
+  /// Control without a pause.
+  struct Spell {
+    double from_s = 0.0;
+    double from_rad = 0.0;  ///< roll angle
+    CaptureWatch capture;
+    std::optional<double> turn{};  ///< that capture chose
+    [[nodiscard]] Capture found(const flight::Clock& clock) const {
+      Capture all = capture.found(clock);
+      all.turn = turn;
+      return all;
+    }
   };
   struct End {
     double time_s = 0.0;
@@ -74,8 +86,8 @@ class RunningFigures {
   };
 
   void add_motion(const flight::Row& row);
-  void change_stage(const flight::Row& row);
-  void begin_control(const flight::Row& row);
+  void change_stage(const flight::Row& row, const flight::Flight& flight);
+  void begin_spell(const flight::Row& row, const flight::Flight& flight);
   void pause_control();
   void add_controlled(const flight::Row& row, double roll_rad, const flight::Flight& flight);
   void judge_saturation(const flight::Row& row);
@@ -102,14 +114,15 @@ class RunningFigures {
   CameraRollWatch camera_roll_{};
   NeutralWatch neutral_{};
   OpeningWatch opening_{};
-  CaptureWatch capture_;
-  std::optional<double> turn_{};  ///< that capture chose
+  std::vector<Spell> spells_{};
 
   Stage stage_ = Stage::before_control;
   std::size_t controlled_ = 0;
   Start start_{};
   End end_{};
-  double paused_s_ = 0.0;  ///< in all
+  double paused_s_ = 0.0;    ///< in all
+  double turned_rad_ = 0.0;  ///< in the spells before the last
+  bool tunnel_;
   RunningHold hold_{};
   RunningRest rest_{};
   std::optional<double> largest_offset_rad_{};

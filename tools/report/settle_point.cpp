@@ -46,17 +46,19 @@ std::string in_numbers(const flight::Flight& flight) {
 
 }  // namespace
 
-std::string once_settled(const flight::Flight& flight) {
+std::string settling_left_out(const flight::Flight& flight) {
   const core::ReferencePlan& reference = flight.plan.reference;
   const bool has_steps = reference.kind == core::ReferenceKind::square_wave ||
                          (reference.kind == core::ReferenceKind::steps && reference.step_times_count > 0);
   if (first_settling_time_s(flight) != step_settling_time_s(flight)) {
-    return fmt::format("after the first {} s of control{}", text::brief(first_settling_time_s(flight), 1),
+    return fmt::format("the first {} s of control{}", text::brief(first_settling_time_s(flight), 1),
                        has_steps ? " and the first second of each step" : "");
   }
-  return fmt::format("after the first {} of control{}", flight.tunnel ? "two seconds" : "second",
+  return fmt::format("the first {} of control{}", flight.tunnel ? "two seconds" : "second",
                      has_steps ? " and of each step" : "");
 }
+
+std::string once_settled(const flight::Flight& flight) { return "after " + settling_left_out(flight); }
 
 std::string settle_point_name(const flight::Flight& flight) {
   if (flight.known.plan && flight::rejects_offset(flight.plan)) {

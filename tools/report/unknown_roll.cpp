@@ -152,6 +152,22 @@ std::string unknown_roll(const flight::Flight& flight, const Figures& f) {
   return text;
 }
 
+bool may_hide_control(const flight::Flight& flight, const Figures& f) {
+  const auto& changes = flight.phase_changes;
+  const std::vector<Hole> holes = unexplained_holes(flight, f.roll);
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    const bool is_open = changes[i].phase == core::Phase::finished &&
+                         changes[i - 1].phase != core::Phase::controlling &&
+                         changes[i].reason != core::PhaseReason::gate_never_opened;
+    if (is_open && std::ranges::any_of(holes, [&](const Hole& hole) {
+          return hole.from_s < changes[i].time_s && changes[i].time_s < hole.to_s + tolerance_s;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool ends_under_control(const flight::Flight& flight, const Figures& f) {
   return f.final_phase == core::Phase::controlling &&
          (flight.events.control_end_s

@@ -233,6 +233,7 @@ Verdict judge_flight(const flight::Flight& flight, const Figures& f) {
     begin_lower(v.text);
     v.text = fmt::format("{} Until then: {}", early_end(flight, f), v.text);
   } else {
+    v.allowed_tilt_end_s = allowed_tilt_end_s(flight, f);
     v.text += late_end(flight, f);
   }
   return v;
@@ -259,7 +260,7 @@ Verdict on_roll(const flight::Flight& flight, const Figures& figures) {
   if (!flight.known.phase) {
     return {Outcome::not_judged, "Roll not judged: the log does not say when control was active."};
   }
-  if (!figures.control_time_s && flight.events.control_start_s) {
+  if (!figures.control_time_s && (flight.events.control_start_s || may_hide_control(flight, figures))) {
     return {Outcome::not_judged,
             fmt::format("Roll not judged: no tick under control is on record.{}", unknown_roll(flight, figures))};
   }

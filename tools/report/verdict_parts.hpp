@@ -9,11 +9,12 @@
 #include "flight/flight.hpp"
 #include "json/value.hpp"
 #include "report/figures.hpp"
+#include "report/verdict.hpp"
 
 namespace fantail::report {
 
-/// Nobody minds the last half second: near apogee there is no flow over the canards.
-inline constexpr double near_apogee_s = 0.5;
+/// To a reset after which nothing was resumed, or to one or a standstill after which nothing is on record any more.
+[[nodiscard]] bool was_lost(const flight::Flight& flight);
 
 /// Of a flight without control: why it never began, as far as is known.
 [[nodiscard]] std::string no_control(const flight::Flight& flight, const Figures& figures);
@@ -35,9 +36,16 @@ inline constexpr double near_apogee_s = 0.5;
 /// how soon the roll was held, the canards before it. None of another plan.
 void add_gate_sentences(std::vector<std::string>& to, const flight::Flight& flight, const Figures& f);
 
+/// When the barometer that the plan asks for was used from launch detection to the end of control, and when and why it
+/// was not. Empty: the plan asks for none, or nobody knows.
+[[nodiscard]] std::string barometer_sentences(const flight::Flight& flight);
+
 /// Did control end before apogee, whatever ended it? In the tunnel, where there is no apogee: for another reason than
 /// the plan's own time.
 [[nodiscard]] bool ended_early(const flight::Flight& flight, const Figures& f);
+
+/// Verdict::allowed_tilt_end_s of control that did not end early.
+[[nodiscard]] std::optional<double> allowed_tilt_end_s(const flight::Flight& flight, const Figures& f);
 
 /// Of control that did not end early: by how much before apogee and by what limit, or how long after apogee. A sentence
 /// with a space before it; empty: it went on to apogee, or until the avionics detected one.
@@ -45,6 +53,9 @@ void add_gate_sentences(std::vector<std::string>& to, const flight::Flight& flig
 
 /// When and why control did, and what the rocket turned by until apogee: one or two sentences.
 [[nodiscard]] std::string early_end(const flight::Flight& flight, const Figures& f);
+
+/// Of a flight without control on record: it ended in a hole, and control may have begun there.
+[[nodiscard]] bool may_hide_control(const flight::Flight& flight, const Figures& figures);
 
 /// A clause of a verdict: "the roll is not known at all times under control", or the hold error is not, for another
 /// reason than a reset. Empty: both are, or the hold error never is.

@@ -88,7 +88,7 @@ result::Document answer(const Pack& pack, const Subject& subject, const std::vec
     notes.push_back(fmt::format("Stated in the pack: {} = {}. Change it there if it is not so.", name,
                                 value_text(name, stated.known)));
   }
-  result::Verdict headline = verdict(judged);
+  result::Verdict headline = verdict(judged, subject);
   headline.beside = {caution(pack), fmt::format("Compared: {}, with the pack {}.", subject.what, pack.name)};
   std::vector<result::Section> shown = sections(judged);
   shown.insert(shown.end(), {{"Sources", {std::move(sources)}, files},

@@ -21,19 +21,6 @@ std::optional<double> from_trim_deg(const std::optional<double>& angle_rad, cons
                    : std::nullopt;
 }
 
-/// Which one is away from trim in this row; empty: none.
-std::string who(const flight::Row& row, const core::FlightPlan& plan) {
-  for (std::size_t i = 0; i < core::canard_count; ++i) {
-    if (from_trim_deg(row.commands_rad[i], plan.canards.each[i]).value_or(0.0) > command_tolerance_deg) {
-      return fmt::format("command of canard {}", i + 1);
-    }
-    if (from_trim_deg(row.encoders_rad[i], plan.canards.each[i]).value_or(0.0) > encoder_tolerance_deg) {
-      return fmt::format("encoder of canard {}", i + 1);
-    }
-  }
-  return {};
-}
-
 struct Watch {
   Departure found{};
   std::array<std::optional<double>, core::canard_count> seen_s{};
@@ -70,6 +57,27 @@ struct Watch {
 double height_m(const flight::Row& row) { return row.truth ? row.truth->height_m : row.height_m; }
 double speed_m_s(const flight::Row& row) { return row.truth ? row.truth->speed_m_s : row.speed_m_s; }
 
+std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan) {
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    if (from_trim_deg(row.commands_rad[i], plan.canards.each[i]).value_or(0.0) > command_tolerance_deg) {
+      return fmt::format("command of canard {}", i + 1);
+    }
+    if (from_trim_deg(row.encoders_rad[i], plan.canards.each[i]).value_or(0.0) > encoder_tolerance_deg) {
+      return fmt::format("encoder of canard {}", i + 1);
+    }
+  }
+  return {};
+}
+
+bool is_commanded_away(const flight::Row& row, const core::FlightPlan& plan) {
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    if (from_trim_deg(row.commands_rad[i], plan.canards.each[i]).value_or(0.0) > command_tolerance_deg) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan) {
   Watch watch;
   bool begins = true;
@@ -78,7 +86,7 @@ Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& p
     watch.found.until_s = row.time_s;
     begins = false;
     watch.look_for_silence(row);
-    const std::string away = who(row, plan);
+    const std::string away = who_is_away(row, plan);
     if (!away.empty() && row.time_s >= 0.0) {
       watch.found.time_s = row.time_s;
       watch.found.height_m = height_m(row);

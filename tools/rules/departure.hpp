@@ -30,6 +30,12 @@ struct Departure {
 [[nodiscard]] double height_m(const flight::Row& row);  ///< true where that is known
 [[nodiscard]] double speed_m_s(const flight::Row& row);
 
+/// By the command of a canard, beyond the tolerance.
+[[nodiscard]] bool is_commanded_away(const flight::Row& row, const core::FlightPlan& plan);
+
+/// "command of canard 2": one that is away from trim in this row; empty: none.
+[[nodiscard]] std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan);
+
 /// `rows` up to the end of the ascent; the trims are those of the plan.
 [[nodiscard]] Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan);
 

@@ -92,4 +92,27 @@ std::optional<Known> Expression::value_at(std::size_t at, const ValueOf& value_o
   return finite(calculated(does.front(), a, b));
 }
 
+std::vector<std::string> Expression::deciding_names_at(std::size_t at, const ValueOf& value_of) const {
+  const Node& node = nodes_[at];
+  if (node.operation.empty()) {
+    return node.name.empty() ? std::vector<std::string>{} : std::vector{node.name};
+  }
+  std::vector<std::string> all = deciding_names_at(node.left, value_of);
+  if (node.operation == "not" || node.operation == "negative") {
+    return all;
+  }
+  const std::vector<std::string> right = deciding_names_at(node.right, value_of);
+  if (node.operation == "and" || node.operation == "or") {
+    const bool decides = node.operation == "or";
+    if (is(value_at(node.left, value_of), decides)) {
+      return all;
+    }
+    if (is(value_at(node.right, value_of), decides)) {
+      return right;
+    }
+  }
+  all.insert(all.end(), right.begin(), right.end());
+  return all;
+}
+
 }  // namespace fantail::rules

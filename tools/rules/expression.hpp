@@ -72,6 +72,10 @@ class Expression {
   [[nodiscard]] Type type() const { return nodes_.back().type; }
   /// Each once, in the order in which they stand.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// Those without a part of an `and` or `or` that the other part has decided, in the order in which they stand.
+  [[nodiscard]] std::vector<std::string> deciding_names(const ValueOf& value_of) const {
+    return deciding_names_at(nodes_.size() - 1, value_of);
+  }
 
  private:
   friend class Parser;
@@ -87,6 +91,7 @@ class Expression {
     std::vector<std::string> words{};
   };
   [[nodiscard]] std::optional<Known> value_at(std::size_t node, const ValueOf& value_of) const;
+  [[nodiscard]] std::vector<std::string> deciding_names_at(std::size_t node, const ValueOf& value_of) const;
 
   std::vector<Node> nodes_;  ///< each behind its parts; the last is the whole
   std::vector<std::string> names_;

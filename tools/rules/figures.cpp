@@ -20,7 +20,7 @@ constexpr std::array texts{
     FigureText{"law.steers_to_place", Type::flag, "", 0, "the flight law steers towards a place"},
 
     FigureText{"flight.apogee_m", Type::number, "m", 0, "greatest height above the launch site"},
-    FigureText{"flight.top_speed_m_s", Type::number, "m/s", 1, "greatest speed"},
+    FigureText{"flight.top_speed_m_s", Type::number, "m/s", 1, "greatest speed through the air; of a log, the log's"},
     FigureText{"flight.largest_mach", Type::number, "", 2, "greatest Mach number"},
     FigureText{"flight.max_q_s", Type::number, "s", 2, "time of the largest dynamic pressure"},
     FigureText{"flight.burnout_s", Type::number, "s", 2, "time of the last thrust"},
@@ -32,6 +32,10 @@ constexpr std::array texts{
     FigureText{"flight.left_trim_height_m", Type::number, "m", 1, "height at which the first canard leaves trim"},
     FigureText{"flight.canard_before_control_deg", Type::number, "deg", 2,
                "largest angle of a canard from its trim between lift-off and control, by its encoder"},
+    FigureText{"flight.tilt_off_trim_deg", Type::number, "deg", 1,
+               "largest angle from the launch guide while a canard is commanded away from trim"},
+    FigureText{"flight.off_trim_after_abort", Type::flag, "", 0,
+               "half a second after an abort or later, a canard is away from trim"},
     FigureText{"flight.tilt_at_rest_deg", Type::number, "deg", 1, "angle of the launch guide from the vertical"},
 
     FigureText{"rocket.mass_kg", Type::number, "kg", 3, "mass at lift-off"},

@@ -51,6 +51,10 @@ using Findings = std::map<std::string, Finding, std::less<>>;
 
 /// rocket.* of a scenario and its flight.
 [[nodiscard]] Findings of_rocket(const sim::Scenario& scenario, const flight::Flight& flight);
+/// rocket.* of the vehicle that flew this log: `found` has what of_log() says of it. `side_moment_m3` as
+/// flight::Flight has it.
+[[nodiscard]] Findings of_rocket(const sim::Vehicle& vehicle, std::optional<double> side_moment_m3,
+                                 const Findings& found);
 
 /// "0.64 s", "3.1 s or more", "yes", "burn_out", "not known".
 [[nodiscard]] std::string value_text(std::string_view name, const std::optional<Known>& known);

@@ -2,12 +2,21 @@
 #include "rules/judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
 
 namespace fantail::rules {
 namespace {
+
+bool names_any_of(const Clause& clause, std::string_view room) {
+  return std::ranges::any_of(
+      std::array{&clause.applies_if, &clause.passes_if, &clause.fails_if}, [&](const auto* expression) {
+        return *expression && std::ranges::any_of((*expression)->names(),
+                                                  [&](const std::string& name) { return name.starts_with(room); });
+      });
+}
 
 class Judge {
  public:
@@ -36,7 +45,7 @@ class Judge {
   }
 
   [[nodiscard]] Outcome outcome(const Clause& clause) const {
-    if (subject_.plan_alone && (clause.kind == Kind::computed || clause.kind == Kind::log)) {
+    if (subject_.plan_alone && (names_any_of(clause, "flight.") || names_any_of(clause, "rocket."))) {
       return Outcome::not_judged;
     }
     const std::optional<bool> applies = clause.applies_if ? value(*clause.applies_if) : std::optional{true};
@@ -47,7 +56,8 @@ class Judge {
       return Outcome::not_applicable;
     }
     if (!clause.passes_if) {
-      return Outcome::blank;
+      const std::optional<bool> fails = clause.fails_if ? value(*clause.fails_if) : std::optional{false};
+      return !fails ? Outcome::not_known : *fails ? Outcome::fail : Outcome::blank;
     }
     const std::optional<bool> passes = value(*clause.passes_if);
     return !passes ? Outcome::not_known : *passes ? Outcome::pass : Outcome::fail;
@@ -64,8 +74,10 @@ class Judge {
         }
       }
     };
-    for (const auto* expression : {&clause.applies_if, &clause.passes_if}) {
-      add(*expression ? (*expression)->names() : std::vector<std::string>{});
+    for (const auto* expression : {&clause.applies_if, &clause.passes_if, &clause.fails_if}) {
+      if (*expression) {
+        add((*expression)->deciding_names([this](const std::string& name) { return finding(name).known; }));
+      }
     }
     add(clause.evidence);
     return all;
@@ -146,6 +158,17 @@ result::Verdict verdict(const std::vector<Judged>& judged) {
                                : "Not decided",
           .sentence = sentence,
           .with_caution = passes < static_cast<std::ptrdiff_t>(judged.size())};
+}
+
+result::Verdict verdict(const std::vector<Judged>& judged, const Subject& subject) {
+  result::Verdict found = verdict(judged);
+  const bool lacks_rocket = std::ranges::any_of(judged, [](const Judged& one) {
+    return one.outcome == Outcome::not_known && names_any_of(one.clause, "rocket.");
+  });
+  if (lacks_rocket && !subject.no_rocket.empty()) {
+    found.sentence += fmt::format(" The rocket is not known: {}.", subject.no_rocket);
+  }
+  return found;
 }
 
 std::string caution(const Pack& pack) {

@@ -21,7 +21,8 @@ struct Subject {
   std::string what;         ///< "tasha3_launch2, one simulated flight"
   Findings found{};         ///< of every name that is known or for which a reason is known that it is not
   std::string why_missing;  ///< of every other name, a clause
-  bool plan_alone = false;  ///< clauses that are computed or look at a flight are not judged
+  bool plan_alone = false;  ///< clauses that name a figure of a rocket or a flight are not judged
+  std::string no_rocket{};  ///< why nothing is known of the rocket, and how to name it; empty: it is known
 };
 
 /// A launch and a flight of it.
@@ -38,6 +39,8 @@ struct Judged {
 
 /// "3 of 9 clauses fail: ... Not judged: ..."; yes where some clause passes, none fails and none is not known.
 [[nodiscard]] result::Verdict verdict(const std::vector<Judged>& judged);
+/// And how to name a rocket that a clause needs: "The rocket is not known: ..."
+[[nodiscard]] result::Verdict verdict(const std::vector<Judged>& judged, const Subject& subject);
 
 /// Words that stand on everything that a pack says: what counts, and what it was compared with.
 [[nodiscard]] std::string caution(const Pack& pack);

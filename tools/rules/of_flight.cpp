@@ -10,6 +10,7 @@
 #include "rules/departure.hpp"
 #include "rules/figures.hpp"
 #include "rules/record.hpp"
+#include "rules/return_to_trim.hpp"
 #include "sim/units.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -175,13 +176,17 @@ class OfFlight {
       }
       return;
     }
-    add("control_start_s", exactly(*start_s));
-    add("control_start_height_m", exactly(height_m(*row)), estimated());
+    const double first_s = is_log_ ? control_.first_s.value_or(*start_s) : *start_s;
+    const auto before = std::ranges::lower_bound(rows_, first_s, {}, &flight::Row::time_s);
+    const auto [low_m, high_m] = std::minmax({height_m(*before), height_m(*row)});
+    add("control_start_s", Number{first_s, *start_s}, first_s < *start_s ? "it may have begun in a hole before" : "");
+    add("control_start_height_m", Number{low_m, high_m}, estimated());
   }
 
   void add_canards() {
     if (!flight_.known.plan) {
-      for (const char* name : {"left_trim", "left_trim_s", "left_trim_height_m", "canard_before_control_deg"}) {
+      for (const char* name : {"left_trim", "left_trim_s", "left_trim_height_m", "canard_before_control_deg",
+                               "tilt_off_trim_deg", "off_trim_after_abort"}) {
         add(name, {}, "the file has no flight plan, so the trims are not known");
       }
       return;
@@ -208,6 +213,10 @@ class OfFlight {
           estimated());
     }
     add_before_control(hidden_s.has_value());
+    all_.merge(return_to_trim(flight_, rows_,
+                              is_whole()         ? ""
+                              : missing_.empty() ? "the record ends before the ascent does"
+                                                 : missing_text(missing_)));
   }
 
   void add_before_control(bool is_hidden) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -48,15 +49,22 @@ double damping_ratio(const sim::Airframe& frame, const sim::Airframe::MassProper
          (2.0 * std::sqrt(force * margin_m * mass.transverse_inertia_kg_m2));
 }
 
+/// As it flew.
+struct Flown {
+  const sim::Vehicle& vehicle;
+  std::optional<double> side_moment_m3;
+  double density_kg_m3;  ///< at the launch site
+  Number top_mach;
+};
+
 class OfRocket {
  public:
-  OfRocket(const sim::Scenario& scenario, const flight::Flight& flight) : scenario_{scenario}, flight_{flight} {}
+  explicit OfRocket(const Flown& flown) : flown_{flown}, why_beyond_{why_beyond(flown.top_mach)} {}
 
   Findings take() && {
-    const sim::Vehicle& vehicle = scenario_.vehicle;
-    add("mass_kg", exactly(vehicle.mass_kg));
-    add("total_impulse_n_s", exactly(vehicle.motor.impulse_n_s()));
-    if (const auto centres = centres_of(vehicle)) {
+    add("mass_kg", exactly(flown_.vehicle.mass_kg));
+    add("total_impulse_n_s", exactly(flown_.vehicle.motor.impulse_n_s()));
+    if (const auto centres = centres_of(flown_.vehicle)) {
       add_margins(*centres);
     } else {
       for (const char* name : {"margin_calibres", "margin_at_stop_calibres", "attack_at_stop_deg",
@@ -69,6 +77,16 @@ class OfRocket {
   }
 
  private:
+  /// Empty: the centre of pressure stayed where the vehicle states it.
+  static std::string why_beyond(const Number& mach) {
+    const std::string moves =
+        fmt::format("above Mach {} the centre of pressure moves", text::brief(flight::model_ends_at_mach, 2));
+    return mach.low > flight::model_ends_at_mach
+               ? fmt::format("the flight reaches Mach {}, and {}", text::fixed(mach.low, 2), moves)
+           : mach.high > flight::model_ends_at_mach ? "the record does not show the largest Mach number, and " + moves
+                                                    : "";
+  }
+
   void add(std::string_view name, std::optional<Known> known, std::string how = {}) {
     all_["rocket." + std::string{name}] = {std::move(known), std::move(how)};
   }
@@ -77,13 +95,10 @@ class OfRocket {
     const auto [least_m, most_m] = std::minmax({at.pressure_m - at.full_m, at.pressure_m - at.empty_m});
     const double percent = 100.0 / at.length_m;
     add("margin_at_launch_percent", exactly((at.pressure_m - at.full_m) * percent));
-    const double mach = flight_.extremes.top_mach.value_or(0.0);
-    if (mach > flight::model_ends_at_mach) {
-      const std::string why = fmt::format("the flight reaches Mach {}, and above Mach {} the centre of pressure moves",
-                                          text::fixed(mach, 2), text::brief(flight::model_ends_at_mach, 2));
+    if (!why_beyond_.empty()) {
       for (const char* name : {"margin_calibres", "margin_at_stop_calibres", "attack_at_stop_deg",
                                "least_margin_percent", "largest_margin_percent"}) {
-        add(name, {}, why);
+        add(name, {}, why_beyond_);
       }
       return;
     }
@@ -98,8 +113,8 @@ class OfRocket {
   /// rocket comes to rest where the model holds.
   void add_at_stop(const Centres& at, double least_m) {
     const double margin_m = at.pressure_m - at.empty_m;
-    const auto& shape = scenario_.vehicle.geometry;
-    const bool is_known = scenario_.vehicle.airframe && flight_.side_moment_m3 && shape && shape->canards &&
+    const auto& shape = flown_.vehicle.geometry;
+    const bool is_known = flown_.vehicle.airframe && flown_.side_moment_m3 && shape && shape->canards &&
                           shape->canards->position_m < at.pressure_m;
     if (least_m <= 0.0) {
       add("margin_at_stop_calibres", exactly(least_m / at.diameter_m), "unstable with its canards at trim, too");
@@ -112,8 +127,8 @@ class OfRocket {
       add("attack_at_stop_deg", {}, why);
       return;
     }
-    const sim::Airframe& frame = *scenario_.vehicle.airframe;
-    const double attack_rad = *flight_.side_moment_m3 * scenario_.vehicle.servo.stop_rad /
+    const sim::Airframe& frame = *flown_.vehicle.airframe;
+    const double attack_rad = *flown_.side_moment_m3 * flown_.vehicle.servo.stop_rad /
                               (frame.cross_section_m2() * frame.normal_force_slope_per_rad * margin_m);
     add("attack_at_stop_deg", exactly(text::degrees(attack_rad)));
     if (attack_rad > flight::model_ends_at_attack_rad) {
@@ -124,34 +139,52 @@ class OfRocket {
       add("margin_at_stop_calibres", exactly(least_m / at.diameter_m),
           fmt::format("the rocket rests at {} deg of attack with one canard at {} deg",
                       text::fixed(text::degrees(attack_rad), 1),
-                      text::brief(text::degrees(scenario_.vehicle.servo.stop_rad), 1)));
+                      text::brief(text::degrees(flown_.vehicle.servo.stop_rad), 1)));
     }
   }
 
   void add_damping() {
-    const auto& frame = scenario_.vehicle.airframe;
+    const auto& frame = flown_.vehicle.airframe;
     if (!frame || sim::static_margin_m(*frame, frame->at_liftoff) <= 0.0 ||
         sim::static_margin_m(*frame, frame->after_burnout) <= 0.0) {
       add("damping_ratio", {}, frame ? "the rocket is unstable" : "the vehicle has no [airframe]");
       return;
     }
-    const double density_kg_m3 = scenario_.atmosphere.density_kg_m3(0.0);
-    const auto [least, most] = std::minmax({damping_ratio(*frame, frame->at_liftoff, density_kg_m3),
-                                            damping_ratio(*frame, frame->after_burnout, density_kg_m3)});
+    if (!why_beyond_.empty()) {
+      add("damping_ratio", {}, why_beyond_);
+      return;
+    }
+    const auto [least, most] = std::minmax({damping_ratio(*frame, frame->at_liftoff, flown_.density_kg_m3),
+                                            damping_ratio(*frame, frame->after_burnout, flown_.density_kg_m3)});
     add("damping_ratio", Number{least, most}, "in the air at the launch site, without the exhaust");
   }
 
-  const sim::Scenario& scenario_;
-  const flight::Flight& flight_;
+  Flown flown_;
+  std::string why_beyond_;
   Findings all_;
 };
 
 }  // namespace
 
 Findings of_rocket(const sim::Scenario& scenario, const flight::Flight& flight) {
-  Findings all = OfRocket{scenario, flight}.take();
+  Findings all = OfRocket{{.vehicle = scenario.vehicle,
+                           .side_moment_m3 = flight.side_moment_m3,
+                           .density_kg_m3 = scenario.atmosphere.density_kg_m3(0.0),
+                           .top_mach = exactly(flight.extremes.top_mach.value_or(0.0))}}
+                     .take();
   all["flight.tilt_at_rest_deg"] = {exactly(text::degrees(scenario.guide.tilt_rad)), "of the scenario's guide"};
   return all;
+}
+
+Findings of_rocket(const sim::Vehicle& vehicle, std::optional<double> side_moment_m3, const Findings& found) {
+  const auto mach = found.find("flight.largest_mach");
+  const bool is_known = mach != found.end() && mach->second.known;
+  return OfRocket{{.vehicle = vehicle,
+                   .side_moment_m3 = side_moment_m3,
+                   .density_kg_m3 = sim::Atmosphere{}.density_kg_m3(0.0),
+                   .top_mach = is_known ? std::get<Number>(*mach->second.known)
+                                        : Number{0.0, std::numeric_limits<double>::infinity()}}}
+      .take();
 }
 
 }  // namespace fantail::rules

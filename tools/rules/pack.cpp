@@ -86,6 +86,9 @@ void check(Section& section, const Clause& clause) {
     }
     return;
   }
+  if (clause.fails_if) {
+    section.refuse("fails_if", "belongs to a clause of kind \"blank\"; this one has passes_if");
+  }
   if (!clause.passes_if) {
     section.refuse("passes_if", "is missing; a clause without it is of kind \"blank\"");
   }
@@ -117,6 +120,7 @@ Clause read_clause(const input::Document& document, input::TomlNode table, const
   clause.kind = static_cast<Kind>(section.choice("kind", kind_names));
   clause.applies_if = read_expression(section, "applies_if", names);
   clause.passes_if = read_expression(section, "passes_if", names);
+  clause.fails_if = read_expression(section, "fails_if", names);
   if (clause.kind == Kind::blank) {
     clause.team_shows = text_of(section, "team_shows");
   }

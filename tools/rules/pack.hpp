@@ -31,6 +31,7 @@ struct Clause {
   Kind kind = Kind::blank;
   std::optional<Expression> applies_if{};  ///< empty: always
   std::optional<Expression> passes_if{};   ///< empty for a blank one
+  std::optional<Expression> fails_if{};    ///< of a blank one: there is nothing that the team could show; empty: never
   std::string team_shows{};                ///< of a blank one
   std::vector<std::string> evidence{};     ///< names to show beside those of the expressions
 };

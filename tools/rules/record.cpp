@@ -41,6 +41,17 @@ ControlInLog unseen(std::string_view what, const std::vector<Hole>& hidden, std:
           .of_subject = ", which " + said};
 }
 
+/// Control that a gate ended again leaves dormant rows behind.
+std::optional<double> first_chance_s(const std::vector<flight::Row>& rows, double start_s) {
+  for (const Hole& hole : holes(rows, 0.0, start_s)) {
+    const auto after = std::ranges::lower_bound(rows, hole.to_s, {}, &flight::Row::time_s);
+    if (after != rows.end() && after->phase == core::Phase::dormant) {
+      return hole.from_s;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool ended_at_apogee(const flight::Flight& log) {
@@ -102,7 +113,7 @@ ControlInLog control_in_log(const flight::Flight& log) {
     const bool is_seen = row != rows.end() && row != rows.begin() && !is_hole(*start_s, row->time_s) &&
                          !is_hole(std::prev(row)->time_s, row->time_s);
     if (is_seen) {
-      return {.start_s = start_s, .before_s = start_s};
+      return {.start_s = start_s, .first_s = first_chance_s(rows, *start_s), .before_s = start_s};
     }
     return unseen("when", holes(rows, 0.0, row == rows.end() ? endless_s : row->time_s), start_s);
   }

@@ -36,6 +36,7 @@ struct Hole {
 /// "control never began" is said only by a record without holes.
 struct ControlInLog {
   std::optional<double> start_s{};   ///< with rows around it
+  std::optional<double> first_s{};   ///< earlier: a hole from here on may hide control that a gate ended again
   std::optional<double> before_s{};  ///< up to here it had not begun, as far as the rows show it; empty: nobody knows
   bool never_began = false;
   std::string why_unknown{};  ///< "the record misses 4.00 to 8.50 s, so it does not show when control began"

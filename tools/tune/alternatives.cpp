@@ -35,7 +35,7 @@ std::string command_of(const Request& request) {
   add("--settling", request.settling_s, usual.settling_s);
   add("--spread", request.spread, usual.spread);
   add("--flights", static_cast<double>(request.flights), static_cast<double>(usual.flights));
-  return command;
+  return command + (request.replaces ? " --force" : "");
 }
 
 }  // namespace
@@ -46,13 +46,16 @@ void try_other_kinds(Tuning& t, const sim::Scenario& scenario, const SearchAndFl
     return;  // without a known speed a plan has neither schedule nor observer
   }
   std::optional<double> least_rad;
-  std::vector<std::string> tried{command_of(t.request)};
+  Request asked = t.request;
+  asked.replaces = asked.replaces || t.is_proposed();  // its plan will be there
+  std::vector<std::string> tried{command_of(asked)};
   for (const auto& [rejection, schedule] : {std::pair{t.request.rejection, true},
                                             {core::OffsetRejection::integral, false},
                                             {core::OffsetRejection::integral, true},
                                             {core::OffsetRejection::observer, false},
                                             {core::OffsetRejection::observer, true}}) {
     Tuning other = t;
+    other.request = asked;
     other.request.rejection = rejection;
     other.request.schedule = schedule;
     other.why_none.clear();

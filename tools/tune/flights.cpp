@@ -98,6 +98,7 @@ Flown flown(const sim::Scenario& scenario) {
       scenario, [&](const flight::Row& row, const flight::Flight& /*so_far*/) { control.add(row); });
   return {.errors = roll_errors(control, judged.flight.clock),
           .outcome = judged.verdict.outcome,
+          .allowed_tilt_end_s = judged.verdict.allowed_tilt_end_s,
           .saturated_share = judged.figures.saturated_fraction.value_or(0.0),
           .extremes = judged.flight.extremes};
 }
@@ -185,6 +186,7 @@ Sum sum(const std::vector<Pair>& pairs, Flown Pair::* of) {
   bool all_known = true;
   for (const Pair& pair : pairs) {
     const Flown& flown = pair.*of;
+    all.tilt_ends.add(flown.outcome == report::Outcome::held ? flown.allowed_tilt_end_s : std::nullopt);
     all.held += flown.outcome == report::Outcome::held ? 1 : 0;
     all.steady += report::is_steady(flown.outcome) ? 1 : 0;
     all.off_command += flown.outcome == report::Outcome::off_command ? 1 : 0;

@@ -38,12 +38,13 @@ inline void fields(runs::RowText& text, RollError& error) { text(error.mean_rad,
 struct Flown {
   RollErrors errors{};
   report::Outcome outcome = report::Outcome::no_control;
-  double saturated_share = 0.0;  ///< of the time under control
+  std::optional<double> allowed_tilt_end_s{};  ///< report::Verdict
+  double saturated_share = 0.0;                ///< of the time under control
   flight::Extremes extremes{};
 };
 inline void fields(runs::RowText& text, Flown& flown) {
-  text(flown.errors.settled, flown.errors.all, flown.outcome, flown.saturated_share, flown.extremes.top_mach,
-       flown.extremes.static_margin_calibres, flown.extremes.angle_of_attack_rad);
+  text(flown.errors.settled, flown.errors.all, flown.outcome, flown.allowed_tilt_end_s, flown.saturated_share,
+       flown.extremes.top_mach, flown.extremes.static_margin_calibres, flown.extremes.angle_of_attack_rad);
 }
 
 /// One rocket of the spread by both plans.
@@ -70,9 +71,10 @@ inline void fields(runs::RowText& text, Pair& pair) {
 struct Sum {
   std::size_t flights = 0;
   std::size_t held = 0;
-  std::size_t steady = 0;         ///< held, wherever each rests and whether or not the model holds
-  std::size_t off_command = 0;    ///< of them
-  std::size_t outside_model = 0;  ///< of them
+  report::AllowedTiltEnds tilt_ends{};  ///< of them
+  std::size_t steady = 0;               ///< held, wherever each rests and whether or not the model holds
+  std::size_t off_command = 0;          ///< of them
+  std::size_t outside_model = 0;        ///< of them
   std::size_t not_judged = 0;
   flight::Extremes extremes{};          ///< the worst of all
   bool is_settled = false;              ///< the errors are those of settled roll, in every flight

@@ -22,6 +22,7 @@ struct Request {
   const runs::Folder* kept = nullptr;  ///< of finished flights; null: none are kept
   std::string command{};               ///< that repeats it
   std::string scenario_command{};      ///< the same without what this struct has: "fantail tune NAME --seed 7"
+  bool replaces = false;               ///< a plan that an earlier run wrote
   std::string version{};               ///< of the program
 };
 

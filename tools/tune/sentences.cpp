@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -113,6 +114,12 @@ std::string lost(const Sum& before, const Sum& after) {
                            text::counted(after.flights, "flight"), before.held);
 }
 
+/// With a space behind it; empty: none is held for verdict.tilt_end_before_apogee_s alone.
+std::string allowed_tilt_ends(const Sum& sum, std::string_view plan) {
+  const std::string sentence = sum.tilt_ends.sentence(sum.held, "flight");
+  return sentence.empty() ? "" : fmt::format("{}: {}. ", plan, sentence);
+}
+
 }  // namespace
 
 std::string flights_sentence(const Tuning& t) {
@@ -131,6 +138,7 @@ std::string flights_sentence(const Tuning& t) {
       "{} of the spread flown with both plans, {}: with the new plan the roll is {} from "
       "its reference, with the old one {}. ",
       rockets(after.flights), what, error(after), error(before));
+  text += allowed_tilt_ends(after, "New plan") + allowed_tilt_ends(before, "Old plan");
   if (!t.is_proposed()) {
     return text + lost(before, after);
   }
@@ -156,8 +164,9 @@ std::string present_plan(const Tuning& t) {
   if (!t.is_old_enough()) {
     return {};
   }
-  return fmt::format("The present plan holds the roll in all {} of the spread. Its linear loop has {}. ",
-                     text::counted(t.old_alone->flights, "flight"), loop(t.before));
+  return fmt::format("The present plan holds the roll in all {} of the spread. {}Its linear loop has {}. ",
+                     text::counted(t.old_alone->flights, "flight"), allowed_tilt_ends(*t.old_alone, "There"),
+                     loop(t.before));
 }
 
 std::string next_step(const Tuning& t) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <random>
 
+#include "avionics/tested_rocket.hpp"
 #include "fake_ms5611.hpp"
 #include "hal/stm32f4/barometer.hpp"
 #include "sensor_rig.hpp"
@@ -237,6 +238,34 @@ TEST_F(BarometerTrouble, AnMs5607ReadsHalf) {
   device.is_ms5607 = true;
   Barometer barometer = running();
   expect_good_for(barometer, 100, 101'325.0 / 2);
+}
+
+// With the constants of the MS5607's data sheet, which are 110 002 Pa at 20 degrees with D1 = 6465444: the thickest air
+// that was ever measured, and thin and cold air at 4 000 m.
+TEST_F(BarometerTrouble, AnMs5607IsFoundByTheSelfTestInAnyWeatherAndAnMs5611PassesIt) {
+  for (const auto& [pressure_pa, temperature_c] :
+       {std::pair{108'400.0, 40.0}, {108'400.0, -38.0}, {101'325.0, 20.0}, {58'500.0, -30.0}}) {
+    for (const bool is_ms5607 : {true, false}) {
+      device.constants = is_ms5607 ? FakeMs5611::with_crc({0, 46372, 43981, 29059, 27842, 31553, 28165, 0})
+                                   : FakeMs5611{clock}.constants;
+      device.is_ms5607 = is_ms5607;
+      device.pressure_pa = pressure_pa;
+      device.temperature_c = temperature_c;
+      Barometer barometer = running();
+      Microseconds last{};
+      avionics::alone::TestedRocket rocket{[&](avionics::alone::TestedRocket& r) {
+        const BarometerSample sample = next(barometer);
+        r.record.barometer_state = core::BarometerState::on_pad;
+        r.inputs.barometer.reset();
+        if (sample.status == Status::ok && sample.time > last) {
+          last = sample.time;
+          r.inputs.barometer = {.time = r.inputs.time, .pressure_pa = static_cast<float>(sample.pressure_pa)};
+        }
+      }};
+      rocket.run(avionics::alone::whole_test)
+          .expect(is_ms5607 ? protocol::SelfTestFailure::barometer_failed : protocol::SelfTestFailure::none);
+    }
+  }
 }
 
 }  // namespace

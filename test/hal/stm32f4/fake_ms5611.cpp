@@ -13,6 +13,7 @@ constexpr std::array<std::int64_t, 5> conversion_us{600, 1'170, 2'280, 4'540, 9'
 /// What the compensation makes of a result of the thermometer, and the other way round, in real numbers.
 struct Compensation {
   const FakeMs5611::Constants& c;
+  bool is_ms5607;
 
   [[nodiscard]] double first_order(double dt) const { return 2000.0 + dt * c[6] / 8388608.0; }
   [[nodiscard]] double temperature(double dt) const {
@@ -32,8 +33,13 @@ struct Compensation {
     double sens = c[1] * 32768.0 + c[3] * dt / 256.0;
     const double temp = first_order(dt);
     const double below_20 = std::min(temp - 2000.0, 0.0), below_minus_15 = std::min(temp + 1500.0, 0.0);
-    off -= 2.5 * below_20 * below_20 + 7.0 * below_minus_15 * below_minus_15;
-    sens -= 1.25 * below_20 * below_20 + 5.5 * below_minus_15 * below_minus_15;
+    if (is_ms5607) {  // of the same words twice as much, and another correction in the cold
+      off = 2.0 * off - 3.8125 * below_20 * below_20 - 15.0 * below_minus_15 * below_minus_15;
+      sens = 2.0 * sens - 2.0 * below_20 * below_20 - 8.0 * below_minus_15 * below_minus_15;
+    } else {
+      off -= 2.5 * below_20 * below_20 + 7.0 * below_minus_15 * below_minus_15;
+      sens -= 1.25 * below_20 * below_20 + 5.5 * below_minus_15 * below_minus_15;
+    }
     return (pressure_pa * 32768.0 + off) * 2097152.0 / sens;
   }
 };
@@ -118,13 +124,13 @@ void FakeMs5611::obey(std::uint8_t command) {
 }
 
 double FakeMs5611::measured(bool pressure) const {
-  const Compensation compensation{constants};
+  const Compensation compensation{constants, is_ms5607};
   const double dt = compensation.dt(temperature_c);
   if (!pressure) {
     return dt + constants[5] * 256.0;
   }
   const double die_pa = blocked_at_pa.value_or(pressure_pa) + light_pa;
-  return compensation.pressure_counts(is_ms5607 ? die_pa / 2 : die_pa, dt);
+  return compensation.pressure_counts(die_pa, dt);
 }
 
 void FakeMs5611::convert(std::uint8_t command) {

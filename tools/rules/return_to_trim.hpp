@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "flight/flight.hpp"
+#include "rules/figures.hpp"
+
+namespace fantail::rules {
+
+/// Servo and play have settled so long after an abort.
+inline constexpr double longest_return_s = 0.5;
+
+/// flight.tilt_off_trim_deg and flight.off_trim_after_abort, of a flight with a known plan. `ascent` are its rows up to
+/// the end of the ascent; `missing` says which are not there, empty: all are.
+[[nodiscard]] Findings return_to_trim(const flight::Flight& flight, std::span<const flight::Row> ascent,
+                                      const std::string& missing);
+
+}  // namespace fantail::rules
