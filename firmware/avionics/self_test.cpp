@@ -87,7 +87,6 @@ void SelfTest::stand_still(const core::Inputs& inputs, const core::TickRecord& r
     const bool without_imu = record.gyro_vote == core::GyroVote::second || record.gyro_vote == core::GyroVote::neither;
     return fail(without_imu ? SelfTestFailure::gyro_failed : SelfTestFailure::accelerometer_failed);
   }
-  pressure_pa_ = inputs.barometer ? inputs.barometer->pressure_pa : pressure_pa_;
   gyro_zeros_[0].take(inputs.gyro);
   gyro_zeros_[1].take(inputs.second_gyro.value_or(core::GyroSample{}));
   if (record.motion.at_rest_for == Microseconds{0}) {
@@ -122,6 +121,7 @@ void SelfTest::restart_averages(Microseconds now) {
 
 // False when an accelerometer that the plan needs has had nothing usable for longer than the plan allows.
 bool SelfTest::average(const core::Inputs& inputs) {
+  pressure_pa_ = inputs.barometer ? inputs.barometer->pressure_pa : pressure_pa_;
   for (std::size_t i = 0; i < needed_accelerometers(); ++i) {
     const core::AccelerometerSample& sample = inputs.accelerometers[i];
     Average& average = averages_[i];

@@ -67,8 +67,7 @@ void DormancyGate::watch_burn(Microseconds now, const Motion& motion) {
   }
   if (coasts_since_ && now - *coasts_since_ >= hold) {
     pause_since_ = pause_since_.value_or(*coasts_since_);
-    const float burnt_s = seconds(now - motion.thrust_since - pauses_);
-    is_burnt_out_ = is_burnt_out_ || (moves_ && burnt_s >= plan_.burn_clock_factor * seconds(plan_.burn_time));
+    is_burnt_out_ = is_burnt_out_ || (moves_ && now - motion.thrust_since - pauses_ >= burn_clock_);
   }
 }
 

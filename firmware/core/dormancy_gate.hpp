@@ -31,7 +31,9 @@ namespace fantail::core {
 class DormancyGate {
  public:
   /// `plan` has passed validate(); copied.
-  [[gnu::cold]] explicit DormancyGate(const DormancyPlan& plan) : plan_{plan} {}
+  [[gnu::cold]] explicit DormancyGate(const DormancyPlan& plan)
+      // Not from_seconds(): in a list of initialisers the prover ends with a segmentation fault on a class it returns.
+      : plan_{plan}, burn_clock_{millionths(plan.burn_clock_factor * seconds(plan.burn_time))} {}
 
   /// In every tick from the one after launch detection on, with the motion at `now`,
   /// and whether beyond the guide two accelerometers agree on it. `by_barometer`: the rocket is above this
@@ -64,6 +66,7 @@ class DormancyGate {
   void watch_height(Microseconds now, const Motion& motion, bool sure, std::optional<float> by_barometer);
 
   DormancyPlan plan_;
+  Microseconds burn_clock_;  ///< from first thrust to when burn-out is believed, pauses left out
   LowPass axial_{8.0F};
   bool moves_ = false;      ///< faster than anybody carries it
   bool is_unsure_ = false;  ///< of height and speed

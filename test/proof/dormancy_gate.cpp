@@ -83,9 +83,8 @@ int main() {
   CLAIM(is_in_order(gate, now));
   CLAIM(!by_guide || (before.is_open() && gate.is_open()));
   CLAIM(!opened || (moved && (burnt || high || past)));
-  CLAIM(!burnt ||
-        (moved && motion.accelerometer == SensorState::fresh &&
-         seconds(now - motion.thrust_since - gate.pauses_) >= plan.burn_clock_factor * seconds(plan.burn_time)));
+  CLAIM(!burnt || (moved && motion.accelerometer == SensorState::fresh &&
+                   now - motion.thrust_since - gate.pauses_ >= gate.burn_clock_));
   CLAIM(gate.pauses_ == before.pauses_ || !gate.is_burnt_out_);
   const float tilt_error = 1.4143F / standard_gravity_m_s2 * plan.bias_error_m_s2;
   const float error_m = plan.scale_error * (motion.height_m + standard_gravity_m_s2 * fallen_m) +

@@ -131,10 +131,10 @@ PROOFS = [
             Bug(
                 "there is no clock",
                 GATE,
-                "moves_ && burnt_s >= plan_.burn_clock_factor * seconds(plan_.burn_time)",
+                "moves_ && now - motion.thrust_since - pauses_ >= burn_clock_",
                 "moves_",
             ),
-            Bug("a pause is added to the clock", GATE, "seconds(now - motion.thrust_since - pauses_)", "seconds(now - motion.thrust_since)"),
+            Bug("a pause is added to the clock", GATE, "now - motion.thrust_since - pauses_", "now - motion.thrust_since"),
             Bug("thrust again does not close it", GATE, "    is_burnt_out_ = false;\n", ""),
             Bug("the margin is left out", GATE, "motion.height_m - motion_error(plan_, now, motion).height_m", "motion.height_m"),
             Bug("a height that nobody measured", GATE, "const bool sure = moves_ && !is_unsure_ &&", "const bool sure = moves_ &&"),

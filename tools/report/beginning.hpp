@@ -41,9 +41,9 @@ struct Opening {
   std::optional<double> speed_m_s{};
   std::optional<double> roll_angle_rad{};  ///< from where the law counts it
   std::optional<double> roll_rate_rad_s{};
-  std::optional<double> dormant_turns{};  ///< net, while the canards waited for the gate, every time; empty: they did
-                                          ///< not
-  std::size_t closings = 0;               ///< so often the gate closed again under control
+  /// Net, while the canards waited for the gate, every time; empty: they did not, or a hole hides when they did.
+  std::optional<double> dormant_turns{};
+  std::size_t closings = 0;  ///< so often the gate closed again under control
 
   friend bool operator==(const Opening&, const Opening&) = default;
 };

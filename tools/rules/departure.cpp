@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -52,6 +53,10 @@ struct Watch {
   }
 };
 
+bool command_is_away(const flight::Row& row, const core::FlightPlan& plan, std::size_t canard) {
+  return from_trim_deg(row.commands_rad[canard], plan.canards.each[canard]).value_or(0.0) > command_tolerance_deg;
+}
+
 }  // namespace
 
 double height_m(const flight::Row& row) { return row.truth ? row.truth->height_m : row.height_m; }
@@ -59,7 +64,7 @@ double speed_m_s(const flight::Row& row) { return row.truth ? row.truth->speed_m
 
 std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan) {
   for (std::size_t i = 0; i < core::canard_count; ++i) {
-    if (from_trim_deg(row.commands_rad[i], plan.canards.each[i]).value_or(0.0) > command_tolerance_deg) {
+    if (command_is_away(row, plan, i)) {
       return fmt::format("command of canard {}", i + 1);
     }
     if (from_trim_deg(row.encoders_rad[i], plan.canards.each[i]).value_or(0.0) > encoder_tolerance_deg) {
@@ -70,12 +75,8 @@ std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan) {
 }
 
 bool is_commanded_away(const flight::Row& row, const core::FlightPlan& plan) {
-  for (std::size_t i = 0; i < core::canard_count; ++i) {
-    if (from_trim_deg(row.commands_rad[i], plan.canards.each[i]).value_or(0.0) > command_tolerance_deg) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(std::views::iota(std::size_t{0}, core::canard_count),
+                             [&](std::size_t i) { return command_is_away(row, plan, i); });
 }
 
 Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan) {
