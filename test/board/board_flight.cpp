@@ -99,7 +99,7 @@ void look_at_pulses(const Board& board, double event_s, double end_s, Aftermath&
   double last_end_s = event_s;
   after.narrowest_us = 1e9;
   for (const HeardPulse& pulse : board.chip.pulses()) {
-    if (pulse.end_s() < event_s) {
+    if (pulse.end_s() < event_s - 1e-6) {  // one that the event itself cuts off ends with it
       continue;
     }
     const double begin_s = pulse.begin_s;

@@ -139,7 +139,14 @@ void Processor::stop() {
   leave();
 }
 
+// Not in the middle of an access to a device: the emulator would come back to the beginning of the block that it is in,
+// and what was written to the device would be written again.
 void Processor::leave() {
+  if (in_access_) {
+    leave_later_ = true;
+    return;
+  }
+  leave_later_ = false;
   left_by_us_ = true;
   uc_emu_stop(engine_);
 }
@@ -153,7 +160,7 @@ void Processor::run() {
     }
     if (!asleep_) {
       interrupt_ = 0;
-      left_by_us_ = false;
+      left_by_us_ = leave_later_ = false;
       nobody_at_.reset();
       look_ = true;
       const uc_err error = uc_emu_start(engine_, pc_ | 1U, 0xFFFF'FFFE, 0, 0);
@@ -305,6 +312,9 @@ void Processor::move_stack(std::uint32_t address) {
 // Before the block runs. What is left here is come back to: it counts when it runs.
 void Processor::block(std::uint32_t address, std::uint32_t size) {
   run_events();
+  if (leave_later_) {
+    leave();
+  }
   if (look_ && !left_by_us_) {
     const auto exception = system_.waiting();
     look_ = exception.has_value();
@@ -362,16 +372,24 @@ bool Processor::is_there(std::uint32_t address) {
     return true;
   }
   nobody_at_ = nobody_at_.value_or(address);
+  in_access_ = false;  // nothing has been written
   leave();
   return false;
 }
 
-std::uint32_t Processor::load(std::uint32_t address) { return is_there(address) ? space_.load(address) : 0; }
+std::uint32_t Processor::load(std::uint32_t address) {
+  in_access_ = true;
+  const std::uint32_t value = is_there(address) ? space_.load(address) : 0;
+  in_access_ = false;
+  return value;
+}
 
 void Processor::store(std::uint32_t address, std::uint32_t value) {
+  in_access_ = true;
   if (is_there(address)) {
     space_.store(address, value);
   }
+  in_access_ = false;
 }
 
 }  // namespace fantail::board

@@ -110,6 +110,8 @@ class Processor {
   std::uint64_t instructions_ = 0;
   int interrupt_ = 0;        ///< what the emulator said last: Unicorn's number of an exception
   bool left_by_us_ = false;  ///< and not because it sleeps
+  bool in_access_ = false;
+  bool leave_later_ = false;
   bool stopped_ = false;
   bool locked_ = false;
   bool asleep_ = false;
