@@ -66,10 +66,10 @@ std::string status_of(board::SwitchedBoard& board, const core::TickRecord& recor
     return "off\n";
   }
   const hal::sim::WorldSide& hardware = board.hardware();
-  std::string text =
-      fmt::format("on for {:.1f} s, {}; arm switch {}, abort contact {}; crystal {}; pulses", board.board()->now_s(),
-                  core::name(record.phase), hardware.arm_switch_closed ? "closed" : "open",
-                  hardware.abort_contact_closed ? "closed" : "open", board.board()->chip.crystal_runs ? "runs" : "stopped");
+  std::string text = fmt::format(
+      "on for {:.1f} s, {}; arm switch {}, abort contact {}; crystal {}; pulses", board.board()->now_s(),
+      core::name(record.phase), hardware.arm_switch_closed ? "closed" : "open",
+      hardware.abort_contact_closed ? "closed" : "open", board.board()->chip.crystal_runs ? "runs" : "stopped");
   for (const auto& pulse : hardware.pulses) {
     text += pulse ? fmt::format(" {:.1f}", 1e-3 * static_cast<double>(pulse->count())) : " none";
   }
