@@ -44,7 +44,9 @@ Board::Board(const Image& image, const Pace& pace)
   // The buses are fast and the devices behind them count microseconds; what counts clocks is led up to this moment.
   space_.before = [this](std::uint32_t address) {
     chip.clock.time = hal::Microseconds{static_cast<std::int64_t>(timeline.now_s() * 1e6)};
-    if (is_in(address, 0x4001'0400) || is_in(address, 0x4000'2800) || is_in(address, 0x4000'3000)) {
+    // Before the clocks change, too: what has passed has passed at the old ones.
+    if (is_in(address, 0x4002'3800) || is_in(address, 0x4001'0400) || is_in(address, 0x4000'2800) ||
+        is_in(address, 0x4000'3000)) {
       chip.follow();
     }
   };
@@ -88,6 +90,12 @@ void Board::connect() {
   in.spi_3.attach(in.port_a, 15, flash);
   in.spi_3.attach(in.port_b, 11, second_imu);
   in.spi_3.attach(in.port_b, 10, barometer);
+}
+
+void Board::set_crystal(bool runs) {
+  chip.follow();
+  chip.crystal_runs = runs;
+  follow();
 }
 
 void Board::run_until(double time_s) {

@@ -38,9 +38,10 @@ class Board {
   void switch_on();
   /// Something else begins the processor anew.
   void reset(ResetKind kind);
-  /// Lets that much time pass.
+  /// The crystal stops, or may start again; one that stops is missed at once.
+  void set_crystal(bool runs);
+  /// Lets time pass until then, or until stop().
   void run_until(double time_s);
-  /// Likewise, but not beyond the next time that on_stop() was asked for.
   void stop() { stopped_ = true, processor.stop(); }
   [[nodiscard]] double now_s() const { return timeline.now_s(); }
 

@@ -79,16 +79,26 @@ std::string BoardFlight::faults() const {
   return text;
 }
 
+void BoardFlight::Servo::pass_tick() {
+  const double most = rate_deg_s * tick_s;
+  const double wanted = (told_deg - is_deg) * (1.0 - std::exp(-tick_s / lag_s));
+  is_deg = std::clamp(is_deg + std::clamp(wanted, -most, most), -stop_deg, stop_deg);
+}
+
 void BoardFlight::move_servos() {
   const std::vector<HeardPulse>& pulses = board().chip.pulses();
   for (; heard_ < pulses.size(); ++heard_) {
-    told_deg_[pulses[heard_].line] = (pulses[heard_].width_us - centre_us) / us_per_deg;
+    const HeardPulse& pulse = pulses[heard_];
+    servos_[pulse.line].told_deg = (pulse.width_us - centre_us) / us_per_deg;
+    if (pulse.whole) {
+      deaf_to_cut_[pulse.line].told_deg = servos_[pulse.line].told_deg;
+    }
   }
   for (std::size_t i = 0; i < hal::canards; ++i) {
-    const double most = rate_deg_s * tick_s;
-    const double wanted = (told_deg_[i] - servos_deg_[i]) * (1.0 - std::exp(-tick_s / lag_s));
-    servos_deg_[i] = std::clamp(servos_deg_[i] + std::clamp(wanted, -most, most), -stop_deg, stop_deg);
-    most_servo_deg_ = std::max(most_servo_deg_, std::abs(servos_deg_[i]));
+    servos_[i].pass_tick();
+    deaf_to_cut_[i].pass_tick();
+    most_servo_deg_ = std::max(most_servo_deg_, std::abs(servos_[i].is_deg));
+    most_astray_deg_ = std::max(most_astray_deg_, std::abs(servos_[i].is_deg - deaf_to_cut_[i].is_deg));
   }
 }
 
@@ -144,6 +154,7 @@ Aftermath find_out(BoardFlight& flight, const std::string& name_of_event, double
   }
   look_at_pulses(board, event_s, board.now_s(), after);
   after.most_servo_deg = flight.most_servo_deg();
+  after.most_astray_deg = flight.most_astray_deg();
   after.phase = static_cast<int>(flight.record().phase);
   after.command_status = static_cast<int>(flight.record().command_status);
   put(flight.faults(), after.named);

@@ -38,10 +38,11 @@ class BoardFlight {
   [[nodiscard]] std::string faults() const;
 
   /// Where four servos stand that hear every pulse at the pins, cut ones too: 20 ms of lag, 600 degrees a second, a
-  /// stop at 25 degrees, 10 us a degree. Without pulses they stay.
-  [[nodiscard]] const std::array<double, hal::canards>& servos_deg() const { return servos_deg_; }
+  /// stop at 25 degrees, 10 us a degree. Without pulses they stay. The farthest from trim, and from where they would
+  /// stand had they heard the whole pulses alone.
   [[nodiscard]] double most_servo_deg() const { return most_servo_deg_; }
-  void forget_most_servo() { most_servo_deg_ = 0.0; }
+  [[nodiscard]] double most_astray_deg() const { return most_astray_deg_; }
+  void forget_most_servo() { most_servo_deg_ = most_astray_deg_ = 0.0; }
 
  private:
   void move_servos();
@@ -50,9 +51,15 @@ class BoardFlight {
   std::unique_ptr<sim::World> world_;
   const core::TickRecord* record_ = nullptr;
   std::size_t heard_ = 0;
-  std::array<double, hal::canards> told_deg_{};
-  std::array<double, hal::canards> servos_deg_{};
+  struct Servo {
+    double told_deg = 0.0;
+    double is_deg = 0.0;
+    void pass_tick();
+  };
+  std::array<Servo, hal::canards> servos_{};
+  std::array<Servo, hal::canards> deaf_to_cut_{};
   double most_servo_deg_ = 0.0;
+  double most_astray_deg_ = 0.0;
 };
 
 /// What happened to it, and what it did then.
@@ -68,6 +75,7 @@ struct Aftermath {
   double narrowest_us = 0.0;  ///< of whole pulses
   double widest_us = 0.0;
   double most_servo_deg = 0.0;
+  double most_astray_deg = 0.0;
   double control_after_ms = -1.0;  ///< from the event to the first tick under control behind a reset; below 0: none
   int phase = 0;                   ///< at the end
   int command_status = 0;

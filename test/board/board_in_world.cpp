@@ -68,7 +68,7 @@ BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::Fli
 
 BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std::byte> flash,
                            const sim::BoardPorts& ports)
-    : board_{image, pace}, ports_{ports} {
+    : image_{image}, board_{image, pace}, ports_{ports} {
   const auto tick = image.address_of(tick_function);
   if (!tick) {
     throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: no avionics is in it: there is no function {}",
@@ -93,8 +93,8 @@ void BoardInWorld::await_first_rate() {
   }
   if (!sees()) {
     throw text::Error{text::ErrorKind::bad_data,
-                      fmt::format("the image has not come to its first rate in {} s; it is at 0x{:08x}. It said: {}",
-                                  most_start_s, board_.processor.program_counter(), board_.console)};
+                      fmt::format("the image has not come to its first rate in {} s; it is at {}. It said: {}",
+                                  most_start_s, image_.where(board_.processor.program_counter()), board_.console)};
   }
   until_s_ = last_tick_ended_s_ + idle_s;
   board_.run_until(until_s_);
@@ -195,8 +195,9 @@ void BoardInWorld::take_record(std::uint32_t address) {
 }
 
 core::Microseconds BoardInWorld::restart(const sim::Reset& /*reset*/) {
-  throw text::Error{text::ErrorKind::bad_configuration,
-                    "faults.kind = \"reset\" cannot be flown on a virtual board yet"};
+  throw text::Error{
+      text::ErrorKind::bad_configuration,
+      "faults.kind = \"reset\" cannot be flown on a virtual board: what resets the flashed image takes its own time"};
 }
 
 }  // namespace fantail::board

@@ -46,6 +46,7 @@ class BoardInWorld final : public sim::FlightComputer {
   void mirror(std::size_t address, std::size_t size);
   void take_record(std::uint32_t address);
 
+  const Image& image_;
   Board board_;
   sim::BoardPorts ports_;
   hal::sim::WorldSide hardware_;

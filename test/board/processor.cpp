@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "processor.hpp"
 
-#include <array>
+#include <cerrno>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unicorn/unicorn.h>
 
 namespace fantail::board {
@@ -23,9 +25,20 @@ constexpr std::uint32_t precise_bus_fault = 1U << 9U | 1U << 15U;
 
 void expect(uc_err error) {
   if (error != UC_ERR_OK) {
-    throw std::runtime_error{fmt::format("the emulator refused: {}{}", uc_strerror(error),
-                                         error == UC_ERR_NOMEM ? ". It wants 1 GiB of address space" : "")};
+    throw std::runtime_error{fmt::format("the emulator refused: {}", uc_strerror(error))};
   }
+}
+
+// Where it does not get this for its translations, it ends the whole program with words of its own.
+void demand_address_space() {
+  constexpr std::size_t wanted = 1U << 30U;
+  void* const place =
+      ::mmap(nullptr, wanted, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (place == MAP_FAILED) {
+    throw std::system_error{errno, std::generic_category(),
+                            "the emulator wants 1 GiB of address space, of which it uses little"};
+  }
+  ::munmap(place, wanted);
 }
 
 std::uint64_t counts(double cycles) {
@@ -65,6 +78,7 @@ Processor::Processor(const Image& image, AddressSpace& space, SystemBlock& syste
       counts_per_instruction_{counts(pace.cycles_per_instruction)},
       counts_per_access_{counts(pace.cycles_per_access)},
       instructions_at_(Image::flash_size / 2) {
+  demand_address_space();
   expect(uc_open(UC_ARCH_ARM, static_cast<uc_mode>(UC_MODE_THUMB | UC_MODE_MCLASS), &engine_));
   expect(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_M4));
   expect(uc_mem_map(engine_, Image::flash_begin, Image::flash_size, UC_PROT_READ | UC_PROT_EXEC));

@@ -112,7 +112,7 @@ void run_board(const BoardOptions& options) {
        {"power on", "switch the board on", [&] { board->switch_on(); }},
        {"reset", "press the reset button", [&] { when_on([](board::Board& it) { it.reset(board::ResetKind::pin); }); }},
        {"crystal stop", "stop the crystal until power off",
-        [&] { when_on([](board::Board& it) { it.chip.crystal_runs = false; }); }},
+        [&] { when_on([](board::Board& it) { it.set_crystal(false); }); }},
        {"status", "tell how the board is", [&] {
           show_text(status_of(*board, record));
           std::fflush(stdout);

@@ -6,7 +6,7 @@
 
 namespace fantail::boards {
 
-/// Are the bytes of this program those that were built? Looked at in parts, because all of them together take 4 ms.
+/// Are the bytes of this program those that were built? Looked at in parts, because all of them together take 3 ms.
 class ImageCheck {
  public:
   /// So many bytes more, at most.

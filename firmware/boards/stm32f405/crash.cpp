@@ -56,8 +56,8 @@ extern "C" [[noreturn, gnu::used]] void after_crash(const std::uint32_t* frame, 
   // From then on the timer counts at a tenth of its speed: a pulse at trim would be one of 15 ms, and the watchdog
   // faster than its end.
   const bool crystal_stopped = (scb().icsr.read() & registers::scb_icsr_vectactive) == nmi;
-  if (crystal_stopped && hardware != nullptr) {
-    hal::stm32f4::Servo::end_without_crystal(tim8(), hardware->servo().counts());
+  if (crystal_stopped) {
+    hal::stm32f4::Servo::end_without_crystal(tim8(), hardware != nullptr ? hardware->servo().counts() : at_trim);
   } else if (hardware != nullptr && flying != nullptr) {
     at_trim = hardware->servo().counts(flying->pulses_at_trim());
     hal::stm32f4::Servo::drive(tim8(), at_trim);

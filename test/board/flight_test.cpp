@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The bytes that are flashed, in flight.
+#include <csignal>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include "board_flight.hpp"
+#include "input/scenario_file.hpp"
+#include "resets.hpp"
+#include "system/folder.hpp"
+#include "system/process.hpp"
+
+namespace fantail::board {
+namespace {
+
+using test::fantail;
+using test::Outcome;
+using testing::HasSubstr;
+
+const std::string image_file = std::string{FANTAIL_TEST_SOURCE} + "/build/arm/fantail-stm32f405.elf";
+
+class FlashedImage : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(image_file)) {
+      GTEST_SKIP() << "no image; ./dev firmware builds it";
+    }
+  }
+};
+
+TEST_F(FlashedImage, FliesFromResetToLandingAndItsFlashRepeatsByteForByte) {
+  const test::Folder folder;
+  const Outcome flown = fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file, "--out", "flown"},
+                                {.working_folder = folder.path()});
+  EXPECT_EQ(flown.exit_code, 0) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("every output byte as recorded"));
+  for (const char* file : {"board_pulses.csv", "board_can.log", "board_console.txt", "report.html", "flight.ftl"}) {
+    EXPECT_GT(std::filesystem::file_size(folder.path() / "flown" / file), 100U) << file;
+  }
+}
+
+// What its makers may rely on: docs/devices.md.
+TEST_F(FlashedImage, HasPulsesAgainWithinTenMillisecondsOfAnyResetAndFortyWithoutCrystal) {
+  const Image image{image_file};
+  const auto scenario = input::load_scenario("tasha3_launch2", {});
+  BoardFlight flight{image, scenario};
+  ASSERT_TRUE(flight.fly_to(core::Phase::controlling, 30.0));
+  flight.fly_for(0.5);
+  for (const ResetCase& each : all_resets(image)) {
+    const Aftermath after = what_if(flight, std::string{each.name}, 1e-3, 0.1, each.happens);
+    ASSERT_TRUE(after.is_there) << each.name;
+    EXPECT_EQ(after.restarts, 1) << each.name;
+    EXPECT_GT(after.boot_ms, 5.0) << each.name;
+    EXPECT_LT(after.boot_ms, each.name == "crystal stops" ? 40.0 : 10.0) << each.name;
+    EXPECT_GE(after.narrowest_us, 1'390.0) << each.name << ": 9 deg, and what its own oscillator is off";
+    EXPECT_LE(after.widest_us, 1'610.0) << each.name;
+    EXPECT_EQ(after.control_after_ms >= 0.0, each.flies_on) << each.name;
+  }
+  EXPECT_TRUE(flight.board().violations().empty()) << flight.board().violations().front();
+}
+
+TEST_F(FlashedImage, WithoutTheAddressSpaceThatTheEmulatorWantsItSaysSo) {
+  const test::Folder folder;
+  const Outcome outcome = fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file},
+                                  {.working_folder = folder.path(), .prepare = [] {
+                                     const rlimit small{.rlim_cur = 700U << 20U, .rlim_max = 700U << 20U};
+                                     ::setrlimit(RLIMIT_AS, &small);
+                                   }});
+  EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("the emulator wants 1 GiB of address space, of which it uses little: "));
+}
+
+TEST_F(FlashedImage, OneThatNeverComesToItsFirstTickIsNamedWithThePlaceWhereItIs) {
+  const test::Folder folder;
+  const Outcome outcome = fantail({"fly", "tasha3_launch2", "--on", "board", "--image",
+                                   std::string{FANTAIL_TEST_SOURCE} + "/build/arm/fantail-count.elf"},
+                                  {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("fantail-count.elf: "));
+}
+
+}  // namespace
+}  // namespace fantail::board
