@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <sys/wait.h>
-#include <unistd.h>
+#include "in_fork.hpp"
 
 namespace fantail::board {
 namespace {
@@ -155,24 +154,9 @@ Aftermath find_out(BoardFlight& flight, const std::string& name_of_event, double
 
 Aftermath what_if(BoardFlight& flight, const std::string& name, double delay_s, double time_s,
                   const std::function<void(Board&)>& event) {
-  int ends[2]{};
-  if (::pipe(ends) != 0) {
-    return {};
-  }
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const Aftermath found = find_out(flight, name, delay_s, time_s, event);
-    (void)!::write(ends[1], &found, sizeof found);
-    ::_exit(0);
-  }
-  ::close(ends[1]);
-  Aftermath after;
-  if (::read(ends[0], &after, sizeof after) != sizeof after) {
-    after = {};
-    put(name, after.event);
-  }
-  ::close(ends[0]);
-  ::waitpid(child, nullptr, 0);
+  const auto found = in_fork<Aftermath>(60, [&] { return find_out(flight, name, delay_s, time_s, event); });
+  Aftermath after = found.value_or(Aftermath{});
+  put(name, after.event);
   return after;
 }
 
