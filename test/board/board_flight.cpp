@@ -17,6 +17,13 @@ constexpr double lag_s = 0.020;
 constexpr double rate_deg_s = 600.0;
 constexpr double stop_deg = 25.0;
 
+template <std::size_t n>
+void put(const std::string& text, std::array<char, n>& place) {
+  std::strncpy(place.data(), text.c_str(), n - 1);
+}
+
+}  // namespace
+
 const char* name(ResetKind kind) {
   switch (kind) {
     case ResetKind::power_on: return "power on";
@@ -28,18 +35,24 @@ const char* name(ResetKind kind) {
   return "?";
 }
 
-template <std::size_t n>
-void put(const std::string& text, std::array<char, n>& place) {
-  std::strncpy(place.data(), text.c_str(), n - 1);
-}
-
-}  // namespace
-
 BoardFlight::BoardFlight(const Image& image, const sim::Scenario& scenario, const Pace& pace)
+    : BoardFlight{scenario, [&](const core::FlightPlan& plan, const sim::BoardPorts& ports) {
+                    return std::make_unique<BoardInWorld>(image, pace, plan, ports);
+                  }} {}
+
+BoardFlight::BoardFlight(const Image& image, const sim::Scenario& scenario, const std::function<void(Board&)>& spoil)
+    : BoardFlight{scenario, [&](const core::FlightPlan& plan, const sim::BoardPorts& ports) {
+                    auto made = std::make_unique<BoardInWorld>(image, Pace{}, flash_with(plan), ports);
+                    spoil(made->board());
+                    return made;
+                  }} {}
+
+BoardFlight::BoardFlight(const sim::Scenario& scenario, const Make& make)
     : world_{std::make_unique<sim::World>(
           scenario, sim::World::large_flash,
           [&](const core::FlightPlan& plan, const sim::BoardPorts& ports, const avionics::Identity& /*identity*/) {
-            auto made = std::make_unique<BoardInWorld>(image, pace, plan, ports);
+            auto made = make(
+                plan, {.can_bus = ports.can_bus, .flash = ports.flash, .console = console_, .entropy = ports.entropy});
             in_world_ = made.get();
             return made;
           })} {

@@ -15,11 +15,12 @@ using Chosen = std::function<bool(const Trial&)>;
 
 long count(std::span<const Trial> trials, const Chosen& chosen) { return std::ranges::count_if(trials, chosen); }
 
-/// A flight that goes on as it should have.
+// What the safety case does not allow, or does not speak of.
 bool is_finding(const Trial& trial, core::Phase phase) {
   const bool lost = trial.outcome == Outcome::safe && core::is_flight(phase);
-  return is_beyond(trial) || lost || trial.pins.beyond_plan > 0 || trial.outcome == Outcome::stands ||
-         trial.outcome == Outcome::no_end || trial.outcome == Outcome::ended_for_flight;
+  return is_beyond(trial) || lost || trial.outcome == Outcome::unnamed || trial.pins.beyond_plan > 0 ||
+         trial.outcome == Outcome::stands || trial.outcome == Outcome::no_end ||
+         trial.outcome == Outcome::ended_for_flight;
 }
 
 std::string by_outcome(std::span<const Trial> trials, const std::vector<std::pair<std::string, Chosen>>& columns) {
@@ -132,11 +133,13 @@ std::string table_of(std::span<const Trial> trials, std::span<const Moment> mome
   for (const Trial& trial : trials) {
     if (is_finding(trial, moments[trial.moment].phase)) {
       text += fmt::format(
-          "flip {}: {}, {} {} at pc 0x{:08x}: {}{}; farthest {:.1f} us, beyond plan {}, hard {}; {:.0f} ms beyond; "
+          "flip {}: {}, {} {}, pc near 0x{:08x}: {}; named: {}; last reset: {}; pulses {:.1f} us off centre, beyond "
+          "the "
+          "plan {}, the hard limit {}; canard beyond for {:.0f} ms; roll {:.1f} deg off; {:.0f} ms without a tick; "
           "{}\n",
           trial.number, moments[trial.moment].name, trial.place.data(), trial.symbol.data(), trial.pc,
-          name(trial.outcome), trial.named[0] == '\0' ? "" : std::string{", "} + trial.named.data(),
-          trial.pins.farthest_us, trial.pins.beyond_plan, trial.pins.beyond_hard, trial.pins.longest_beyond_ms,
+          name(trial.outcome), trial.named.data(), trial.restart.data(), trial.pins.farthest_us, trial.pins.beyond_plan,
+          trial.pins.beyond_hard, trial.pins.longest_beyond_ms, trial.roll_error_deg, trial.silence_ms,
           trial.complaint.data());
     }
   }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "in_fork.hpp"
@@ -81,6 +83,9 @@ class Flying {
       diarist.step(course_);
       watch.follow();
       without_tick_ = flight_.had_tick() ? 0 : without_tick_ + 1;
+      if (!ended_by_ && flight_.record().phase == core::Phase::finished && board.restarts.size() == restarts_before_) {
+        ended_by_ = flight_.record().reason;
+      }
       trial_.silence_ms = std::max(trial_.silence_ms, static_cast<float>(without_tick_));
       trial_.roll_error_deg = std::max(
           trial_.roll_error_deg, std::abs(course_.roll_deg[course_.ticks - 1] - plain_.roll_deg[course_.ticks - 1]));
@@ -90,10 +95,12 @@ class Flying {
     if (!board.processor.complaints.empty()) {
       put(board.processor.complaints.back(), trial_.complaint);
     }
-    const bool other_phase = course_.phases[course_.ticks - 1] != plain_.phases[course_.ticks - 1];
-    put(is_named()    ? flight_.faults()
-        : other_phase ? std::string{core::name(flight_.record().reason)}
-                      : std::string{},
+    if (board.restarts.size() != restarts_before_) {
+      put(board::name(board.restarts.back().kind), trial_.restart);
+    }
+    put(is_named()           ? flight_.faults()
+        : !is_in_its_phase() ? std::string{core::name(flight_.record().reason)}
+                             : std::string{},
         trial_.named);
     return trial_;
   }
@@ -124,19 +131,27 @@ class Flying {
            course_.phases[course_.ticks - 1] != plain_.phases[course_.ticks - 1];
   }
 
+  // A flight that a reset held up comes a little later into its next phase.
+  [[nodiscard]] bool is_in_its_phase() const {
+    const auto plain = static_cast<core::Phase>(plain_.phases[course_.ticks - 1]);
+    const core::Phase phase = flight_.record().phase;
+    return phase == plain || (core::is_flight(phase) && core::is_flight(plain));
+  }
+
   [[nodiscard]] Outcome outcome() const {
     const Board& board = flight_.board();
-    const bool as_before = course_.phases[course_.ticks - 1] == plain_.phases[course_.ticks - 1];
     if (without_tick_ > standing_ticks) {
       return Outcome::stands;
     }
-    if (board.restarts.size() != restarts_before_ && (as_before || flight_.record().phase == core::Phase::safe)) {
-      return !as_before                                          ? Outcome::safe
-             : board.restarts.back().kind == ResetKind::watchdog ? Outcome::watchdog
-                                                                 : Outcome::crashed;
+    if (board.restarts.size() != restarts_before_) {
+      return ended_by_ && is_fault(*ended_by_) ? Outcome::ended_for_fault  // and what is over need not go on
+             : is_in_its_phase()
+                 ? board.restarts.back().kind == ResetKind::watchdog ? Outcome::watchdog : Outcome::crashed
+             : flight_.record().phase == core::Phase::safe ? Outcome::safe
+                                                           : Outcome::ended_for_fault;
     }
-    if (!as_before) {
-      return is_fault(flight_.record().reason) ? Outcome::ended_for_fault : Outcome::ended_for_flight;
+    if (!is_in_its_phase()) {
+      return is_fault(flight_.record().reason) || is_named() ? Outcome::ended_for_fault : Outcome::ended_for_flight;
     }
     return is_named() ? Outcome::named : is_other() ? Outcome::unnamed : Outcome::nothing;
   }
@@ -151,6 +166,7 @@ class Flying {
   Timeline::Event event_ = 0;
   int calls_ = 0;
   std::size_t without_tick_ = 0;
+  std::optional<core::PhaseReason> ended_by_;  ///< before any reset
   Course course_;
   Trial trial_;
 };
@@ -184,8 +200,15 @@ std::optional<Course> fly_as_it_is(BoardFlight& flight) {
 }
 
 Trial fly_with(BoardFlight& flight, const Image& image, const core::FlightPlan& plan, const MemoryMap& map,
-               const Course& plain, const Flip& flip) {
-  const auto found = in_fork<Trial>(most_seconds, [&] { return Flying{flight, image, map, plain, flip}.fly(plan); });
+               const Course& plain, const Flip& flip, bool aloud) {
+  const auto found = in_fork<Trial>(most_seconds, [&] {
+    const std::size_t said = flight.said().size();
+    const Trial flown = Flying{flight, image, map, plain, flip}.fly(plan);
+    if (aloud) {
+      std::fputs(flight.said().c_str() + said, stderr);
+    }
+    return flown;
+  });
   Trial trial = found.value_or(Trial{});
   trial.number = flip.number();
   trial.region = flip.region();

@@ -20,8 +20,8 @@ enum class Outcome : std::uint8_t {
   named,             ///< it flew on, and a fault was named
   crashed,           ///< the firmware noticed, reset itself, and the flight went on
   watchdog,          ///< the watchdog reset it, and the flight went on
-  ended_for_fault,   ///< Finished, and the reason is a fault
-  ended_for_flight,  ///< another phase than without it, and the reason is none
+  ended_for_fault,   ///< another phase than without it, and a fault was named
+  ended_for_flight,  ///< the same, and none was
   safe,              ///< a reset, and then Safe
   stands,            ///< no ticks any more, and no reset
   no_end,            ///< the emulator or this program came to no end
@@ -59,6 +59,7 @@ struct Trial {
   std::uint32_t pc = 0;               ///< where the processor was, within a block or two
   std::array<char, 24> place{};       ///< register or address, and bit
   std::array<char, 96> symbol{};      ///< of the address
+  std::array<char, 12> restart{};     ///< kind of the last reset that followed; empty: none
   std::array<char, 96> named{};       ///< by the bus, or the reason of the phase
   std::array<char, 160> complaint{};  ///< the last of the processor's
 };
@@ -66,8 +67,8 @@ struct Trial {
 /// Flies a flight on, in a process of its own, as it is.
 [[nodiscard]] std::optional<Course> fly_as_it_is(BoardFlight& flight);
 
-/// Likewise, and the bit flips. `plain` is the flight without.
+/// Likewise, and the bit flips. `plain` is the flight without. Aloud: on stderr is what the console says from then on.
 [[nodiscard]] Trial fly_with(BoardFlight& flight, const Image& image, const core::FlightPlan& plan,
-                             const MemoryMap& map, const Course& plain, const Flip& flip);
+                             const MemoryMap& map, const Course& plain, const Flip& flip, bool aloud);
 
 }  // namespace fantail::board

@@ -3,29 +3,28 @@
 //
 //   board_flips IMAGE COUNT [SEED [FLIP]]
 //
-// COUNT flips, each in a flight of its own; FLIP: only that one of them. Two flights at a time.
+// COUNT flips, each in a flight of its own; FLIP: only that one of them, and what the console says then. Two flights at
+// a time.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include "flip_table.hpp"
 #include "input/scenario_file.hpp"
+#include "two_workers.hpp"
 
 namespace {
 
 using namespace fantail::board;
 using fantail::core::Phase;
 
-constexpr int workers = 2;
-constexpr int progress_ms = 10'000;
 constexpr std::array moments{Moment{"armed", Phase::armed, 1.0, 10},
                              Moment{"launched", Phase::launched, 0.05, 10},
                              Moment{"control + 0 s", Phase::controlling, 0.0, 14},
@@ -50,7 +49,8 @@ void await_report(BoardFlight& flight) {
 }
 
 /// One of those who work: flies, and at each moment tries its part of the flips.
-void work(const Image& image, const fantail::sim::Scenario& scenario, const std::vector<Flip>& flips, int pipe) {
+void work(const Image& image, const fantail::sim::Scenario& scenario, const std::vector<Flip>& flips, bool aloud,
+          const std::function<void(const Trial&)>& tell) {
   BoardFlight flight{image, scenario};
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const bool begins = i == 0 || moments[i - 1].phase != moments[i].phase;
@@ -68,40 +68,12 @@ void work(const Image& image, const fantail::sim::Scenario& scenario, const std:
     }
     for (const Flip& flip : flips) {
       if (flip.moment(weights()) == i) {
-        Trial trial = fly_with(flight, image, scenario.plan, map, *plain, flip);
+        Trial trial = fly_with(flight, image, scenario.plan, map, *plain, flip, aloud);
         trial.moment = i;
-        (void)!::write(pipe, &trial, sizeof trial);
+        tell(trial);
       }
     }
   }
-}
-
-/// All trials, as they come from those who work.
-std::vector<Trial> gather(int pipe, std::size_t wanted) {
-  using Clock = std::chrono::steady_clock;
-  std::vector<Trial> trials;
-  const auto began = Clock::now();
-  const auto passed_s = [&] { return std::chrono::duration<double>{Clock::now() - began}.count(); };
-  double told_s = 0.0;
-  for (;;) {
-    pollfd waiting{.fd = pipe, .events = POLLIN, .revents = 0};
-    if (::poll(&waiting, 1, progress_ms) > 0) {
-      Trial trial;
-      if (::read(pipe, &trial, sizeof trial) != sizeof trial) {
-        break;
-      }
-      trials.push_back(trial);
-    }
-    if (passed_s() > told_s + 1e-3 * progress_ms) {
-      told_s = passed_s();
-      const double rate = static_cast<double>(trials.size()) / told_s;
-      std::fprintf(stderr, "%zu of %zu flips, %.1f a second, %.0f s left\n", trials.size(), wanted, rate,
-                   static_cast<double>(wanted - trials.size()) / std::max(rate, 1e-3));
-    }
-  }
-  std::ranges::sort(trials, {}, &Trial::number);
-  std::printf("%zu flips in %.0f s\n\n", trials.size(), passed_s());
-  return trials;
 }
 
 int run(int argc, char** argv) {
@@ -115,32 +87,17 @@ int run(int argc, char** argv) {
   std::printf("seed %llu, tasha3_launch2\n", static_cast<unsigned long long>(seed));
   std::fflush(stdout);
   const auto scenario = fantail::input::load_scenario("tasha3_launch2", {});
-  int ends[2]{};
-  if (::pipe(ends) != 0) {
-    throw std::runtime_error{"no pipe"};
-  }
-  std::vector<pid_t> children;
-  for (int worker = 0; worker < workers; ++worker) {
-    children.push_back(::fork());
-    if (children.back() == 0) {
-      ::close(ends[0]);
-      std::vector<Flip> mine;
-      std::ranges::copy_if(flips, std::back_inserter(mine),
-                           [&](const Flip& flip) { return flip.number() % workers == worker; });
-      try {
-        work(image, scenario, mine, ends[1]);
-      } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        ::_exit(1);
-      }
-      ::_exit(0);
-    }
-  }
-  ::close(ends[1]);
-  const std::vector<Trial> trials = gather(ends[0], flips.size());
-  for (const pid_t child : children) {
-    ::waitpid(child, nullptr, 0);
-  }
+  const auto began = std::chrono::steady_clock::now();
+  std::vector<Trial> trials =
+      by_two_workers<Trial>(flips.size(), "flips", [&](int worker, const std::function<void(const Trial&)>& tell) {
+        std::vector<Flip> mine;
+        std::ranges::copy_if(flips, std::back_inserter(mine),
+                             [&](const Flip& flip) { return flip.number() % workers == worker; });
+        work(image, scenario, mine, argc > 4, tell);
+      });
+  std::ranges::sort(trials, {}, &Trial::number);
+  std::printf("%zu flips in %.0f s\n\n", trials.size(),
+              std::chrono::duration<double>{std::chrono::steady_clock::now() - began}.count());
   std::fputs(table_of(trials, moments).c_str(), stdout);
   return trials.size() != flips.size() || std::ranges::any_of(trials, is_beyond) ? 1 : 0;
 }
