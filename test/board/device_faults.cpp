@@ -69,15 +69,16 @@ void print_flight(const DeviceFault& fault, const DeviceTrial& trial) {
 void work(const Image& image, const std::vector<DeviceFault>& faults, const std::vector<std::size_t>& mine,
           const std::function<void(const Row&)>& tell) {
   const fantail::sim::Scenario scenarios[]{fantail::input::load_scenario("tasha3_launch2", {}), with_all_sensors()};
-  std::unique_ptr<ControlledFlight> flown[2];
+  std::unique_ptr<ControlledFlight> flown;
+  const fantail::sim::Scenario* flies = nullptr;
   for (const std::size_t i : mine) {
-    const std::size_t which = faults[i].needs_all_sensors ? 1 : 0;
-    if (!flown[which]) {
-      flown[which] = std::make_unique<ControlledFlight>(image, scenarios[which]);
+    const fantail::sim::Scenario& scenario = scenarios[faults[i].needs_all_sensors ? 1 : 0];
+    if (&scenario != flies) {
+      flown.reset();  // the registers of a process are those of the board that was made last
+      flown = std::make_unique<ControlledFlight>(image, scenario);
+      flies = &scenario;
     }
-    tell({.fault = i,
-          .at_boot = boot_with(image, scenarios[which], faults[i]),
-          .in_flight = fly_with(*flown[which], faults[i])});
+    tell({.fault = i, .at_boot = boot_with(image, scenario, faults[i]), .in_flight = fly_with(*flown, faults[i])});
   }
 }
 
@@ -90,6 +91,7 @@ int run(const Image& image, const std::string& device) {
         for (auto i = static_cast<std::size_t>(worker); i < faults.size(); i += workers) {
           mine.push_back(i);
         }
+        std::ranges::stable_sort(mine, {}, [&](std::size_t i) { return faults[i].needs_all_sensors; });
         work(image, faults, mine, tell);
       });
   std::ranges::sort(rows, {}, &Row::fault);

@@ -19,6 +19,7 @@ namespace fantail::board {
 namespace {
 
 constexpr unsigned most_seconds = 120;  ///< of this program
+constexpr double arm_s = 3.0;           ///< after power-up: the IMU has tested itself, and the board was at rest
 constexpr double most_pad_s = 20.0;
 constexpr double watched_s = 1.5;  ///< on after the arming: the board tells its faults once a second
 
@@ -74,7 +75,9 @@ void note_end(BoardFlight& flight, const TickMeter& meter, std::size_t said_befo
   }
 }
 
-DeviceTrial boot(const Image& image, const sim::Scenario& scenario, const DeviceFault& fault) {
+DeviceTrial boot(const Image& image, sim::Scenario scenario, const DeviceFault& fault) {
+  scenario.arm_time_s = arm_s;
+  scenario.pad_time_s = 2.0 * most_pad_s;
   std::optional<BoardWires> wires;
   std::optional<TickMeter> meter;
   BoardFlight flight{image, scenario, [&](Board& board) {
