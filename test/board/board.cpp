@@ -81,15 +81,16 @@ void Board::begin(ResetKind kind) {
 // As docs/hardware.md.
 void Board::connect() {
   ResetDomain& in = *chip.domain;
-  in.spi_1.attach(in.port_a, 4, imu);
-  in.spi_2.attach(in.port_b, 12, encoders[0]);
-  in.spi_2.attach(in.port_b, 0, encoders[1]);
-  in.spi_2.attach(in.port_b, 1, encoders[2]);
-  in.spi_2.attach(in.port_c, 5, encoders[3]);
-  in.spi_3.attach(in.port_c, 4, accelerometer);
-  in.spi_3.attach(in.port_a, 15, flash);
-  in.spi_3.attach(in.port_b, 11, second_imu);
-  in.spi_3.attach(in.port_b, 10, barometer);
+  const auto at = [this](devices::SpiSlave& device) -> devices::SpiSlave& { return wire ? wire(device) : device; };
+  in.spi_1.attach(in.port_a, 4, at(imu));
+  in.spi_2.attach(in.port_b, 12, at(encoders[0]));
+  in.spi_2.attach(in.port_b, 0, at(encoders[1]));
+  in.spi_2.attach(in.port_b, 1, at(encoders[2]));
+  in.spi_2.attach(in.port_c, 5, at(encoders[3]));
+  in.spi_3.attach(in.port_c, 4, at(accelerometer));
+  in.spi_3.attach(in.port_a, 15, at(flash));
+  in.spi_3.attach(in.port_b, 11, at(second_imu));
+  in.spi_3.attach(in.port_b, 10, at(barometer));
 }
 
 void Board::set_crystal(bool runs) {

@@ -84,10 +84,13 @@ class Board {
   double battery_v = 12.0;
   bool arm_switch_closed = false;
   bool abort_contact_closed = false;
+  /// What the processor reaches instead of this device; empty: itself. See connect().
+  std::function<devices::SpiSlave&(devices::SpiSlave& device)> wire{};
+  /// Wires all devices to the processor, as after every reset.
+  void connect();
 
  private:
   void begin(ResetKind kind);
-  void connect();
   void follow();
   void pass_slot();
   void pass_byte();

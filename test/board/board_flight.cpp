@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include <sys/wait.h>
-#include <unistd.h>
+#include "in_fork.hpp"
 
 namespace fantail::board {
 namespace {
@@ -17,6 +16,13 @@ constexpr double us_per_deg = 10.0;
 constexpr double lag_s = 0.020;
 constexpr double rate_deg_s = 600.0;
 constexpr double stop_deg = 25.0;
+
+template <std::size_t n>
+void put(const std::string& text, std::array<char, n>& place) {
+  std::strncpy(place.data(), text.c_str(), n - 1);
+}
+
+}  // namespace
 
 const char* name(ResetKind kind) {
   switch (kind) {
@@ -29,18 +35,24 @@ const char* name(ResetKind kind) {
   return "?";
 }
 
-template <std::size_t n>
-void put(const std::string& text, std::array<char, n>& place) {
-  std::strncpy(place.data(), text.c_str(), n - 1);
-}
-
-}  // namespace
-
 BoardFlight::BoardFlight(const Image& image, const sim::Scenario& scenario, const Pace& pace)
+    : BoardFlight{scenario, [&](const core::FlightPlan& plan, const sim::BoardPorts& ports) {
+                    return std::make_unique<BoardInWorld>(image, pace, plan, ports);
+                  }} {}
+
+BoardFlight::BoardFlight(const Image& image, const sim::Scenario& scenario, const std::function<void(Board&)>& spoil)
+    : BoardFlight{scenario, [&](const core::FlightPlan& plan, const sim::BoardPorts& ports) {
+                    auto made = std::make_unique<BoardInWorld>(image, Pace{}, flash_with(plan), ports);
+                    spoil(made->board());
+                    return made;
+                  }} {}
+
+BoardFlight::BoardFlight(const sim::Scenario& scenario, const Make& make)
     : world_{std::make_unique<sim::World>(
           scenario, sim::World::large_flash,
           [&](const core::FlightPlan& plan, const sim::BoardPorts& ports, const avionics::Identity& /*identity*/) {
-            auto made = std::make_unique<BoardInWorld>(image, pace, plan, ports);
+            auto made = make(
+                plan, {.can_bus = ports.can_bus, .flash = ports.flash, .console = console_, .entropy = ports.entropy});
             in_world_ = made.get();
             return made;
           })} {
@@ -166,24 +178,9 @@ Aftermath find_out(BoardFlight& flight, const std::string& name_of_event, double
 
 Aftermath what_if(BoardFlight& flight, const std::string& name, double delay_s, double time_s,
                   const std::function<void(Board&)>& event) {
-  int ends[2]{};
-  if (::pipe(ends) != 0) {
-    return {};
-  }
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const Aftermath found = find_out(flight, name, delay_s, time_s, event);
-    (void)!::write(ends[1], &found, sizeof found);
-    ::_exit(0);
-  }
-  ::close(ends[1]);
-  Aftermath after;
-  if (::read(ends[0], &after, sizeof after) != sizeof after) {
-    after = {};
-    put(name, after.event);
-  }
-  ::close(ends[0]);
-  ::waitpid(child, nullptr, 0);
+  const auto found = in_fork<Aftermath>(60, [&] { return find_out(flight, name, delay_s, time_s, event); });
+  Aftermath after = found.value_or(Aftermath{});
+  put(name, after.event);
   return after;
 }
 

@@ -7,19 +7,26 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "board_in_world.hpp"
+#include "hal/console.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::board {
+
+[[nodiscard]] const char* name(ResetKind kind);
 
 /// A flight of the flashed image in a simulated world, to which something may happen at any instant.
 class BoardFlight {
  public:
   /// Both outlive it.
   BoardFlight(const Image& image, const sim::Scenario& scenario, const Pace& pace = {});
+  /// The same from its power-up on, before anything has run: a board that `spoil` has seen need not come to its first
+  /// rate.
+  BoardFlight(const Image& image, const sim::Scenario& scenario, const std::function<void(Board&)>& spoil);
 
   /// Until the avionics is in this phase, at most so long. False when it never was.
   [[nodiscard]] bool fly_to(core::Phase phase, double at_most_s);
@@ -36,6 +43,8 @@ class BoardFlight {
   [[nodiscard]] bool had_tick() const { return in_world_->had_tick(); }
   /// The faults that the board tells on its bus, by their names.
   [[nodiscard]] std::string faults() const;
+  /// All that its console has said in the world.
+  [[nodiscard]] const std::string& said() const { return console_.said; }
 
   /// Where four servos stand that hear every pulse at the pins, cut ones too: 20 ms of lag, 600 degrees a second, a
   /// stop at 25 degrees, 10 us a degree. Without pulses they stay. The farthest from trim, and from where they would
@@ -45,8 +54,15 @@ class BoardFlight {
   void forget_most_servo() { most_servo_deg_ = most_astray_deg_ = 0.0; }
 
  private:
+  struct Console final : hal::Console {
+    std::string said;
+    void write(std::string_view text) override { said += text; }
+  };
+  using Make = std::function<std::unique_ptr<BoardInWorld>(const core::FlightPlan& plan, const sim::BoardPorts& ports)>;
+  BoardFlight(const sim::Scenario& scenario, const Make& make);
   void move_servos();
 
+  Console console_;
   BoardInWorld* in_world_ = nullptr;  ///< of world_
   std::unique_ptr<sim::World> world_;
   const core::TickRecord* record_ = nullptr;

@@ -14,9 +14,11 @@ namespace fantail::devices {
 enum class Answers : std::uint8_t {
   right,
   none,      ///< nobody drives the line, which is pulled down
+  high,      ///< the same with a line that is pulled up
   late,      ///< each byte comes one byte late
   repeated,  ///< what it answered the last time to the same first byte
   flipped,   ///< one bit in a thousand is turned over
+  garbage,   ///< any bytes
 };
 
 /// A device behind a wire that may fail.
@@ -50,9 +52,11 @@ class WireFault final : public hal::stm32f4::test::SpiSlave {
     switch (answers) {
       case Answers::right: break;
       case Answers::none: return 0;
+      case Answers::high: return 0xFF;
       case Answers::late: return before;
       case Answers::repeated: return known;
       case Answers::flipped: return static_cast<std::uint8_t>(right ^ noise());
+      case Answers::garbage: return static_cast<std::uint8_t>(random_());
     }
     return right;
   }

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "device_trial.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "in_fork.hpp"
+#include "replies/sentence.hpp"
+
+namespace fantail::board {
+namespace {
+
+constexpr unsigned most_seconds = 120;  ///< of this program
+constexpr double arm_s = 3.0;           ///< after power-up: the IMU has tested itself, and the board was at rest
+constexpr double most_pad_s = 20.0;
+constexpr double watched_s = 1.5;  ///< on after the arming: the board tells its faults once a second
+
+template <std::size_t n>
+void put(const std::string& text, std::array<char, n>& place) {
+  std::strncpy(place.data(), text.c_str(), n - 1);
+}
+
+double roll_deg(const BoardFlight& flight) { return flight.world().truth().roll_angle_rad * 180.0 / std::numbers::pi; }
+
+// Whoever tells: the bus, the console since then, and what a record has beside them.
+std::string names(const BoardFlight& flight, std::size_t said_before) {
+  const std::string_view said = std::string_view{flight.said()}.substr(said_before);
+  std::string text = flight.faults();
+  const auto add = [&text](const std::string& name) {
+    if ((' ' + text + ' ').find(' ' + name + ' ') == std::string::npos) {
+      text += (text.empty() ? "" : " ") + name;
+    }
+  };
+  for (std::size_t i = 0; i < hal::board_faults; ++i) {
+    const std::string name{hal::name(static_cast<hal::BoardFault>(i))};
+    if (said.find(" " + name) != std::string_view::npos) {  // one name is the end of another
+      add(name);
+    }
+  }
+  if (said.find("flash: does not answer") != std::string_view::npos) {
+    add("flash_failed");
+  }
+  const core::TickRecord& record = flight.record();
+  for (std::size_t i = 0; i < record.verdicts.size(); ++i) {
+    if (record.verdicts[i] != core::CanardVerdict::healthy) {
+      add(fmt::format("canard_{}_{}", i + 1, core::name(record.verdicts[i])));
+    }
+  }
+  if (record.gyro_vote && *record.gyro_vote != core::GyroVote::both) {
+    add(fmt::format("gyro_vote_{}", core::name(*record.gyro_vote)));
+  }
+  const auto barometer = record.barometer_state.value_or(core::BarometerState::used);
+  if (barometer == core::BarometerState::silent || barometer == core::BarometerState::disagrees) {
+    add(fmt::format("barometer_{}", core::name(barometer)));
+  }
+  return text;
+}
+
+void note_end(BoardFlight& flight, const TickMeter& meter, std::size_t said_before, DeviceTrial& trial) {
+  trial.came_to_an_end = true;
+  trial.phase = flight.record().phase;
+  trial.reason = flight.record().reason;
+  trial.longest_tick_us = 1e6 * meter.longest_s();
+  put(names(flight, said_before), trial.named);
+  if (const auto& complaints = flight.board().processor.complaints; !complaints.empty()) {
+    put(complaints.back(), trial.complaint);
+  }
+}
+
+DeviceTrial boot(const Image& image, sim::Scenario scenario, const DeviceFault& fault) {
+  scenario.arm_time_s = arm_s;
+  scenario.pad_time_s = 2.0 * most_pad_s;
+  std::optional<BoardWires> wires;
+  std::optional<TickMeter> meter;
+  BoardFlight flight{image, scenario, [&](Board& board) {
+                       wires.emplace(board);
+                       meter.emplace(image, board);
+                       fault.begin(board, *wires);
+                     }};
+  DeviceTrial trial;
+  double left_s = most_pad_s;
+  for (bool answered = false; left_s > 0.0; left_s -= 1e-3) {
+    if (fault.go_on) {
+      fault.go_on(flight.board());
+    }
+    flight.step();
+    const bool has_answer = flight.record().phase != core::Phase::safe || flight.world().refusal_to_arm();
+    left_s = has_answer && !answered ? watched_s : left_s;
+    answered = answered || has_answer;
+  }
+  note_end(flight, *meter, 0, trial);
+  trial.restarts = static_cast<int>(flight.board().restarts.size()) - 1;
+  trial.ticks_missing = static_cast<int>(flight.record().overruns);
+  if (const auto reply = flight.world().refusal_to_arm()) {
+    put(reply->failure != protocol::SelfTestFailure::none ? replies::sentence(reply->failure, reply->canard)
+                                                          : replies::sentence(reply->refusal),
+        trial.refusal);
+  } else if (meter->ticks() == 0) {
+    put("no tick ever", trial.refusal);
+  }
+  return trial;
+}
+
+DeviceTrial fly(ControlledFlight& flown, const DeviceFault& fault) {
+  BoardFlight& flight = flown.flight;
+  DeviceTrial trial;
+  PinWatch watch{flight, flown.scenario.plan, flight.board().now_s()};
+  flown.meter.forget();
+  const std::size_t said = flight.said().size();
+  const std::size_t restarts = flight.board().restarts.size();
+  const std::uint32_t missed = flight.record().overruns;
+  fault.begin(flight.board(), flown.wires);
+  for (const float plain_deg : flown.roll_deg) {
+    if (fault.go_on) {
+      fault.go_on(flight.board());
+    }
+    flight.step();
+    watch.follow();
+    trial.roll_deg = std::max(trial.roll_deg, std::abs(roll_deg(flight) - double{plain_deg}));
+  }
+  note_end(flight, flown.meter, said, trial);
+  trial.restarts = static_cast<int>(flight.board().restarts.size() - restarts);
+  trial.ticks_missing = trial.restarts > 0 ? 0 : static_cast<int>(flight.record().overruns - missed);
+  trial.pins = watch.pins();
+  return trial;
+}
+
+}  // namespace
+
+DeviceTrial boot_with(const Image& image, const sim::Scenario& scenario, const DeviceFault& fault) {
+  return in_fork<DeviceTrial>(most_seconds, [&] { return boot(image, scenario, fault); }).value_or(DeviceTrial{});
+}
+
+ControlledFlight::ControlledFlight(const Image& image, const sim::Scenario& flown)
+    : scenario{flown}, flight{image, flown}, meter{image, flight.board()}, wires{flight.board()} {
+  if (!flight.fly_to(core::Phase::controlling, 60.0)) {
+    throw std::runtime_error{"the flight did not come under control"};
+  }
+  flight.fly_for(0.5);
+  using Rolls = std::array<float, 1500>;
+  roll_deg = in_fork<Rolls>(most_seconds, [this] {
+               Rolls rolls{};
+               for (float& roll : rolls) {
+                 flight.step();
+                 roll = static_cast<float>(board::roll_deg(flight));
+               }
+               return rolls;
+             }).value_or(Rolls{});
+}
+
+DeviceTrial fly_with(ControlledFlight& flown, const DeviceFault& fault) {
+  return in_fork<DeviceTrial>(most_seconds, [&] { return fly(flown, fault); }).value_or(DeviceTrial{});
+}
+
+}  // namespace fantail::board

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "board.hpp"
+
+namespace fantail::board {
+
+/// How long the ticks of a board's avionics take, from where the firmware has waited for one to where it returns.
+class TickMeter {
+ public:
+  /// The board outlives it, and calls it from then on. Throws std::runtime_error when the image has no such functions.
+  TickMeter(const Image& image, Board& board) {
+    const auto wait = image.address_of("_ZN7fantail6boards9stm32f4058Hardware13wait_for_tickEv");
+    const auto tick = image.address_of("_ZN7fantail8avionics8Avionics4tickEv");
+    if (!wait || !tick) {
+      throw std::runtime_error{image.file().string() + ": no function waits for a tick"};
+    }
+    board.processor.on_return_of(*wait, [this, &board](std::uint32_t) { began_s_ = board.now_s(); });
+    board.processor.on_return_of(*tick, [this, &board](std::uint32_t) {
+      ticks_ += 1;
+      longest_s_ = std::max(longest_s_, board.now_s() - began_s_);
+    });
+  }
+  TickMeter(const TickMeter&) = delete;  // the board points to it
+  TickMeter& operator=(const TickMeter&) = delete;
+
+  void forget() { longest_s_ = 0.0; }
+  [[nodiscard]] double longest_s() const { return longest_s_; }
+  [[nodiscard]] int ticks() const { return ticks_; }
+
+ private:
+  double began_s_ = 0.0;
+  double longest_s_ = 0.0;
+  int ticks_ = 0;
+};
+
+}  // namespace fantail::board
