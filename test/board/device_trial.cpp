@@ -86,17 +86,20 @@ DeviceTrial boot(const Image& image, sim::Scenario scenario, const DeviceFault& 
                        fault.begin(board, *wires);
                      }};
   DeviceTrial trial;
+  PinWatch watch{flight, scenario.plan, 0.0};
   double left_s = most_pad_s;
   for (bool answered = false; left_s > 0.0; left_s -= 1e-3) {
     if (fault.go_on) {
       fault.go_on(flight.board());
     }
     flight.step();
+    watch.follow();
     const bool has_answer = flight.record().phase != core::Phase::safe || flight.world().refusal_to_arm();
     left_s = has_answer && !answered ? watched_s : left_s;
     answered = answered || has_answer;
   }
   note_end(flight, *meter, 0, trial);
+  trial.pins = watch.pins();
   trial.restarts = static_cast<int>(flight.board().restarts.size()) - 1;
   trial.ticks_missing = static_cast<int>(flight.record().overruns);
   if (const auto reply = flight.world().refusal_to_arm()) {
@@ -117,7 +120,11 @@ DeviceTrial fly(ControlledFlight& flown, const DeviceFault& fault) {
   const std::size_t said = flight.said().size();
   const std::size_t restarts = flight.board().restarts.size();
   const std::uint32_t missed = flight.record().overruns;
-  fault.begin(flight.board(), flown.wires);
+  if (fault.in_flight) {
+    fault.in_flight(flight.board());
+  } else {
+    fault.begin(flight.board(), flown.wires);
+  }
   for (const float plain_deg : flown.roll_deg) {
     if (fault.go_on) {
       fault.go_on(flight.board());
