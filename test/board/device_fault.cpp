@@ -53,6 +53,15 @@ void flood(Board& board) {
   }
 }
 
+// One that runs goes on: nothing but a start finds out.
+void reset_without_pll(Board& board) {
+  const auto at = [&board](double delay_s, std::function<void()> what) {
+    board.timeline.schedule(board.timeline.add(std::move(what)), board.now_s() + delay_s);
+  };
+  at(100e-6, [&board] { board.reset(ResetKind::watchdog); });
+  at(200e-6, [&board] { board.chip.pll_locks = false; });
+}
+
 void add_chips(std::vector<DeviceFault>& all) {
   // The bus cannot tell of itself. In flight nobody needs it, nor the voltage of the battery.
   const auto add = [&all](const char* device, const char* how, std::function<void(Board&)> every_ms) {
@@ -91,9 +100,10 @@ std::vector<DeviceFault> device_faults() {
   all.push_back({.device = "crystal", .how = "does not run", .begin = [](Board& board, BoardWires&) {
                    board.chip.crystal_runs = false;
                  }});
-  all.push_back({.device = "PLL", .how = "does not lock", .begin = [](Board& board, BoardWires&) {
-                   board.chip.pll_locks = false;
-                 }});
+  all.push_back({.device = "PLL",
+                 .how = "does not lock",
+                 .begin = [](Board& board, BoardWires&) { board.chip.pll_locks = false; },
+                 .in_flight = reset_without_pll});
   all.push_back({.device = "none", .how = "", .is_named = false, .begin = [](Board&, BoardWires&) {}});
   return all;
 }

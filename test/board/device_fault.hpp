@@ -16,6 +16,8 @@ struct DeviceFault {
   bool is_named = true;            ///< under control somebody tells of it: bus, console, verdict or reason
   bool needs_all_sensors = false;  ///< the plan must use the second IMU and the barometer
   std::function<void(Board& board, BoardWires& wires)> begin;
+  /// Under control instead of that; empty: the same.
+  std::function<void(Board& board)> in_flight{};
   /// Again in each millisecond from then on.
   std::function<void(Board& board)> go_on{};
 };

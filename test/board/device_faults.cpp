@@ -49,12 +49,13 @@ std::string text_of(core::Phase phase, core::PhaseReason reason) {
 
 void print_boot(const DeviceFault& fault, const DeviceTrial& trial) {
   const bool armed = trial.phase == core::Phase::armed;
-  std::printf("| %s | %s | %s | %s | %.0f | %d | %d | %s |\n", fault.device.c_str(), fault.how.c_str(),
+  std::printf("| %s | %s | %s | %s | %.1f to %.1f | %d | %.0f | %d | %d | %s |\n", fault.device.c_str(),
+              fault.how.c_str(),
               !trial.came_to_an_end ? "NO END"
               : armed               ? "armed"
                                     : "not armed",
-              trial.named.data(), trial.longest_tick_us, trial.ticks_missing, trial.restarts,
-              armed ? "" : trial.refusal.data());
+              trial.named.data(), trial.pins.narrowest_us, trial.pins.widest_us, trial.pins.beyond_plan,
+              trial.longest_tick_us, trial.ticks_missing, trial.restarts, armed ? "" : trial.refusal.data());
 }
 
 void print_flight(const DeviceFault& fault, const DeviceTrial& trial) {
@@ -97,8 +98,9 @@ int run(const Image& image, const std::string& device) {
   std::ranges::sort(rows, {}, &Row::fault);
   std::puts(
       "From power-up on\n\n"
-      "| device | fault | | named | longest tick, us | ticks missing | resets | refusal |\n"
-      "|---|---|---|---|---|---|---|---|");
+      "| device | fault | | named | whole pulses, us | beyond the plan | longest tick, us | ticks missing | resets "
+      "| refusal |\n"
+      "|---|---|---|---|---|---|---|---|---|---|");
   for (const Row& row : rows) {
     print_boot(faults[row.fault], row.at_boot);
   }

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "device_trial.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "in_fork.hpp"
 #include "replies/sentence.hpp"
@@ -30,46 +32,62 @@ void put(const std::string& text, std::array<char, n>& place) {
 
 double roll_deg(const BoardFlight& flight) { return flight.world().truth().roll_angle_rad * 180.0 / std::numbers::pi; }
 
-// Whoever tells: the bus, the console since then, and what a record has beside them.
-std::string names(const BoardFlight& flight, std::size_t said_before) {
-  const std::string_view said = std::string_view{flight.said()}.substr(said_before);
-  std::string text = flight.faults();
-  const auto add = [&text](const std::string& name) {
-    if ((' ' + text + ' ').find(' ' + name + ' ') == std::string::npos) {
-      text += (text.empty() ? "" : " ") + name;
-    }
-  };
-  for (std::size_t i = 0; i < hal::board_faults; ++i) {
-    const std::string name{hal::name(static_cast<hal::BoardFault>(i))};
-    if (said.find(" " + name) != std::string_view::npos) {  // one name is the end of another
-      add(name);
-    }
-  }
-  if (said.find("flash: does not answer") != std::string_view::npos) {
-    add("flash_failed");
-  }
-  const core::TickRecord& record = flight.record();
-  for (std::size_t i = 0; i < record.verdicts.size(); ++i) {
-    if (record.verdicts[i] != core::CanardVerdict::healthy) {
-      add(fmt::format("canard_{}_{}", i + 1, core::name(record.verdicts[i])));
-    }
-  }
-  if (record.gyro_vote && *record.gyro_vote != core::GyroVote::both) {
-    add(fmt::format("gyro_vote_{}", core::name(*record.gyro_vote)));
-  }
-  const auto barometer = record.barometer_state.value_or(core::BarometerState::used);
-  if (barometer == core::BarometerState::silent || barometer == core::BarometerState::disagrees) {
-    add(fmt::format("barometer_{}", core::name(barometer)));
-  }
-  return text;
-}
+/// Who told of a fault since it began: the bus, the console, and what a record has beside them.
+class Names {
+ public:
+  explicit Names(const BoardFlight& flight) : flight_{flight}, said_before_{flight.said().size()} {}
 
-void note_end(BoardFlight& flight, const TickMeter& meter, std::size_t said_before, DeviceTrial& trial) {
+  /// After each step: a verdict may be taken back.
+  void note_record() {
+    const core::TickRecord& record = flight_.record();
+    for (std::size_t i = 0; i < record.verdicts.size(); ++i) {
+      if (record.verdicts[i] != core::CanardVerdict::healthy) {
+        add(fmt::format("canard_{}_{}", i + 1, core::name(record.verdicts[i])));
+      }
+    }
+    if (record.gyro_vote && *record.gyro_vote != core::GyroVote::both) {
+      add(fmt::format("gyro_vote_{}", core::name(*record.gyro_vote)));
+    }
+    const auto barometer = record.barometer_state.value_or(core::BarometerState::used);
+    if (barometer == core::BarometerState::silent || barometer == core::BarometerState::disagrees) {
+      add(fmt::format("barometer_{}", core::name(barometer)));
+    }
+  }
+
+  /// At the end.
+  [[nodiscard]] std::string all() {
+    const std::string_view said = std::string_view{flight_.said()}.substr(said_before_);
+    const std::string on_bus = ' ' + flight_.faults() + ' ';
+    for (std::size_t i = 0; i < hal::board_faults; ++i) {
+      const std::string name = ' ' + std::string{hal::name(static_cast<hal::BoardFault>(i))};  // one ends another
+      if (said.find(name) != std::string_view::npos || on_bus.find(name + ' ') != std::string::npos) {
+        add(name.substr(1));
+      }
+    }
+    if (said.find("flash: does not answer") != std::string_view::npos) {
+      add("flash_failed");
+    }
+    return fmt::format("{}", fmt::join(names_, " "));
+  }
+
+ private:
+  void add(const std::string& name) {
+    if (std::ranges::find(names_, name) == names_.end()) {
+      names_.push_back(name);
+    }
+  }
+
+  const BoardFlight& flight_;
+  std::size_t said_before_;
+  std::vector<std::string> names_;
+};
+
+void note_end(BoardFlight& flight, const TickMeter& meter, Names& names, DeviceTrial& trial) {
   trial.came_to_an_end = true;
   trial.phase = flight.record().phase;
   trial.reason = flight.record().reason;
   trial.longest_tick_us = 1e6 * meter.longest_s();
-  put(names(flight, said_before), trial.named);
+  put(names.all(), trial.named);
   if (const auto& complaints = flight.board().processor.complaints; !complaints.empty()) {
     put(complaints.back(), trial.complaint);
   }
@@ -86,17 +104,22 @@ DeviceTrial boot(const Image& image, sim::Scenario scenario, const DeviceFault& 
                        fault.begin(board, *wires);
                      }};
   DeviceTrial trial;
+  PinWatch watch{flight, scenario.plan, 0.0};
+  Names names{flight};
   double left_s = most_pad_s;
   for (bool answered = false; left_s > 0.0; left_s -= 1e-3) {
     if (fault.go_on) {
       fault.go_on(flight.board());
     }
     flight.step();
+    watch.follow();
+    names.note_record();
     const bool has_answer = flight.record().phase != core::Phase::safe || flight.world().refusal_to_arm();
     left_s = has_answer && !answered ? watched_s : left_s;
     answered = answered || has_answer;
   }
-  note_end(flight, *meter, 0, trial);
+  note_end(flight, *meter, names, trial);
+  trial.pins = watch.pins();
   trial.restarts = static_cast<int>(flight.board().restarts.size()) - 1;
   trial.ticks_missing = static_cast<int>(flight.record().overruns);
   if (const auto reply = flight.world().refusal_to_arm()) {
@@ -114,19 +137,24 @@ DeviceTrial fly(ControlledFlight& flown, const DeviceFault& fault) {
   DeviceTrial trial;
   PinWatch watch{flight, flown.scenario.plan, flight.board().now_s()};
   flown.meter.forget();
-  const std::size_t said = flight.said().size();
+  Names names{flight};
   const std::size_t restarts = flight.board().restarts.size();
   const std::uint32_t missed = flight.record().overruns;
-  fault.begin(flight.board(), flown.wires);
+  if (fault.in_flight) {
+    fault.in_flight(flight.board());
+  } else {
+    fault.begin(flight.board(), flown.wires);
+  }
   for (const float plain_deg : flown.roll_deg) {
     if (fault.go_on) {
       fault.go_on(flight.board());
     }
     flight.step();
     watch.follow();
+    names.note_record();
     trial.roll_deg = std::max(trial.roll_deg, std::abs(roll_deg(flight) - double{plain_deg}));
   }
-  note_end(flight, flown.meter, said, trial);
+  note_end(flight, flown.meter, names, trial);
   trial.restarts = static_cast<int>(flight.board().restarts.size() - restarts);
   trial.ticks_missing = trial.restarts > 0 ? 0 : static_cast<int>(flight.record().overruns - missed);
   trial.pins = watch.pins();

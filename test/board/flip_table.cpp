@@ -47,8 +47,8 @@ std::string by_outcome(std::span<const Trial> trials, const std::vector<std::pai
 
 std::string pins_of(std::span<const Trial> trials) {
   std::string text =
-      fmt::format("{:<30} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>9} {:>9} {:>8}\n", "pulses, us; times, ms; deg",
-                  "narrow", "wide", "far", "plan", "hard", "cut", "beyond", "no tick", "roll");
+      fmt::format("{:<30} {:>8} {:>8} {:>8} {:>6} {:>6} {:>6} {:>9} {:>9} {:>9} {:>8}\n", "pulses, us; times, ms; deg",
+                  "narrow", "wide", "far", "plan", "hard", "cut", "beyond", "silent", "no tick", "roll");
   for (std::size_t i = 0; i < outcomes; ++i) {
     Pins all;
     float roll_deg = 0.0F;
@@ -65,14 +65,16 @@ std::string pins_of(std::span<const Trial> trials) {
       all.beyond_plan += trial.pins.beyond_plan;
       all.beyond_hard += trial.pins.beyond_hard;
       all.cut += trial.pins.cut;
+      all.silence_ms = std::max(all.silence_ms, trial.pins.silence_ms);
       all.longest_beyond_ms = std::max(all.longest_beyond_ms, trial.pins.longest_beyond_ms);
       roll_deg = std::max(roll_deg, trial.roll_error_deg);
       silence_ms = std::max(silence_ms, trial.silence_ms);
     }
     if (any) {
-      text += fmt::format("{:<30} {:>8.1f} {:>8.1f} {:>8.1f} {:>6} {:>6} {:>6} {:>9.0f} {:>9.0f} {:>8.2f}\n",
-                          name(static_cast<Outcome>(i)), all.narrowest_us, all.widest_us, all.farthest_us,
-                          all.beyond_plan, all.beyond_hard, all.cut, all.longest_beyond_ms, silence_ms, roll_deg);
+      text +=
+          fmt::format("{:<30} {:>8.1f} {:>8.1f} {:>8.1f} {:>6} {:>6} {:>6} {:>9.0f} {:>9.0f} {:>9.0f} {:>8.2f}\n",
+                      name(static_cast<Outcome>(i)), all.narrowest_us, all.widest_us, all.farthest_us, all.beyond_plan,
+                      all.beyond_hard, all.cut, all.longest_beyond_ms, all.silence_ms, silence_ms, roll_deg);
     }
   }
   return text + '\n';

@@ -118,9 +118,10 @@ class Flying {
       trial_.pc = board.processor.program_counter();
       const std::string place = flip_.happen(board, map_);
       put(place, trial_.place);
-      if (flip_.region() != Region::registers) {
-        put(image_.where(static_cast<std::uint32_t>(std::stoul(place, nullptr, 16))), trial_.symbol);
-      }
+      put(image_.where(flip_.region() == Region::registers
+                           ? trial_.pc
+                           : static_cast<std::uint32_t>(std::stoul(place, nullptr, 16))),
+          trial_.symbol);
     });
     board.timeline.schedule(event_, event_s);
   }
@@ -180,7 +181,7 @@ const char* name(Outcome outcome) {
     case Outcome::named: return "flew on, fault named";
     case Outcome::crashed: return "crashed and resumed";
     case Outcome::watchdog: return "watchdog and resumed";
-    case Outcome::ended_for_fault: return "control ended, fault named";
+    case Outcome::ended_for_fault: return "phase ended, fault named";
     case Outcome::ended_for_flight: return "other phase, no fault named";
     case Outcome::safe: return "reset, then Safe";
     case Outcome::stands: return "no ticks and no reset";

@@ -58,7 +58,7 @@ struct Trial {
   float silence_ms = 0.0F;            ///< the longest without a tick
   std::uint32_t pc = 0;               ///< where the processor was, within a block or two
   std::array<char, 24> place{};       ///< register or address, and bit
-  std::array<char, 96> symbol{};      ///< of the address
+  std::array<char, 96> symbol{};      ///< of the address; of a register's flip, of the program counter
   std::array<char, 12> restart{};     ///< kind of the last reset that followed; empty: none
   std::array<char, 96> named{};       ///< by the bus, or the reason of the phase
   std::array<char, 160> complaint{};  ///< the last of the processor's

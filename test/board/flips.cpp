@@ -6,14 +6,17 @@
 // COUNT flips, each in a flight of its own; FLIP: only that one of them, and what the console says then. Two flights at
 // a time.
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "flip_table.hpp"
@@ -51,6 +54,9 @@ void await_report(BoardFlight& flight) {
 /// One of those who work: flies, and at each moment tries its part of the flips.
 void work(const Image& image, const fantail::sim::Scenario& scenario, const std::vector<Flip>& flips, bool aloud,
           const std::function<void(const Trial&)>& tell) {
+  if (flips.empty()) {
+    return;
+  }
   BoardFlight flight{image, scenario};
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const bool begins = i == 0 || moments[i - 1].phase != moments[i].phase;
@@ -60,6 +66,9 @@ void work(const Image& image, const fantail::sim::Scenario& scenario, const std:
     flight.fly_for(begins ? moments[i].after_s : moments[i].after_s - moments[i - 1].after_s - 0.5);
     if (moments[i].phase == Phase::controlling || moments[i].phase == Phase::armed) {
       await_report(flight);
+    }
+    if (std::ranges::none_of(flips, [i](const Flip& flip) { return flip.moment(weights()) == i; })) {
+      continue;
     }
     const MemoryMap map{image, flight.board()};
     const auto plain = fly_as_it_is(flight);
@@ -76,12 +85,23 @@ void work(const Image& image, const fantail::sim::Scenario& scenario, const std:
   }
 }
 
+std::uint64_t number_of(const std::string& text, const char* of_what) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || number > INT32_MAX) {
+    throw std::runtime_error{std::string{of_what} + " is " + text + "; allowed: 0 to 2147483647"};
+  }
+  return number;
+}
+
 int run(int argc, char** argv) {
   const Image image{argv[1]};
-  const int count = std::atoi(argv[2]);
-  const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+  const std::uint64_t seed = argc > 3 ? number_of(argv[3], "SEED") : 1;
+  const bool only_one = argc > 4;
+  const auto begin = static_cast<int>(only_one ? number_of(argv[4], "FLIP") : 0);
+  const auto end = only_one ? begin + 1 : static_cast<int>(number_of(argv[2], "COUNT"));
   std::vector<Flip> flips;
-  for (int i = argc > 4 ? std::atoi(argv[4]) : 0; i < (argc > 4 ? std::atoi(argv[4]) + 1 : count); ++i) {
+  for (int i = begin; i < end; ++i) {
     flips.emplace_back(seed, i);
   }
   std::printf("seed %llu, tasha3_launch2\n", static_cast<unsigned long long>(seed));
@@ -93,7 +113,7 @@ int run(int argc, char** argv) {
         std::vector<Flip> mine;
         std::ranges::copy_if(flips, std::back_inserter(mine),
                              [&](const Flip& flip) { return flip.number() % workers == worker; });
-        work(image, scenario, mine, argc > 4, tell);
+        work(image, scenario, mine, only_one, tell);
       });
   std::ranges::sort(trials, {}, &Trial::number);
   std::printf("%zu flips in %.0f s\n\n", trials.size(),

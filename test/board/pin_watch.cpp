@@ -24,7 +24,8 @@ PinWatch::PinWatch(BoardFlight& flight, const core::FlightPlan& plan, double fro
     canards_[i] = {.centre_us = canard.pulse_centre_us,
                    .plan_us = limit_rad * us_per_radian + pulse_step_us,
                    .hard_us = std::min(stop_rad * us_per_radian, most_us) + pulse_step_us,
-                   .plan_deg = limit_rad * 180.0 / std::numbers::pi + at_limit_deg};
+                   .plan_deg = limit_rad * 180.0 / std::numbers::pi + at_limit_deg,
+                   .last_s = from_s};
   }
 }
 
@@ -32,10 +33,13 @@ void PinWatch::follow() {
   const std::vector<HeardPulse>& pulses = flight_.board().chip.pulses();
   for (; seen_ < pulses.size(); ++seen_) {
     if (pulses[seen_].end_s() >= from_s_) {
+      canards_[pulses[seen_].line].last_s = pulses[seen_].end_s();
       look_at(pulses[seen_]);
     }
   }
   for (std::size_t i = 0; i < canards_.size(); ++i) {
+    const double silent_ms = 1e3 * (flight_.board().now_s() - canards_[i].last_s);
+    pins_.silence_ms = std::max(pins_.silence_ms, silent_ms);
     const bool beyond = std::abs(flight_.servos_deg()[i]) > canards_[i].plan_deg;
     canards_[i].beyond_ms = beyond ? canards_[i].beyond_ms + 1.0 : 0.0;
     pins_.longest_beyond_ms = std::max(pins_.longest_beyond_ms, canards_[i].beyond_ms);

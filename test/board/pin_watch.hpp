@@ -17,6 +17,7 @@ struct Pins {
   int beyond_plan = 0;       ///< farther than the plan's limit for this canard
   int beyond_hard = 0;       ///< farther than core::hard_canard_limit, or than the proof canard_pulse says
   int cut = 0;
+  double silence_ms = 0.0;         ///< the longest without a pulse on one of the lines
   double longest_beyond_ms = 0.0;  ///< how long a modelled servo stood beyond the plan's limit
 };
 
@@ -35,6 +36,7 @@ class PinWatch {
     double plan_us;  ///< this far from the centre at most
     double hard_us;
     double plan_deg;
+    double last_s;           ///< when its last pulse ended
     double beyond_ms = 0.0;  ///< that it has stood there
   };
 
@@ -47,7 +49,7 @@ class PinWatch {
   Pins pins_;
 };
 
-/// Longer than any tick that the plan's limits are computed in: pulses are whole steps of a timer.
+/// By so much a pulse may miss its angle: it is whole steps of a timer.
 inline constexpr double pulse_step_us = 0.2;
 
 }  // namespace fantail::board
