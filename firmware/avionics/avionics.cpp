@@ -35,7 +35,7 @@ const core::TickRecord& Avionics::tick() {
     mend_memory(inputs);
   }
   const core::TickRecord& record = autopilot_->step(inputs);
-  devices_.servo.write(plan_is_lost_ ? no_pulses : pulses(record.canards));
+  devices_.servo.write(plan_is_lost() ? no_pulses : pulses(record.canards));
 
   const FlashFacts flash = flash_.facts();
   tell_person(record);
@@ -108,7 +108,7 @@ void Avionics::resume_flight(const core::Inputs& first) {
 void Avionics::mend_memory(const core::Inputs& next) {
   const std::span<const std::byte> block = flash_.recorder().plan_block();
   const auto copy = protocol::read_plan_block(block);
-  plan_is_lost_ = plan_is_lost_ || !copy.plan;
+  lost_plan_ = copy.plan ? lost_plan_ : plan_lost;
   plan_ = copy.plan.value_or(core::default_plan());
   plan_crc_ = protocol::plan_block_checksum(block);
   memory_watch_.begin(plan_);
@@ -245,7 +245,7 @@ void Avionics::tell_person(const core::TickRecord& record) {
 }
 
 std::array<std::optional<hal::Pulse>, hal::canards> Avionics::pulses_at_trim() const {
-  if (plan_is_lost_) {
+  if (plan_is_lost()) {
     return no_pulses;
   }
   core::CanardCommands commands;

@@ -95,7 +95,10 @@ class Avionics {
   std::optional<core::Autopilot> autopilot_;  ///< never empty; a new plan makes a new one
   MemoryWatch memory_watch_;
   bool memory_was_damaged_ = false;  ///< since power-up
-  bool plan_is_lost_ = false;        ///< no copy of it is left: the trims are unknown
+  /// No copy of it is left: the trims are unknown. A word that no single bit makes, because it takes all pulses away.
+  [[nodiscard]] bool plan_is_lost() const { return lost_plan_ == plan_lost; }
+  static constexpr std::uint32_t plan_lost = 0x9E37'79B9;
+  std::uint32_t lost_plan_ = 0;
   BusReceiver receiver_;
   BenchMode bench_mode_;
   SelfTest self_test_;
