@@ -163,6 +163,29 @@ TEST(Record, WithManyHolesNamesTwo) {
   EXPECT_EQ(missing_text({}), "");
 }
 
+// What was recorded is then not what the rows have.
+TEST(Record, WhoseReplayGivesSomethingElseStatesNoFigure) {
+  flight::Flight log = whole();
+  log.differing_ticks = 3;
+  for (const auto& [name, found] : of_log(log)) {
+    EXPECT_FALSE(found.known) << name;
+    EXPECT_EQ(found.how, "3 ticks of the record differ from their replay") << name;
+  }
+}
+
+TEST(Record, KnowsTheHeightsOfControlAndDepartureWithinTheErrorOfAnAccelerometer) {
+  flight::Flight log = whole();
+  for (flight::Row& row : log.rows) {
+    row.height_error_m = 0.02 * row.height_m;
+  }
+  for (const char* name : {"control_start_height_m", "left_trim_height_m"}) {
+    EXPECT_NEAR(number(log, name).low, 0.98 * 1395.0, 1e-6) << name;
+    EXPECT_NEAR(number(log, name).high, 1.02 * 1395.0, 1e-6) << name;
+    EXPECT_EQ(figure(log, name).how, "as the avionics estimated it, within the usual error of an accelerometer")
+        << name;
+  }
+}
+
 // What it states of a scenario follows from the simulation, whatever its avionics recorded.
 TEST(Record, IsNotAskedAboutASimulatedScenario) {
   flight::Flight flown = without(4.0, 8.5);

@@ -43,6 +43,10 @@ bool command_is_away(const flight::Row& row, const core::FlightPlan& plan, std::
 }  // namespace
 
 double height_m(const flight::Row& row) { return row.truth ? row.truth->height_m : row.height_m; }
+Number height_range_m(const flight::Row& row) {
+  const double error_m = row.truth ? 0.0 : row.height_error_m.value_or(0.0);
+  return {height_m(row) - error_m, height_m(row) + error_m};
+}
 double speed_m_s(const flight::Row& row) { return row.truth ? row.truth->speed_m_s : row.speed_m_s; }
 
 std::optional<double> canard_rad(const flight::Row& row, std::size_t canard) {
@@ -97,7 +101,7 @@ Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& p
     const std::string away = who_is_away(row, plan);
     if (!away.empty() && row.time_s >= from_s) {
       found.time_s = row.time_s;
-      found.height_m = height_m(row);
+      found.row = row;
       found.what = away;
       break;
     }
@@ -107,7 +111,7 @@ Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& p
   found.hidden_from_s = silent_from_s(rows, from_s, found.until_s);
   if (found.hidden_from_s) {
     const auto after = std::ranges::upper_bound(rows, *found.hidden_from_s, {}, &flight::Row::time_s);
-    found.hidden_height_m = height_m(after == rows.begin() ? *after : *std::prev(after));
+    found.hidden_row = after == rows.begin() ? *after : *std::prev(after);
   }
   return found;
 }

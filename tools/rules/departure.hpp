@@ -7,6 +7,7 @@
 #include <string>
 
 #include "flight/flight.hpp"
+#include "rules/expression.hpp"
 
 namespace fantail::rules {
 
@@ -19,17 +20,19 @@ struct Departure {
   double since_s = 0.0;              ///< all canards at trim from here on, the beginning of the rows at the earliest
   double until_s = 0.0;              ///< up to here: the departure, or the end
   std::optional<double> time_s{};    ///< empty: none was seen
-  double height_m = 0.0;             ///< then
+  flight::Row row{};                 ///< then
   std::string what{};                ///< "command of canard 2"
   double largest_command_deg = 0.0;  ///< from trim, in that time
   double largest_angle_deg = 0.0;
   bool by_truth = false;  ///< the angles are those of the shafts, and not those of encoders
   /// From here on, before the departure, canard_rad() is empty or rows are missing: nobody saw a canard.
   std::optional<double> hidden_from_s{};
-  double hidden_height_m = 0.0;
+  flight::Row hidden_row{};
 };
 
 [[nodiscard]] double height_m(const flight::Row& row);  ///< true where that is known
+/// The true one, or as far as an accelerometer tells it.
+[[nodiscard]] Number height_range_m(const flight::Row& row);
 [[nodiscard]] double speed_m_s(const flight::Row& row);
 
 /// Where the shaft of a canard truly stands; where that is not known, by its encoder; empty: that is silent.

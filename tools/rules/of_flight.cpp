@@ -95,6 +95,10 @@ class OfFlight {
   }
   [[nodiscard]] std::string estimated() const { return is_simulated_ ? "" : "as the avionics estimated it"; }
 
+  [[nodiscard]] std::string estimated_height(const flight::Row& row) const {
+    return estimated() + (!is_simulated_ && row.height_error_m ? ", within the usual error of an accelerometer" : "");
+  }
+
   void add_motion() {
     const Peak height = peak(rows_, height_m);
     add_peak("apogee_m", height, !is_whole());
@@ -176,9 +180,11 @@ class OfFlight {
     }
     const double first_s = is_log_ ? control_.first_s.value_or(*start_s) : *start_s;
     const auto before = std::ranges::lower_bound(rows_, first_s, {}, &flight::Row::time_s);
-    const auto [low_m, high_m] = std::minmax({height_m(*before), height_m(*row)});
+    const Number first = height_range_m(*before);
+    const Number last = height_range_m(*row);
     add("control_start_s", Number{first_s, *start_s}, first_s < *start_s ? "it may have begun in a hole before" : "");
-    add("control_start_height_m", Number{low_m, high_m}, estimated());
+    add("control_start_height_m", Number{std::min(first.low, last.low), std::max(first.high, last.high)},
+        estimated_height(*row));
   }
 
   void add_canards() {
@@ -204,11 +210,12 @@ class OfFlight {
       add("left_trim_s", {}, why);
       add("left_trim_height_m", {}, why);
     } else {
-      const double earliest_m = hidden_s ? found.hidden_height_m : found.height_m;
+      const Number earliest = height_range_m(hidden_s ? found.hidden_row : found.row);
+      const Number seen = height_range_m(found.row);
       const std::vector<Hole> hidden = is_log_ ? holes(rows_, 0.0, *found.time_s) : std::vector<Hole>{};
       add("left_trim_s", Number{hidden_s.value_or(*found.time_s), *found.time_s}, missing_text(hidden));
-      add("left_trim_height_m", Number{std::min(earliest_m, found.height_m), std::max(earliest_m, found.height_m)},
-          estimated());
+      add("left_trim_height_m", Number{std::min(earliest.low, seen.low), std::max(earliest.high, seen.high)},
+          estimated_height(found.row));
     }
     add_before_control();
     all_.merge(return_to_trim(flight_, rows_,
@@ -253,15 +260,17 @@ class OfFlight {
 
 Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log) {
   const bool is_there = flight.events.liftoff_s || flight.events.detected_s;
-  if (is_there && !ascent(flight).empty()) {
+  if (is_there && !ascent(flight).empty() && flight.differing_ticks == 0) {
     return OfFlight{flight, atmosphere, is_log}.take();
   }
   const bool begins_late = !flight.rows.empty() && flight.known.phase && core::is_flight(flight.rows.front().phase);
+  const std::string why = flight.differing_ticks > 0 ? differing_text(flight)
+                          : begins_late              ? "the record begins after the launch"
+                                                     : "there is no launch in it";
   Findings all;
   for (const FigureText& figure : figure_texts()) {
     if (figure.name.starts_with("flight.")) {
-      all[std::string{figure.name}] = {{},
-                                       begins_late ? "the record begins after the launch" : "there is no launch in it"};
+      all[std::string{figure.name}] = {{}, why};
     }
   }
   return all;

@@ -98,6 +98,13 @@ std::optional<double> end_of_ascent(const flight::Flight& flight) {
   return known_s ? known_s : greatest_height_s(flight.rows);
 }
 
+std::string differing_text(const flight::Flight& log) {
+  return log.differing_ticks == 0
+             ? ""
+             : text::counted(log.differing_ticks, "tick") + " of the record " +
+                   (log.differing_ticks == 1 ? "differs from its replay" : "differ from their replay");
+}
+
 std::vector<Hole> holes_of_ascent(const flight::Flight& log) {
   const std::optional<double> end_s = end_of_ascent(log);
   // The greatest height on record may be that before the hole.

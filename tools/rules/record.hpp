@@ -29,6 +29,9 @@ struct Hole {
 /// that goes on. Canards stay on the rocket until then.
 [[nodiscard]] std::optional<double> end_of_ascent(const flight::Flight& flight);
 
+/// "3 ticks of the record differ from their replay", so its rows are not what was recorded; empty: none does.
+[[nodiscard]] std::string differing_text(const flight::Flight& log);
+
 /// Between launch and the end of the ascent.
 [[nodiscard]] std::vector<Hole> holes_of_ascent(const flight::Flight& log);
 
