@@ -150,6 +150,28 @@ TEST(Rules, OfALogAloneAskForTheRocketAndJudgeItThen) {
       << "with the changes of the flight";
 }
 
+// Its mass, impulse and damping would be another's.
+TEST(Rules, OfALogRefuseTheVehicleOfAnotherRocket) {
+  const Folder folder;
+  run_in(folder, with({"fly", "tasha3_launch2", "--out", "flown"}, legal));
+  expect_said(run_in(folder, {"rules", "launch_canada", "flown", "--vehicle", "kestrel"}, 78).err,
+              {"kestrel.toml: name = \"Kestrel\", and the log is of the rocket \"Tasha III",
+               "allowed: the vehicle of that flight"});
+}
+
+TEST(Rules, OfALogWithSeveralFlightsJudgeTheOneThatIsChosen) {
+  const Folder folder;
+  run_in(folder, {"fly", "tasha3_launch2", "--out", "early"});
+  run_in(folder, with({"fly", "tasha3_launch2", "--out", "late"}, legal));
+  folder.write("two.ftl", content(folder.path() / "early/flight.ftl") + content(folder.path() / "late/flight.ftl"));
+  const Words of_two{"rules", "irec", "two.ftl", "--vehicle", "tasha3_launch2"};
+  expect_said(run_in(folder, of_two, 64).err, {"two.ftl holds 2 flights; which one? --flight 1 to 2"});
+  EXPECT_EQ(outcomes(asked(folder, with(of_two, {"--flight", "1"}), 1))["7.4.1 (flight)"], "FAIL");
+  const json::Value second = asked(folder, with(of_two, {"--flight", "2"}));
+  EXPECT_EQ(outcomes(second)["7.4.1 (flight)"], "PASS");
+  expect_said(second["compared"].text(), {"two.ftl, flight 2, as it was recorded"});
+}
+
 // What its rows do not show neither passes, nor is it said that it never happened.
 TEST(Rules, LeaveOpenWhatALogThatEndsUnderThrustDoesNotShow) {
   const Folder folder;
@@ -195,6 +217,7 @@ TEST(Rules, RefuseWhatIsNoPackAndNoLaunch) {
           {"--set and --seed cannot change"});
   Refusal({}, {"rules", "irec", "tasha3_launch2", "--vehicle", "tasha3_launch2"}, 64,
           {"--vehicle names the rocket of a log"});
+  Refusal({}, {"rules", "irec", "tasha3_launch2", "--flight", "1"}, 64, {"--flight chooses one of a log"});
 }
 
 TEST(PlanCheck, WithRulesJudgesTheClausesOnPlans) {
