@@ -84,6 +84,25 @@ TEST(Outlook, AGateByBurnOutThatIsEarlySaysByHowMuchAndWhichFactorWouldNotBe) {
   EXPECT_LT(outlook(scenario).opens_after_thrust_s().value(), 0.0);
 }
 
+// A motor that rests for a second and burns again; the clock of a burn time of a second has run out by then.
+TEST(Outlook, AGateThatClosesAgainIsCapturedAfterItsLastOpeningAndPromisesNoTime) {
+  sim::Scenario scenario = second_launch(DormantUntil::burn_out);
+  scenario.plan.dormancy.burn_time = core::Microseconds{1'000'000};
+  scenario.vehicle.motor = sim::ThrustCurve{
+      {{0.0, 0.0}, {0.05, 160.0}, {1.5, 140.0}, {1.55, 0.0}, {2.6, 0.0}, {2.65, 150.0}, {3.9, 140.0}, {4.0, 0.0}},
+      scenario.vehicle.motor.propellant_kg()};
+  const Outlook found = outlook(scenario);
+  EXPECT_LT(found.opening.value().time_s, 2.6);
+  EXPECT_EQ(found.opening->reopenings, 1U);
+  // Counted from the first opening it would be two seconds more.
+  EXPECT_LT(found.opening->captured_after_s.value(), 1.2);
+  const std::string said = opening_clause(scenario, found, capture_forecast(scenario, found));
+  EXPECT_NE(said.find("in the simulated flight it closes and reopens 1 time; after the last the roll is captured "),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("by calculation"), std::string::npos) << said;
+}
+
 TEST(Outlook, AtTheLargestPressureTheMotorMayStillBurn) {
   EXPECT_TRUE(says(doubts_of(with_tail(DormantUntil::max_dynamic_pressure)), "the motor still burns for 1."));
   EXPECT_TRUE(doubts_of(second_launch(DormantUntil::max_dynamic_pressure)).empty());

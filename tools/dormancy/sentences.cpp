@@ -40,7 +40,10 @@ bool waits_beyond_guide(const core::FlightPlan& plan) {
 
 double seconds(core::Microseconds time) { return static_cast<double>(core::seconds(time)); }
 
-std::string capture_clause(const CaptureForecast& forecast) {
+std::string capture_clause(const CaptureForecast& forecast, const Opening& opening) {
+  if (opening.reopenings > 0) {
+    return "no capture time is promised, because the gate closes again";
+  }
   if (forecast.within_s || forecast.from_any_angle_within_s) {
     const double within_s = std::max(forecast.within_s.value_or(0.0), forecast.from_any_angle_within_s.value_or(0.0));
     return fmt::format("by calculation, the roll is captured within {} s{}",
@@ -153,12 +156,16 @@ std::string opening_clause(const sim::Scenario& scenario, const Outlook& outlook
   if (const auto costs_s = outlook.height_costs_s(); costs_s && plan.dormancy.until == DormantUntil::height) {
     all += fmt::format("; the margin for the height's error costs {} s", fixed(*costs_s, 2));
   }
+  const bool again = opening.reopenings > 0;
+  if (again) {
+    all += fmt::format("; in the simulated flight it closes and reopens {}", text::counted(opening.reopenings, "time"));
+  }
   if (opening.captured_after_s) {
-    all +=
-        fmt::format("; in the simulated flight the roll is captured {} s later", fixed(*opening.captured_after_s, 2));
+    all += fmt::format("; {} the roll is captured {} s later", again ? "after the last" : "in the simulated flight",
+                       fixed(*opening.captured_after_s, 2));
   }
   if (forecast && !forecast->residual_rate_rad_s) {
-    all += "; " + capture_clause(*forecast);
+    all += "; " + capture_clause(*forecast, opening);
   }
   return all;
 }
