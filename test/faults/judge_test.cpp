@@ -9,8 +9,6 @@
 namespace fantail::faults {
 namespace {
 
-constexpr Expected held = any_of(Outcome::holds);
-
 std::string breach_of(const std::function<void(Moment& moment)>& change) {
   return judged(made_flight(change), at_three).breach;
 }
@@ -26,47 +24,6 @@ TEST(FaultJudge, AFlightAsTheTwinIsHeldAndBreaksNothing) {
   EXPECT_EQ(findings.outcome(any_of(Outcome::over)), std::nullopt);
   EXPECT_EQ(findings.outcome(any_of(Outcome::no_control)), std::nullopt);
   EXPECT_EQ(findings.outcome(any_of(Outcome::not_armed)), std::nullopt);
-}
-
-// The canards of a flight that goes on to 10 s go to trim at 5 s; the twin's roll is 5 degrees.
-TEST(FaultJudge, AControlThatEndsForACanardIsSafeUpToWhereItEndedWhateverTheRollDoesThen) {
-  const auto ends_at_five = [](double turned_deg_s, double before_deg) {
-    return made_flight([=](Moment& moment) {
-      if (moment.phase == core::Phase::controlling && moment.time_s > 5.0) {
-        moment.phase = core::Phase::finished;
-        moment.commanded_rad.fill(0.0);
-        moment.true_roll_rad += turned_deg_s * (moment.time_s - 5.0) * degree;
-      } else if (moment.phase == core::Phase::controlling && moment.time_s > 3.5) {
-        moment.true_roll_rad += before_deg * degree;
-      } else if (moment.time_s > 10.0) {
-        moment.commanded_rad.fill(0.0);
-      }
-    });
-  };
-  const Expected may_end = or_ended(held);
-  const Findings spun = judged(ends_at_five(200.0, 20.0), at_three);
-  EXPECT_EQ(spun.outcome(held), std::nullopt);
-  EXPECT_EQ(spun.outcome(may_end), Outcome::ended);
-  EXPECT_NEAR(spun.apart_meanwhile_deg, 20.0, 1e-9);
-  EXPECT_EQ(judged(ends_at_five(200.0, 61.0), at_three).outcome(may_end), std::nullopt);
-  EXPECT_EQ(
-      judged(made_flight({}, [](Moment& moment) { moment.true_roll_rad += moment.time_s > 4.0 ? 20.0 * degree : 0.0; }),
-             at_three)
-          .outcome(may_end),
-      std::nullopt)
-      << "it went on to the end, and did not hold";
-  EXPECT_EQ(or_ended(any_of(Outcome::over)).allowed, any_of(Outcome::over).allowed) << "after control nothing ends";
-}
-
-TEST(FaultJudge, ARollThatIsWholeTurnsAwayAndMoreSaysBoth) {
-  Limits limits = made_limits();
-  limits.any_turn = true;
-  const Findings found = judged(
-      made_flight({}, [](Moment& moment) { moment.true_roll_rad += moment.time_s > 4.0 ? 750.0 * degree : 0.0; }),
-      at_three, 1.5, limits);
-  EXPECT_NEAR(found.apart_deg, 30.0, 1e-6);
-  EXPECT_NE(found.what_it_was().find("roll 30.0 deg off without whole turns, 750.0 with them"), std::string::npos)
-      << found.what_it_was();
 }
 
 TEST(FaultJudge, ACommandBeyondItsLimitIsRedForOneMillisecondOnEitherSide) {

@@ -50,6 +50,12 @@ void check(const Campaign& campaign) {
   }
 }
 
+double apart_deg_of(const Findings& findings, std::optional<Outcome> outcome) {
+  return outcome == Outcome::ended      ? findings.apart_meanwhile_deg
+         : outcome == Outcome::anything ? findings.apart_with_turns_deg
+                                        : findings.apart_deg;
+}
+
 Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint64_t number, const Findings& findings) {
   const auto outcome = findings.outcome(cell.expected());
   return {.number = number,
@@ -58,8 +64,7 @@ Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint6
           .outcome = outcome,
           .is_breach = !findings.breach.empty(),
           .came_back = !outcome && findings.came_back(cell.expected()),
-          .apart_deg =
-              1e-3 * std::round(1e3 * (outcome == Outcome::ended ? findings.apart_meanwhile_deg : findings.apart_deg)),
+          .apart_deg = 1e-3 * std::round(1e3 * apart_deg_of(findings, outcome)),
           .trim_after_s = findings.trim_after_s,
           .stands_after_s = findings.stands_after_s,
           .what = outcome ? std::string{} : findings.what_it_was()};

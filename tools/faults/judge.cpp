@@ -28,6 +28,7 @@ Limits limits_of(const sim::Scenario& scenario) {
   const core::FlightPlan& plan = scenario.plan;
   Limits limits{.shafts = shaft_limits(scenario),
                 .any_turn = plan.controller.entry == core::ControlEntry::capture,
+                .capture_s = plan.controller.entry == core::ControlEntry::capture ? 1.2 : 0.0,
                 .early_s = plan.sensors.barometer == core::BarometerUse::none ? 0.1 : 0.5};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const core::CanardPlan& canard = plan.canards.each[i];
@@ -158,7 +159,9 @@ void Judge::look_at_phase(const Moment& moment) {
 }
 
 void Judge::look_at_roll(const Moment& moment) {
-  const bool twin_controls = twin_.control_begin && moments_ >= *twin_.control_begin && moments_ <= *twin_.control_end;
+  const auto capture = static_cast<std::size_t>(limits_.capture_s * 1e3);
+  const bool twin_controls =
+      twin_.control_begin && moments_ >= *twin_.control_begin + capture && moments_ <= *twin_.control_end;
   if (!twin_controls || moment.time_s < fault_.begin_s) {
     return;
   }

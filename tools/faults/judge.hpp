@@ -33,7 +33,8 @@ struct Limits {
   std::array<double, core::canard_count> trim_rad{};
   std::array<double, core::canard_count> limit_rad{};  ///< smallest of plan, hard limit and mechanical stop
   ShaftLimits shafts{};
-  bool any_turn = false;  ///< with capture a roll that is whole turns away is the same
+  bool any_turn = false;   ///< with capture a roll that is whole turns away is the same
+  double capture_s = 0.0;  ///< so long after the twin's control began its roll is only on the way, and not compared
   /// Control may end so long before the twin's. A twin with a barometer notices apogee a little later than the
   /// accelerometer alone.
   double early_s = 0.1;
