@@ -19,7 +19,6 @@ constexpr double endless_s = std::numeric_limits<double>::infinity();
 flight::Flight whole() {
   flight::Flight log;
   log.plan = core::default_plan();
-  log.plan.dormancy.burn_time = core::Microseconds{8'000'000};
   log.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 9.0, .control_end_s = 18.0};
   log.phase_changes.push_back({18.0, core::Phase::finished, core::PhaseReason::apogee});
   for (int i = -100; i <= 2000; ++i) {
@@ -52,7 +51,9 @@ flight::Flight without_start(double from_s, double to_s) {
   return log;
 }
 
-Finding figure(const flight::Flight& log, const std::string& name) { return of_log(log).at("flight." + name); }
+/// Of a motor that burns for 8 s.
+Findings found(const flight::Flight& log) { return of_log(log, 8.0); }
+Finding figure(const flight::Flight& log, const std::string& name) { return found(log).at("flight." + name); }
 Number number(const flight::Flight& log, const std::string& name) {
   const Finding found = figure(log, name);
   return found.known ? std::get<Number>(*found.known) : Number{NAN, NAN};
@@ -236,7 +237,7 @@ TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
 
 std::string_view boost_clause(const flight::Flight& log) {
   const std::vector<Judged> judged =
-      judge(load_pack("irec"), {.what = "a log", .found = of_log(log), .why_missing = "a log does not tell it"});
+      judge(load_pack("irec"), {.what = "a log", .found = found(log), .why_missing = "a log does not tell it"});
   return name(std::ranges::find(judged, "7.4.1 (flight)", [](const Judged& one) { return one.clause.id; })->outcome);
 }
 
@@ -252,6 +253,19 @@ TEST(Record, DecidesAClauseOnlyAsFarAsItsRowsShowIt) {
   EXPECT_EQ(boost_clause(without(8.5, 10.0)), "PASS") << "the hole begins after burn-out";
 }
 
+// Without its motor nobody knows burn-out; the largest dynamic pressure may decide in its place.
+TEST(Record, DoesNotPassByThePlansBurnTimeAlone) {
+  flight::Flight log = whole();
+  log.plan.dormancy.burn_time = core::Microseconds{8'000'000};
+  const auto passes_by = [&](const char* condition) {
+    Clause clause{.id = "x"};
+    clause.passes_if = Expression::parse(condition, {.meaning_of = [](const std::string&) { return Meaning{}; }});
+    return judge({.clauses = {clause}}, {.what = "a log", .found = of_log(log), .why_missing = "x"}).front().outcome;
+  };
+  EXPECT_EQ(passes_by("flight.left_trim_s >= flight.burnout_s"), Outcome::not_known);
+  EXPECT_EQ(passes_by("flight.left_trim_s >= flight.burnout_s or flight.left_trim_s >= flight.max_q_s"), Outcome::pass);
+}
+
 TEST(Record, BeginsToMissAtTheLaunch) {
   EXPECT_EQ(missing_text(holes(without(-0.5, 3.0).rows, 0.0, 18.0)), "the record misses 0.00 to 3.00 s");
 }
@@ -261,6 +275,28 @@ TEST(Record, WithManyHolesNamesTwo) {
   EXPECT_EQ(missing_text({{1.0, 2.0}, {3.0, 4.0}, {5.0, 6.0}}),
             "the record misses 1.00 to 2.00 s and 3.00 to 4.00 s and more");
   EXPECT_EQ(missing_text({}), "");
+}
+
+/// A canard fault ended it in the middle of the burn; the avionics go on to record.
+flight::Flight ended_early() {
+  flight::Flight log = whole();
+  log.events.control_start_s.reset();
+  log.events.control_end_s = 3.0;
+  log.phase_changes.back() = {3.0, core::Phase::finished, core::PhaseReason::canard_fault};
+  for (flight::Row& row : log.rows) {
+    row.phase = row.time_s < 0.2 ? core::Phase::armed : row.time_s < 3.0 ? core::Phase::dormant : core::Phase::finished;
+  }
+  return log;
+}
+
+TEST(Record, GoesOnToItsGreatestHeightWhereControlEndedBefore) {
+  for (const char* name : {"top_speed_m_s", "largest_mach", "max_q_s", "apogee_m", "burnout_s"}) {
+    EXPECT_EQ(figure(ended_early(), name).known, figure(whole(), name).known) << name;
+  }
+  for (const char* name : {"top_speed_m_s", "largest_mach", "max_q_s", "apogee_m", "burnout_s"}) {
+    expect_open(without(4.99, 30.0, ended_early()), name, "the record ends at 4.99 s");
+  }
+  expect_open(without(12.0, 13.0, ended_early()), "largest_mach", "the record misses 12.00 to 13.00 s");
 }
 
 // What it states of a scenario follows from the simulation, whatever its avionics recorded.

@@ -14,6 +14,14 @@ std::map<std::string, std::string> outcomes(const json::Value& said) {
   return all;
 }
 
+std::string evidence(const json::Value& said, const std::string& id) {
+  std::string all;
+  for (const json::Value& one : said["clauses"]) {
+    all += one["id"].text() == id ? one["evidence"].text() : "";
+  }
+  return all;
+}
+
 const Words legal{"--set", "dormancy.until=burn_out",      "--set", "dormancy.burn_time_s=3.2",
                   "--set", "run.tilt_limit_deg=30",        "--set", "run.tilt_from=guide",
                   "--set", "run.canard_fault=end_control", "--set", "run.abort_input=closed_aborts"};
@@ -105,6 +113,9 @@ TEST(Rules, OfALogAloneAskForTheRocketAndJudgeItThen) {
   const json::Value named = asked(folder, {"rules", "irec", "flown.ftl", "--vehicle", "tasha3_launch2"});
   EXPECT_EQ(named["answer"], "yes");
   expect_said(named["compared"].text(), {"with the rocket Tasha III"});
+  expect_said(evidence(alone, "7.4.1 (flight)"),
+              {"flight.max_q_s = ", " s or more (", "dormancy.burn_time_s = 3.2 is the plan's word, not verified"});
+  expect_said(evidence(named, "7.4.1 (flight)"), {"by its thrust curve the motor burns for "});
   run_in(folder, with(with({"fly", "tasha3_launch2", "--out", "unstable"}, legal),
                       {"--set", "airframe.centre_of_pressure_m=0.85"}));
   EXPECT_EQ(outcomes(asked(folder, {"rules", "irec", "unstable"}, 1))["7.2.1"], "FAIL")

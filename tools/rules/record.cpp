@@ -92,13 +92,13 @@ std::string missing_text(const std::vector<Hole>& holes) {
 
 std::optional<double> end_of_ascent(const flight::Flight& log) {
   const bool has_truth = !log.rows.empty() && log.rows.front().truth;
-  const auto& event_s = has_truth ? log.events.apogee_s : log.events.control_end_s;
+  const auto event_s = has_truth ? log.events.apogee_s : ended_at_apogee(log) ? log.events.control_end_s : std::nullopt;
   return event_s ? event_s : greatest_height_s(log.rows);
 }
 
 std::vector<Hole> holes_of_ascent(const flight::Flight& log) {
   const std::optional<double> end_s = end_of_ascent(log);
-  // An apogee that was noticed is the end; any other end may have come with the hole.
+  // An apogee that was noticed is the end; a greatest height may have come with the hole.
   const double beyond_s = ended_at_apogee(log) ? 0.0 : 2.0 * longest_step_s;
   return holes(log.rows, 0.0, end_s ? *end_s + beyond_s : endless_s);
 }

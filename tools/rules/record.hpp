@@ -27,7 +27,8 @@ struct Hole {
 /// "the record misses 4.00 to 8.50 s", "the record ends at 4.99 s"; empty: nothing is missing
 [[nodiscard]] std::string missing_text(const std::vector<Hole>& holes);
 
-/// Apogee, or the end of control before it. Where no event tells, a log has it at its greatest height, if it goes on.
+/// Apogee as the avionics detected it. Where control ended before, or no event tells, the greatest height of the
+/// record, if it goes on beyond.
 [[nodiscard]] std::optional<double> end_of_ascent(const flight::Flight& log);
 
 /// Between launch and the end of the ascent.
