@@ -1,70 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "rules/record.hpp"
 
-#include <cmath>
-#include <limits>
-
-#include "core/flight_plan_members.hpp"
-#include "rules/figures.hpp"
 #include "rules/judge.hpp"
-#include "test.hpp"
-#include "text/degrees.hpp"
+#include "rules/logged_flight.hpp"
 
-namespace fantail::rules {
+namespace fantail::rules::logged {
 namespace {
-
-constexpr double endless_s = std::numeric_limits<double>::infinity();
-
-/// Every 10 ms from -1 to 20 s: thrust to 8 s, the largest speed then, control from 9 s on, apogee at 18 s.
-flight::Flight whole() {
-  flight::Flight log;
-  log.plan = core::default_plan();
-  log.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 9.0, .control_end_s = 18.0};
-  log.phase_changes.push_back({18.0, core::Phase::finished, core::PhaseReason::apogee});
-  for (int i = -100; i <= 2000; ++i) {
-    flight::Row& row = log.rows.emplace_back();
-    const double t = row.time_s = i * 0.01;
-    row.phase = t < 0.2    ? core::Phase::armed
-                : t < 9.0  ? core::Phase::launched
-                : t < 18.0 ? core::Phase::controlling
-                           : core::Phase::finished;
-    row.specific_force_m_s2 = t > 0.0 && t <= 8.0 ? 30.0 : -1.0;
-    row.speed_m_s = t < 0.0 ? 0.0 : t <= 8.0 ? 25.0 * t : std::max(0.0, 200.0 - 20.0 * (t - 8.0));
-    row.height_m = t < 0.0 ? 0.0 : 1800.0 - 5.0 * (t - 18.0) * (t - 18.0);
-    for (std::size_t k = 0; k < core::canard_count; ++k) {
-      row.commands_rad[k] = static_cast<double>(log.plan.canards.each[k].trim.radians());
-      row.encoders_rad[k] = *row.commands_rad[k] + (t >= 9.0 ? text::radians(3.0) : 0.0);
-    }
-  }
-  return log;
-}
-
-flight::Flight without(double from_s, double to_s, flight::Flight log = whole()) {
-  std::erase_if(log.rows, [&](const flight::Row& row) { return row.time_s > from_s && row.time_s < to_s - 1e-9; });
-  return log;
-}
-
-/// A log whose event records are lost with their ticks.
-flight::Flight without_start(double from_s, double to_s) {
-  flight::Flight log = without(from_s, to_s);
-  log.events.control_start_s.reset();
-  return log;
-}
-
-/// Of a motor that burns for 8 s.
-Findings found(const flight::Flight& log) { return of_log(log, 8.0); }
-Finding figure(const flight::Flight& log, const std::string& name) { return found(log).at("flight." + name); }
-Number number(const flight::Flight& log, const std::string& name) {
-  const Finding found = figure(log, name);
-  return found.known ? std::get<Number>(*found.known) : Number{NAN, NAN};
-}
-
-void expect_open(const flight::Flight& log, const std::string& name, const std::string& why) {
-  const Finding found = figure(log, name);
-  const Number range = found.known ? std::get<Number>(*found.known) : Number{0.0, endless_s};
-  EXPECT_LT(range.low, range.high) << name;
-  EXPECT_NE(found.how.find(why), std::string::npos) << name << ": " << found.how;
-}
 
 TEST(Record, OfAWholeFlightStatesEveryFigure) {
   for (const auto& [name, value] : {std::pair{"top_speed_m_s", 200.0},
@@ -182,48 +123,6 @@ TEST(Record, LeavesOpenWhetherAHoleHidesAnEarlierSpellOfControl) {
   EXPECT_EQ(number(without(4.0, 5.0), "control_start_s"), exactly(9.0));
 }
 
-/// Its axis leans by a degree a second from lift-off on; control ends at the abort.
-flight::Flight leaning() {
-  flight::Flight log = whole();
-  for (flight::Row& row : log.rows) {
-    row.tilt_from_guide_rad = text::radians(std::max(0.0, row.time_s));
-    const double away_rad = row.time_s >= 9.0 && row.time_s < 12.0 ? text::radians(3.0) : 0.0;
-    for (std::size_t k = 0; k < core::canard_count; ++k) {
-      const auto trim_rad = static_cast<double>(log.plan.canards.each[k].trim.radians());
-      row.commands_rad[k] = row.encoders_rad[k] = trim_rad + away_rad;
-    }
-  }
-  log.events.control_end_s = 12.0;
-  log.phase_changes.back() = {12.0, core::Phase::finished, core::PhaseReason::aborted};
-  return log;
-}
-
-TEST(Record, ShowsTheTiltUnderControl) {
-  EXPECT_NEAR(number(leaning(), "tilt_off_trim_deg").low, 11.99, 0.001);
-  EXPECT_EQ(number(leaning(), "tilt_off_trim_deg").low, number(leaning(), "tilt_off_trim_deg").high);
-  expect_open(without(10.0, 11.0, leaning()), "tilt_off_trim_deg", "the record misses 10.00 to 11.00 s");
-  flight::Flight table = leaning();
-  for (flight::Row& row : table.rows) {
-    row.tilt_from_guide_rad.reset();
-  }
-  expect_open(table, "tilt_off_trim_deg", "no attitude at 9.00 s");
-}
-
-TEST(Record, ShowsWhetherCanardsStandAtTrimAfterAnAbort) {
-  EXPECT_EQ(figure(leaning(), "off_trim_after_abort").known, Known{false});
-  flight::Flight stuck = leaning();
-  for (flight::Row& row : stuck.rows) {
-    *row.encoders_rad[1] += row.time_s > 11.0 ? text::radians(2.0) : 0.0;
-  }
-  EXPECT_EQ(figure(stuck, "off_trim_after_abort").known, Known{true});
-  EXPECT_NE(figure(stuck, "off_trim_after_abort").how.find("abort at 12.00 s; encoder of canard 2"), std::string::npos);
-  EXPECT_FALSE(figure(without(14.0, 15.0, leaning()), "off_trim_after_abort").known);
-  EXPECT_FALSE(figure(without(12.2, 30.0, leaning()), "off_trim_after_abort").known)
-      << "the record ends with the abort";
-  EXPECT_EQ(figure(whole(), "off_trim_after_abort").known, Known{false}) << "none came";
-  EXPECT_FALSE(figure(without(10.0, 11.0), "off_trim_after_abort").known) << "it may have come in the hole";
-}
-
 TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
   flight::Flight log = whole();
   for (flight::Row& row : log.rows) {
@@ -237,7 +136,7 @@ TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
 
 std::string_view boost_clause(const flight::Flight& log) {
   const std::vector<Judged> judged =
-      judge(load_pack("irec"), {.what = "a log", .found = found(log), .why_missing = "a log does not tell it"});
+      judge(load_pack("irec"), {.what = "a log", .found = of_log(log, 8.0), .why_missing = "a log does not tell it"});
   return name(std::ranges::find(judged, "7.4.1 (flight)", [](const Judged& one) { return one.clause.id; })->outcome);
 }
 
@@ -307,4 +206,4 @@ TEST(Record, IsNotAskedAboutASimulatedScenario) {
 }
 
 }  // namespace
-}  // namespace fantail::rules
+}  // namespace fantail::rules::logged

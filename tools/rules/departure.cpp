@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <ranges>
 
 #include <fmt/format.h>
@@ -22,36 +24,15 @@ std::optional<double> from_trim_deg(const std::optional<double>& angle_rad, cons
                    : std::nullopt;
 }
 
-struct Watch {
-  Departure found{};
-  std::array<std::optional<double>, core::canard_count> seen_s{};
-  double last_height_m = 0.0;
-
-  void look_for_silence(const flight::Row& row) {
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      const double since_s = std::max(0.0, seen_s[i].value_or(0.0));
-      const bool is_silent = !seen_s[i] || row.time_s - *seen_s[i] > longest_silence_s;
-      if (row.time_s >= 0.0 && is_silent && !found.hidden_from_s) {
-        found.hidden_from_s = since_s;
-        found.hidden_height_m = last_height_m;
-      }
-      if (row.encoders_rad[i]) {
-        seen_s[i] = row.time_s;
-      }
-    }
-    last_height_m = height_m(row);
+void keep_largest(Departure& found, const flight::Row& row, const core::FlightPlan& plan) {
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const core::CanardPlan& canard = plan.canards.each[i];
+    found.largest_command_deg =
+        std::max(found.largest_command_deg, from_trim_deg(row.commands_rad[i], canard).value_or(0.0));
+    found.largest_encoder_deg =
+        std::max(found.largest_encoder_deg, from_trim_deg(row.encoders_rad[i], canard).value_or(0.0));
   }
-
-  void keep_largest(const flight::Row& row, const core::FlightPlan& plan) {
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      const core::CanardPlan& canard = plan.canards.each[i];
-      found.largest_command_deg =
-          std::max(found.largest_command_deg, from_trim_deg(row.commands_rad[i], canard).value_or(0.0));
-      found.largest_encoder_deg =
-          std::max(found.largest_encoder_deg, from_trim_deg(row.encoders_rad[i], canard).value_or(0.0));
-    }
-  }
-};
+}
 
 bool command_is_away(const flight::Row& row, const core::FlightPlan& plan, std::size_t canard) {
   return from_trim_deg(row.commands_rad[canard], plan.canards.each[canard]).value_or(0.0) > command_tolerance_deg;
@@ -79,27 +60,49 @@ bool is_commanded_away(const flight::Row& row, const core::FlightPlan& plan) {
                              [&](std::size_t i) { return command_is_away(row, plan, i); });
 }
 
-Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan) {
-  Watch watch;
+std::optional<double> silent_from_s(std::span<const flight::Row> rows, double from_s, double to_s) {
+  std::array<double, core::canard_count> seen_s{};
+  seen_s.fill(-std::numeric_limits<double>::infinity());
+  for (const flight::Row& row : rows) {
+    if (row.time_s > to_s) {
+      break;
+    }
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      if (row.time_s >= from_s && row.time_s - seen_s[i] > longest_silence_s) {
+        return std::max(from_s, seen_s[i]);
+      }
+      if (row.encoders_rad[i]) {
+        seen_s[i] = row.time_s;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan, double from_s) {
+  Departure found;
   bool begins = true;
   for (const flight::Row& row : rows) {
-    watch.found.since_s = begins ? row.time_s : watch.found.since_s;
-    watch.found.until_s = row.time_s;
-    begins = false;
-    watch.look_for_silence(row);
+    if (begins) {
+      found = {.since_s = row.time_s};
+    }
+    found.until_s = row.time_s;
     const std::string away = who_is_away(row, plan);
-    if (!away.empty() && row.time_s >= 0.0) {
-      watch.found.time_s = row.time_s;
-      watch.found.height_m = height_m(row);
-      watch.found.what = away;
+    if (!away.empty() && row.time_s >= from_s) {
+      found.time_s = row.time_s;
+      found.height_m = height_m(row);
+      found.what = away;
       break;
     }
     begins = !away.empty();
-    if (row.time_s >= 0.0) {
-      watch.keep_largest(row, plan);
-    }
+    keep_largest(found, row, plan);
   }
-  return watch.found;
+  found.hidden_from_s = silent_from_s(rows, from_s, found.until_s);
+  if (found.hidden_from_s) {
+    const auto after = std::ranges::upper_bound(rows, *found.hidden_from_s, {}, &flight::Row::time_s);
+    found.hidden_height_m = height_m(after == rows.begin() ? *after : *std::prev(after));
+  }
+  return found;
 }
 
 std::string departure_text(const Departure& found) {

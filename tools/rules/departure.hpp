@@ -13,14 +13,14 @@ namespace fantail::rules {
 inline constexpr double command_tolerance_deg = 0.1;
 inline constexpr double encoder_tolerance_deg = 0.5;
 
-/// The first canard that leaves trim after lift-off, as far as commands and encoders show it.
+/// The first canard that leaves trim, as far as commands and encoders show it.
 struct Departure {
   double since_s = 0.0;              ///< all canards at trim from here on, the beginning of the rows at the earliest
   double until_s = 0.0;              ///< up to here: the departure, or the end
   std::optional<double> time_s{};    ///< empty: none was seen
   double height_m = 0.0;             ///< then
   std::string what{};                ///< "command of canard 2"
-  double largest_command_deg = 0.0;  ///< from trim, after lift-off and before the departure
+  double largest_command_deg = 0.0;  ///< from trim, in that time
   double largest_encoder_deg = 0.0;
   /// From here on, before the departure, an encoder or the rows themselves are silent: nobody saw the canard stand.
   std::optional<double> hidden_from_s{};
@@ -36,10 +36,14 @@ struct Departure {
 /// "command of canard 2": one that is away from trim in this row; empty: none.
 [[nodiscard]] std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan);
 
-/// `rows` up to the end of the ascent; the trims are those of the plan.
-[[nodiscard]] Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan);
+/// From here on, between these times, an encoder or the rows themselves are silent: nobody saw the canards.
+[[nodiscard]] std::optional<double> silent_from_s(std::span<const flight::Row> rows, double from_s, double to_s);
 
-/// "commands within 0.1 deg and encoders within 0.14 deg of trim from -2.41 to 3.53 s"
+/// `rows` up to the end of the ascent; what happens before `from_s`, lift-off or later, is none. The trims are those of
+/// the plan.
+[[nodiscard]] Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan, double from_s = 0.0);
+
+/// "from -2.41 to 3.53 s, commands within 0.1 deg and encoders within 0.14 deg of trim"
 [[nodiscard]] std::string departure_text(const Departure& found);
 
 }  // namespace fantail::rules

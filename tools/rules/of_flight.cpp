@@ -24,10 +24,8 @@ using Rows = std::span<const flight::Row>;
 bool has_truth(const flight::Flight& flight) { return !flight.rows.empty() && flight.rows.front().truth.has_value(); }
 
 /// Up to the end of the ascent: later a parachute opens, and an estimate is worth nothing.
-Rows ascent(const flight::Flight& flight, bool is_log) {
-  const auto end_s = is_log              ? end_of_ascent(flight)
-                     : has_truth(flight) ? flight.events.apogee_s
-                                         : flight.events.control_end_s;
+Rows ascent(const flight::Flight& flight) {
+  const auto end_s = end_of_ascent(flight);
   const auto end = std::ranges::find_if(
       flight.rows, [&](const flight::Row& row) { return row.time_s > end_s.value_or(row.time_s); });
   return Rows{flight.rows}.first(static_cast<std::size_t>(end - flight.rows.begin()));
@@ -59,7 +57,7 @@ class OfFlight {
         atmosphere_{atmosphere},
         is_log_{is_log},
         motor_burns_s_{motor_burns_s},
-        rows_{ascent(flight, is_log)},
+        rows_{ascent(flight)},
         is_simulated_{has_truth(flight)},
         missing_{is_log ? holes_of_ascent(flight) : std::vector<Hole>{}},
         control_{is_log ? control_in_log(flight) : ControlInLog{}} {}
@@ -125,7 +123,7 @@ class OfFlight {
     if (is_log_) {
       return missing_.empty();
     }
-    const auto& end_s = is_simulated_ ? flight_.events.apogee_s : flight_.events.control_end_s;
+    const auto end_s = end_of_ascent(flight_);
     return end_s && flight_.rows.back().time_s >= *end_s;
   }
 
@@ -161,7 +159,10 @@ class OfFlight {
           fmt::format("{}; by its thrust curve the motor burns for {} s", seen, text::fixed(*motor_burns_s_, 2)));
     } else {
       add("burnout_s", Number{pushed_until_s, infinity},
-          seen + (is_cut ? ", where the recorded ascent ends" : "; thrust below drag may last longer") + stated_burn());
+          seen +
+              (is_cut ? fmt::format(", where the {} ends", is_whole() ? "ascent" : "record")
+                      : "; thrust below drag may last longer") +
+              stated_burn());
     }
   }
 
@@ -222,14 +223,12 @@ class OfFlight {
       add("left_trim_height_m", Number{std::min(earliest_m, found.height_m), std::max(earliest_m, found.height_m)},
           estimated());
     }
-    add_before_control(hidden_s.has_value());
+    add_before_control();
     all_.merge(return_to_trim(flight_, rows_,
-                              is_whole()         ? ""
-                              : missing_.empty() ? "the record ends before the ascent does"
-                                                 : missing_text(missing_)));
+                              is_log_ || is_whole() ? missing_ : std::vector{Hole{rows_.back().time_s, infinity}}));
   }
 
-  void add_before_control(bool is_hidden) {
+  void add_before_control() {
     const auto before_s = is_log_ ? control_.before_s : flight_.events.control_start_s.value_or(infinity);
     if (!before_s) {
       add("canard_before_control_deg", {}, control_.why_unknown);
@@ -248,7 +247,9 @@ class OfFlight {
     const std::vector<Hole> hidden = !is_log_               ? std::vector<Hole>{}
                                      : *before_s < infinity ? holes(flight_.rows, 0.0, *before_s)
                                                             : missing_;
-    const bool is_known = !is_hidden && hidden.empty() && (!is_log_ || control_.start_s || control_.never_began);
+    const bool is_seen =
+        hidden.empty() && !silent_from_s(rows_, 0.0, *before_s) && (is_whole() || *before_s < infinity);
+    const bool is_known = is_seen && (!is_log_ || control_.start_s || control_.never_began);
     add("canard_before_control_deg",
         Number{text::degrees(largest_rad), is_known ? text::degrees(largest_rad) : infinity}, missing_text(hidden));
   }
@@ -267,7 +268,7 @@ class OfFlight {
 Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log,
                   const std::optional<double>& motor_burns_s) {
   const bool is_there = flight.events.liftoff_s || flight.events.detected_s;
-  if (is_there && !ascent(flight, is_log).empty()) {
+  if (is_there && !ascent(flight).empty()) {
     return OfFlight{flight, atmosphere, is_log, motor_burns_s}.take();
   }
   const bool begins_late = !flight.rows.empty() && flight.known.phase && core::is_flight(flight.rows.front().phase);
