@@ -1,70 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "rules/record.hpp"
 
-#include <cmath>
-#include <limits>
-
-#include "core/flight_plan_members.hpp"
-#include "rules/figures.hpp"
+#include "records.hpp"
 #include "rules/judge.hpp"
-#include "test.hpp"
-#include "text/degrees.hpp"
 
 namespace fantail::rules {
 namespace {
-
-constexpr double endless_s = std::numeric_limits<double>::infinity();
-
-/// Every 10 ms from -1 to 20 s: thrust to 8 s, the largest speed then, control from 9 s on, apogee at 18 s.
-flight::Flight whole() {
-  flight::Flight log;
-  log.plan = core::default_plan();
-  log.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 9.0, .control_end_s = 18.0};
-  log.phase_changes.push_back({18.0, core::Phase::finished, core::PhaseReason::apogee});
-  for (int i = -100; i <= 2000; ++i) {
-    flight::Row& row = log.rows.emplace_back();
-    const double t = row.time_s = i * 0.01;
-    row.phase = t < 0.2    ? core::Phase::armed
-                : t < 9.0  ? core::Phase::launched
-                : t < 18.0 ? core::Phase::controlling
-                           : core::Phase::finished;
-    row.specific_force_m_s2 = t > 0.0 && t <= 8.0 ? 30.0 : -1.0;
-    row.speed_m_s = t < 0.0 ? 0.0 : t <= 8.0 ? 25.0 * t : std::max(0.0, 200.0 - 20.0 * (t - 8.0));
-    row.height_m = t < 0.0 ? 0.0 : 1800.0 - 5.0 * (t - 18.0) * (t - 18.0);
-    for (std::size_t k = 0; k < core::canard_count; ++k) {
-      row.commands_rad[k] = static_cast<double>(log.plan.canards.each[k].trim.radians());
-      row.encoders_rad[k] = *row.commands_rad[k] + (t >= 9.0 ? text::radians(3.0) : 0.0);
-    }
-  }
-  return log;
-}
-
-flight::Flight without(double from_s, double to_s, flight::Flight log = whole()) {
-  std::erase_if(log.rows, [&](const flight::Row& row) { return row.time_s > from_s && row.time_s < to_s - 1e-9; });
-  return log;
-}
-
-/// A log whose event records are lost with their ticks.
-flight::Flight without_start(double from_s, double to_s) {
-  flight::Flight log = without(from_s, to_s);
-  log.events.control_start_s.reset();
-  return log;
-}
-
-/// Of a motor that burns for 8 s.
-Findings found(const flight::Flight& log) { return of_log(log, 8.0); }
-Finding figure(const flight::Flight& log, const std::string& name) { return found(log).at("flight." + name); }
-Number number(const flight::Flight& log, const std::string& name) {
-  const Finding found = figure(log, name);
-  return found.known ? std::get<Number>(*found.known) : Number{NAN, NAN};
-}
-
-void expect_open(const flight::Flight& log, const std::string& name, const std::string& why) {
-  const Finding found = figure(log, name);
-  const Number range = found.known ? std::get<Number>(*found.known) : Number{0.0, endless_s};
-  EXPECT_LT(range.low, range.high) << name;
-  EXPECT_NE(found.how.find(why), std::string::npos) << name << ": " << found.how;
-}
 
 TEST(Record, OfAWholeFlightStatesEveryFigure) {
   for (const auto& [name, value] : {std::pair{"top_speed_m_s", 200.0},
@@ -75,33 +16,33 @@ TEST(Record, OfAWholeFlightStatesEveryFigure) {
                                     {"control_start_height_m", 1395.0},
                                     {"left_trim_s", 9.0},
                                     {"canard_before_control_deg", 0.0}}) {
-    EXPECT_NEAR(number(whole(), name).low, value, 0.03) << name;
-    EXPECT_EQ(number(whole(), name).low, number(whole(), name).high) << name;
+    EXPECT_NEAR(number_of(whole(), name).low, value, 0.03) << name;
+    EXPECT_EQ(number_of(whole(), name).low, number_of(whole(), name).high) << name;
   }
   EXPECT_TRUE(control_in_log(whole()).of_subject.empty());
 }
 
 TEST(Record, ThatMissesAPartOfTheAscentLeavesExtremesOpenAndSaysWhatItMisses) {
   for (const char* name : {"top_speed_m_s", "largest_mach", "apogee_m", "max_q_s", "burnout_s", "left_trim_s"}) {
-    expect_open(without(4.0, 8.5), name, "the record misses 4.00 to 8.50 s");
+    expect_open(with_hole(4.0, 8.5), name, "the record misses 4.00 to 8.50 s");
   }
-  EXPECT_NEAR(number(without(4.0, 8.5), "max_q_s").low, 4.0, 1e-6);
-  EXPECT_NEAR(number(without(4.0, 8.5), "max_q_s").high, 8.5, 0.011);
-  EXPECT_NEAR(number(without(4.0, 8.5), "burnout_s").low, 4.0, 0.1);
+  EXPECT_NEAR(number_of(with_hole(4.0, 8.5), "max_q_s").low, 4.0, 1e-6);
+  EXPECT_NEAR(number_of(with_hole(4.0, 8.5), "max_q_s").high, 8.5, 0.011);
+  EXPECT_NEAR(number_of(with_hole(4.0, 8.5), "burnout_s").low, 4.0, 0.1);
 }
 
 TEST(Record, WithASmallHoleIsWhole) {
-  EXPECT_EQ(number(without(4.0, 4.09), "max_q_s"), number(whole(), "max_q_s"));
-  EXPECT_EQ(figure(without(4.0, 4.09), "top_speed_m_s").how.find("misses"), std::string::npos);
+  EXPECT_EQ(number_of(with_hole(4.0, 4.09), "max_q_s"), number_of(whole(), "max_q_s"));
+  EXPECT_EQ(figure(with_hole(4.0, 4.09), "top_speed_m_s").how.find("misses"), std::string::npos);
 }
 
 TEST(Record, WithAHoleAfterTheAscentIsWhole) {
-  EXPECT_EQ(number(without(18.5, 19.5), "top_speed_m_s"), number(whole(), "top_speed_m_s"));
+  EXPECT_EQ(number_of(with_hole(18.5, 19.5), "top_speed_m_s"), number_of(whole(), "top_speed_m_s"));
 }
 
 TEST(Record, WithAHoleAfterBurnOutKnowsBurnOut) {
-  EXPECT_EQ(number(without(12.0, 13.0), "burnout_s"), number(whole(), "burnout_s"));
-  expect_open(without(12.0, 13.0), "top_speed_m_s", "the record misses 12.00 to 13.00 s");
+  EXPECT_EQ(number_of(with_hole(12.0, 13.0), "burnout_s"), number_of(whole(), "burnout_s"));
+  expect_open(with_hole(12.0, 13.0), "top_speed_m_s", "the record misses 12.00 to 13.00 s");
 }
 
 TEST(Record, ThatBeginsInTheMiddleStatesNoExtreme) {
@@ -141,7 +82,7 @@ TEST(Record, ThatMissesTheBeginOfControlDoesNotSayThatItNeverBegan) {
 }
 
 TEST(Record, WhoseFirstRowAlreadyControlsDoesNotKnowWhenItBegan) {
-  flight::Flight log = without(-2.0, 9.0);
+  flight::Flight log = with_hole(-2.0, 9.0);
   log.events.control_start_s = log.rows.front().time_s;
   EXPECT_FALSE(figure(log, "control_start_s").known);
   EXPECT_FALSE(figure(log, "control_start_height_m").known);
@@ -165,7 +106,7 @@ TEST(Record, WithoutPhasesDoesNotKnowWhichAngleIsFromBeforeControl) {
 }
 
 TEST(Record, TakesNoCanardUnderControlForOneBeforeIt) {
-  EXPECT_NEAR(number(without_start(8.5, 10.0), "canard_before_control_deg").low, 0.0, 0.01);
+  EXPECT_NEAR(number_of(without_start(8.5, 10.0), "canard_before_control_deg").low, 0.0, 0.01);
 }
 
 // A gate that closes again leaves dormant rows; without a gate every row before control is of the launch.
@@ -174,54 +115,12 @@ TEST(Record, LeavesOpenWhetherAHoleHidesAnEarlierSpellOfControl) {
   for (flight::Row& row : gated.rows) {
     row.phase = row.phase == core::Phase::launched && row.time_s > 1.0 ? core::Phase::dormant : row.phase;
   }
-  EXPECT_EQ(number(gated, "control_start_s"), exactly(9.0));
-  EXPECT_NEAR(number(without(4.0, 5.0, gated), "control_start_s").low, 4.0, 1e-6);
-  EXPECT_EQ(number(without(4.0, 5.0, gated), "control_start_s").high, 9.0);
-  expect_open(without(4.0, 5.0, gated), "control_start_height_m", "");
-  expect_open(without(4.0, 5.0, gated), "left_trim_s", "misses 4.00 to 5.00 s");
-  EXPECT_EQ(number(without(4.0, 5.0), "control_start_s"), exactly(9.0));
-}
-
-/// Its axis leans by a degree a second from lift-off on; control ends at the abort.
-flight::Flight leaning() {
-  flight::Flight log = whole();
-  for (flight::Row& row : log.rows) {
-    row.tilt_from_guide_rad = text::radians(std::max(0.0, row.time_s));
-    const double away_rad = row.time_s >= 9.0 && row.time_s < 12.0 ? text::radians(3.0) : 0.0;
-    for (std::size_t k = 0; k < core::canard_count; ++k) {
-      const auto trim_rad = static_cast<double>(log.plan.canards.each[k].trim.radians());
-      row.commands_rad[k] = row.encoders_rad[k] = trim_rad + away_rad;
-    }
-  }
-  log.events.control_end_s = 12.0;
-  log.phase_changes.back() = {12.0, core::Phase::finished, core::PhaseReason::aborted};
-  return log;
-}
-
-TEST(Record, ShowsTheTiltUnderControl) {
-  EXPECT_NEAR(number(leaning(), "tilt_off_trim_deg").low, 11.99, 0.001);
-  EXPECT_EQ(number(leaning(), "tilt_off_trim_deg").low, number(leaning(), "tilt_off_trim_deg").high);
-  expect_open(without(10.0, 11.0, leaning()), "tilt_off_trim_deg", "the record misses 10.00 to 11.00 s");
-  flight::Flight table = leaning();
-  for (flight::Row& row : table.rows) {
-    row.tilt_from_guide_rad.reset();
-  }
-  expect_open(table, "tilt_off_trim_deg", "no attitude at 9.00 s");
-}
-
-TEST(Record, ShowsWhetherCanardsStandAtTrimAfterAnAbort) {
-  EXPECT_EQ(figure(leaning(), "off_trim_after_abort").known, Known{false});
-  flight::Flight stuck = leaning();
-  for (flight::Row& row : stuck.rows) {
-    *row.encoders_rad[1] += row.time_s > 11.0 ? text::radians(2.0) : 0.0;
-  }
-  EXPECT_EQ(figure(stuck, "off_trim_after_abort").known, Known{true});
-  EXPECT_NE(figure(stuck, "off_trim_after_abort").how.find("abort at 12.00 s; encoder of canard 2"), std::string::npos);
-  EXPECT_FALSE(figure(without(14.0, 15.0, leaning()), "off_trim_after_abort").known);
-  EXPECT_FALSE(figure(without(12.2, 30.0, leaning()), "off_trim_after_abort").known)
-      << "the record ends with the abort";
-  EXPECT_EQ(figure(whole(), "off_trim_after_abort").known, Known{false}) << "none came";
-  EXPECT_FALSE(figure(without(10.0, 11.0), "off_trim_after_abort").known) << "it may have come in the hole";
+  EXPECT_EQ(number_of(gated, "control_start_s"), exactly(9.0));
+  EXPECT_NEAR(number_of(with_hole(4.0, 5.0, gated), "control_start_s").low, 4.0, 1e-6);
+  EXPECT_EQ(number_of(with_hole(4.0, 5.0, gated), "control_start_s").high, 9.0);
+  expect_open(with_hole(4.0, 5.0, gated), "control_start_height_m", "");
+  expect_open(with_hole(4.0, 5.0, gated), "left_trim_s", "misses 4.00 to 5.00 s");
+  EXPECT_EQ(number_of(with_hole(4.0, 5.0), "control_start_s"), exactly(9.0));
 }
 
 TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
@@ -229,10 +128,10 @@ TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
   for (flight::Row& row : log.rows) {
     *row.encoders_rad[0] += row.time_s >= 2.0 && row.time_s < 3.0 ? text::radians(2.0) : 0.0;
   }
-  log = without(4.0, 8.5, log);
-  EXPECT_EQ(number(log, "left_trim_s"), exactly(2.0));
-  EXPECT_GT(number(log, "burnout_s").low, 2.0);
-  EXPECT_GT(number(log, "max_q_s").low, 2.0);
+  log = with_hole(4.0, 8.5, log);
+  EXPECT_EQ(number_of(log, "left_trim_s"), exactly(2.0));
+  EXPECT_GT(number_of(log, "burnout_s").low, 2.0);
+  EXPECT_GT(number_of(log, "max_q_s").low, 2.0);
 }
 
 std::string_view boost_clause(const flight::Flight& log) {
@@ -248,9 +147,9 @@ TEST(Record, DecidesAClauseOnlyAsFarAsItsRowsShowIt) {
   }
   EXPECT_EQ(boost_clause(whole()), "PASS");
   EXPECT_EQ(boost_clause(early), "FAIL");
-  EXPECT_EQ(boost_clause(without(4.0, 14.0, early)), "NOT KNOWN");
-  EXPECT_EQ(boost_clause(without(6.0, 8.5, early)), "FAIL") << "the canard was seen to move under thrust";
-  EXPECT_EQ(boost_clause(without(8.5, 10.0)), "PASS") << "the hole begins after burn-out";
+  EXPECT_EQ(boost_clause(with_hole(4.0, 14.0, early)), "NOT KNOWN");
+  EXPECT_EQ(boost_clause(with_hole(6.0, 8.5, early)), "FAIL") << "the canard was seen to move under thrust";
+  EXPECT_EQ(boost_clause(with_hole(8.5, 10.0)), "PASS") << "the hole begins after burn-out";
 }
 
 // Without its motor nobody knows burn-out; the largest dynamic pressure may decide in its place.
@@ -267,7 +166,7 @@ TEST(Record, DoesNotPassByThePlansBurnTimeAlone) {
 }
 
 TEST(Record, BeginsToMissAtTheLaunch) {
-  EXPECT_EQ(missing_text(holes(without(-0.5, 3.0).rows, 0.0, 18.0)), "the record misses 0.00 to 3.00 s");
+  EXPECT_EQ(missing_text(holes(with_hole(-0.5, 3.0).rows, 0.0, 18.0)), "the record misses 0.00 to 3.00 s");
 }
 
 TEST(Record, WithManyHolesNamesTwo) {
@@ -277,31 +176,9 @@ TEST(Record, WithManyHolesNamesTwo) {
   EXPECT_EQ(missing_text({}), "");
 }
 
-/// A canard fault ended it in the middle of the burn; the avionics go on to record.
-flight::Flight ended_early() {
-  flight::Flight log = whole();
-  log.events.control_start_s.reset();
-  log.events.control_end_s = 3.0;
-  log.phase_changes.back() = {3.0, core::Phase::finished, core::PhaseReason::canard_fault};
-  for (flight::Row& row : log.rows) {
-    row.phase = row.time_s < 0.2 ? core::Phase::armed : row.time_s < 3.0 ? core::Phase::dormant : core::Phase::finished;
-  }
-  return log;
-}
-
-TEST(Record, GoesOnToItsGreatestHeightWhereControlEndedBefore) {
-  for (const char* name : {"top_speed_m_s", "largest_mach", "max_q_s", "apogee_m", "burnout_s"}) {
-    EXPECT_EQ(figure(ended_early(), name).known, figure(whole(), name).known) << name;
-  }
-  for (const char* name : {"top_speed_m_s", "largest_mach", "max_q_s", "apogee_m", "burnout_s"}) {
-    expect_open(without(4.99, 30.0, ended_early()), name, "the record ends at 4.99 s");
-  }
-  expect_open(without(12.0, 13.0, ended_early()), "largest_mach", "the record misses 12.00 to 13.00 s");
-}
-
 // What it states of a scenario follows from the simulation, whatever its avionics recorded.
 TEST(Record, IsNotAskedAboutASimulatedScenario) {
-  flight::Flight flown = without(4.0, 8.5);
+  flight::Flight flown = with_hole(4.0, 8.5);
   EXPECT_EQ(std::get<Number>(*of_flight(flown, {}).at("flight.top_speed_m_s").known).high,
             std::get<Number>(*of_flight(flown, {}).at("flight.top_speed_m_s").known).low);
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "flight/trim.hpp"
 #include "rules/departure.hpp"
 #include "rules/record.hpp"
 #include "text/degrees.hpp"
@@ -54,7 +55,7 @@ Finding off_trim_after_abort(const flight::Flight& flight, const std::string& mi
                            : Finding{{}, "no abort in the flight, as far as it is on record; " + missing};
   }
   const std::string aborted = fmt::format("abort at {} s; ", text::fixed(abort->time_s, 2));
-  const double from_s = abort->time_s + longest_return_s;
+  const double from_s = abort->time_s + flight::longest_return_s;
   const auto rows = rows_after(flight, from_s);
   if (std::ranges::none_of(rows, shows_every_canard)) {
     return {{}, aborted + "no row of the ascent after it shows all canards"};
