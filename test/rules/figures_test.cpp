@@ -86,6 +86,10 @@ TEST(RocketFigures, OfMarginsInFlightAreUnknownAboveTheModelsMachNumber) {
   for (const char* name : {"rocket.margin_calibres", "rocket.damping_ratio"}) {
     EXPECT_NE(all.at(name).how.find("Mach 1.30"), std::string::npos) << name;
   }
+  fast.extremes.top_mach = 0.8004;
+  EXPECT_NE(
+      of_rocket(scenario(), fast).at("rocket.margin_calibres").how.find("reaches Mach 0.8004, and above Mach 0.8 "),
+      std::string::npos);
 }
 
 Finding of_log_with_mach(const std::optional<Known>& mach, const std::string& name) {
@@ -121,6 +125,15 @@ TEST(FlightFigures, OfASimulatedFlightAreThoseOfItsEventsAndTruth) {
   EXPECT_NEAR(number(all, "flight.left_trim_height_m").low, 6.0, 0.1);  // likewise
   EXPECT_NEAR(number(all, "flight.apogee_m").low, 421.0, 1.0);          // likewise
   EXPECT_EQ(all.at("flight.left_trim").known, Known{true});
+}
+
+// A path of another program shows its motor only where that pushes with more than the drag.
+TEST(FlightFigures, OnATrajectoryHaveABurnOutThatMayBeLater) {
+  flight::Flight flight = flown();
+  flight.path_frame = flight::PathFrame::plane;
+  const Number found = number(of_flight(flight, scenario().atmosphere), "flight.burnout_s");
+  EXPECT_EQ(found.low, *flown().events.burnout_s);
+  EXPECT_TRUE(std::isinf(found.high));
 }
 
 TEST(FlightFigures, OfALogHaveABurnOutThatIsNoEarlierThanTheLastForceAlongTheAxis) {

@@ -122,6 +122,17 @@ TEST(Rules, OfALogAloneAskForTheRocketAndJudgeItThen) {
       << "with the changes of the flight";
 }
 
+// Its scenario names the file from its own folder, and the log from another.
+TEST(Rules, OfALogWithAVehicleFileOfItsOwnAskForItsPath) {
+  const Folder folder;
+  run_in(folder, {"new", "mine", "--from", "tasha3_launch2"});
+  run_in(folder, {"fly", "mine/scenario.toml", "--out", "flown"});
+  expect_said(asked(folder, {"rules", "irec", "flown"}, 1)["sentence"].text(),
+              {"the vehicle \"vehicle.toml\" of its scenario: give the path of that file from here with --vehicle."});
+  expect_said(asked(folder, {"rules", "irec", "flown", "--vehicle", "mine/vehicle.toml"}, 1)["compared"].text(),
+              {"with the rocket mine"});
+}
+
 // What its rows do not show neither passes, nor is it said that it never happened.
 TEST(Rules, LeaveOpenWhatALogThatEndsUnderThrustDoesNotShow) {
   const Folder folder;

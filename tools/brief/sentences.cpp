@@ -183,10 +183,11 @@ std::vector<std::string> wind_sentences(const Brief& of) {
     return {fmt::format("No wind passes. Even in calm air {}.", limit.first_failure)};
   }
   return {
-      fmt::format("Simulated in steps of {} m/s, from four directions: up to {} m/s the flight stays within the roll "
-                  "model under control.",
+      fmt::format("Simulated in steps of {} m/s, from four directions: up to {} m/s control stays within the roll "
+                  "model.",
                   text::brief(wind_step_m_s, 0), text::brief(*limit.passed_m_s, 0)),
-      fmt::format("At the end of the guide the angle of attack then reaches {} deg. That is not judged.",
+      fmt::format("Not judged: the end of the guide, where the angle of attack then reaches {} deg, and flight that is "
+                  "slower than where control begins.",
                   fixed(degrees(limit.exit_attack_rad), 0)),
       fmt::format("Up to there the tilt limit ends control at most {} s before apogee.",
                   text::brief(limit.tilt_end_before_apogee_s, 2)),
@@ -214,15 +215,15 @@ std::vector<std::string> gate_sentences(const Brief& of) {
 
 std::vector<std::string> end_sentences(const Brief& of) {
   const core::RunPlan& run = of.plan.run;
-  std::vector<std::string> all{fmt::format(
-      "Canards are commanded to trim at the first of: apogee; tilt over {} deg from {}; {} s of control; gyro "
-      "silent for {} s; timing or "
-      "memory fault{}{}.",
-      text::brief(degrees(static_cast<double>(run.tilt_limit.radians())), 1),
-      run.tilt_from == core::TiltOrigin::guide ? "the direction at rest on the guide" : "the vertical",
-      text::brief(seconds(run.control_time), 1), text::brief(seconds(of.plan.motion.longest_gyro_gap), 3),
-      run.canard_fault == core::CanardFaultPolicy::end_control ? "; a failed canard" : "",
-      run.abort_input == core::AbortInput::none ? "" : "; abort")};
+  std::vector<std::string> all{
+      fmt::format("Trim is commanded at the first of: apogee; tilt over {} deg from {}; {} s of control; gyro "
+                  "silent for {} s; timing or "
+                  "memory fault{}{}.",
+                  text::brief(degrees(static_cast<double>(run.tilt_limit.radians())), 1),
+                  run.tilt_from == core::TiltOrigin::guide ? "the direction at rest on the guide" : "the vertical",
+                  text::brief(seconds(run.control_time), 1), text::brief(seconds(of.plan.motion.longest_gyro_gap), 3),
+                  run.canard_fault == core::CanardFaultPolicy::end_control ? "; a failed canard" : "",
+                  run.abort_input == core::AbortInput::none ? "" : "; abort")};
   if (run.canard_fault == core::CanardFaultPolicy::share) {
     all.emplace_back("A failed canard does not end control: the others compensate for it.");
   } else if (run.canard_fault == core::CanardFaultPolicy::continue_control) {

@@ -9,9 +9,8 @@
 
 namespace fantail::rules {
 
-/// A command this far from trim moves a canard; an encoder has noise and the play of a gear on top.
+/// A command this far from trim moves a canard.
 inline constexpr double command_tolerance_deg = 0.1;
-inline constexpr double encoder_tolerance_deg = 0.5;
 
 /// The first canard that leaves trim, as far as commands and encoders show it.
 struct Departure {

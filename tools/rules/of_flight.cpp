@@ -128,8 +128,10 @@ class OfFlight {
   }
 
   void add_burnout() {
-    if (flight_.events.burnout_s) {
-      add("burnout_s", exactly(*flight_.events.burnout_s));
+    if (const auto& burnout_s = flight_.events.burnout_s) {
+      const bool is_bound = flight_.path_frame == flight::PathFrame::plane;
+      add("burnout_s", Number{*burnout_s, is_bound ? infinity : *burnout_s},
+          is_bound ? "the trajectory does not show thrust below drag" : "");
       return;
     }
     constexpr double window_s = 0.1;
