@@ -112,5 +112,59 @@ TEST(ReturnToTrim, LeavesTheAngleBeforeControlOpenBehindASilentEncoderAfterADepa
   EXPECT_EQ(number(moved, "canard_before_control_deg").high, endless_s);
 }
 
+/// The same as a simulation knows it: by its truth the axis leans twice as far, and every canard stands at its trim
+/// where nothing is commanded.
+flight::Flight simulated(bool can_tilt = true) {
+  flight::Flight flown = leaning();
+  flown.events.apogee_s = 18.0;
+  for (flight::Row& row : flown.rows) {
+    row.truth = flight::Truth{.height_m = row.height_m, .speed_m_s = row.speed_m_s};
+    row.truth->tilt_from_guide_rad = can_tilt ? std::optional{2.0 * *row.tilt_from_guide_rad} : std::nullopt;
+    auto& shafts_rad = row.truth->shafts_rad.emplace();
+    std::ranges::transform(row.encoders_rad, shafts_rad.begin(), [](const auto& angle_rad) { return *angle_rad; });
+  }
+  return flown;
+}
+Finding simulated_figure(const flight::Flight& flown, const std::string& name) {
+  return of_flight(flown, {}).at("flight." + name);
+}
+
+TEST(ReturnToTrim, OfASimulatedFlightGoesByItsTrueTilt) {
+  const Finding found = simulated_figure(simulated(), "tilt_off_trim_deg");
+  EXPECT_NEAR(std::get<Number>(*found.known).low, 23.98, 0.001);
+  EXPECT_EQ(found.how, "at 11.99 s, the true tilt");
+}
+
+// Neither the true axis nor the avionics' can leave the guide's direction along a straight line.
+TEST(ReturnToTrim, OfAMotionThatCannotTiltIsNotKnownUnlessNoCanardIsCommanded) {
+  const Finding found = simulated_figure(simulated(false), "tilt_off_trim_deg");
+  EXPECT_FALSE(found.known);
+  EXPECT_EQ(found.how,
+            "the simulated motion is straight and cannot tilt; allowed: flight.motion = \"six_dof\", or a trajectory "
+            "that tilts");
+  flight::Flight still = simulated(false);
+  for (flight::Row& row : still.rows) {
+    row.commands_rad = still.rows.front().commands_rad;
+  }
+  EXPECT_EQ(simulated_figure(still, "tilt_off_trim_deg").known, Known{exactly(0.0)});
+}
+
+TEST(ReturnToTrim, OfASimulatedFlightGoesByItsTrueCanardsWhateverTheirEncodersSay) {
+  flight::Flight blind = simulated();
+  for (flight::Row& row : blind.rows) {
+    row.encoders_rad = {};
+  }
+  EXPECT_EQ(simulated_figure(blind, "left_trim_s").known, Known{exactly(9.0)});
+  EXPECT_EQ(simulated_figure(blind, "canard_before_control_deg").known, Known{exactly(0.0)});
+  EXPECT_EQ(simulated_figure(blind, "off_trim_after_abort").known, Known{false});
+  for (flight::Row& row : blind.rows) {
+    row.truth->shafts_rad->at(2) += row.time_s >= 5.0 ? text::radians(2.0) : 0.0;
+  }
+  EXPECT_EQ(simulated_figure(blind, "left_trim_s").known, Known{exactly(5.0)});
+  EXPECT_NEAR(std::get<Number>(*simulated_figure(blind, "canard_before_control_deg").known).low, 2.0, 1e-6);
+  EXPECT_EQ(simulated_figure(blind, "off_trim_after_abort").how,
+            "abort at 12.00 s; shaft of canard 3 is away from trim at 12.50 s");
+}
+
 }  // namespace
 }  // namespace fantail::rules::logged

@@ -61,10 +61,49 @@ TEST(Rules, FailThePublishedLaunchByNameAtIrecAndEuroc) {
 
 TEST(Rules, PassAtIrecAPlanThatWaitsForBurnOut) {
   const Folder folder;
-  const json::Value irec = asked(folder, with({"rules", "irec", "tasha3_launch2"}, legal));
+  const json::Value irec =
+      asked(folder, with(with({"rules", "irec", "tasha3_launch2"}, legal), {"--set", "flight.motion=six_dof"}));
   EXPECT_EQ(irec["answer"], "yes");
   for (const auto& [id, outcome] : outcomes(irec)) {
     EXPECT_EQ(outcome, id.starts_with("7.3 (abort") || id.starts_with("7.3 (lock") ? "BLANK" : "PASS") << id;
+  }
+}
+
+// Its scenario flies along a straight line, where nothing can tilt.
+TEST(Rules, PassNoClauseOnTiltByAMotionThatCannotTilt) {
+  const Folder folder;
+  const json::Value said = asked(folder, {"rules", "irec", "tasha3_launch2_irec"}, 1);
+  EXPECT_EQ(said["answer"], "undecided");
+  EXPECT_EQ(outcomes(said)["7.3 (flight)"], "NOT_KNOWN");
+  const json::Value turns = asked(folder, {"rules", "irec", "tasha3_launch2_irec", "--set", "flight.motion=six_dof"});
+  EXPECT_EQ(outcomes(turns)["7.3 (flight)"], "PASS");
+}
+
+// A gyro that reads 5 % too little reports a rocket that leans less than it does.
+TEST(Rules, JudgeASimulatedFlightByItsTrueTiltAndItsLogByTheEstimatedOne) {
+  const Folder folder;
+  const Words drifting{"kestrel", "--set", "imu.rate_scale_error=-0.05"};
+  EXPECT_EQ(outcomes(asked(folder, with({"rules", "irec"}, drifting), 1))["7.3 (flight)"], "FAIL");
+  run_in(folder, with(with({"fly"}, drifting), {"--out", "flown"}));
+  const json::Value flown = asked(folder, {"rules", "irec", "flown"});
+  EXPECT_EQ(outcomes(flown)["7.3 (flight)"], "PASS");
+  expect_said(flown.dump(), {"as the avionics estimated it"});
+}
+
+// The abort ends the avionics' part. Nobody recovers the canard that turns afterwards.
+TEST(Rules, FailALogWhoseCanardMovesAfterAnAbort) {
+  const Folder folder;
+  const std::string scenario = folder.write(
+      "aborted.toml",
+      "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[[faults]]\nkind = \"device\"\ndevice = "
+      "\"abort_input\"\nbehaviour = \"pressed\"\nfrom_s = 1\nuntil_s = 2\n[[faults]]\nkind = \"canard_hardover\"\n"
+      "canard = 2\nfrom_s = 1.6\n");
+  const json::Value simulated = asked(folder, with({"rules", "irec", scenario}, legal), 1);
+  run_in(folder, with(with({"fly", scenario}, legal), {"--out", "flown"}));
+  const json::Value flown = asked(folder, {"rules", "irec", "flown"}, 1);
+  for (const char* id : {"7.3 (flight)", "7.4.1 (flight)"}) {
+    EXPECT_EQ(outcomes(simulated)[id], "FAIL") << id;
+    EXPECT_EQ(outcomes(flown)[id], "FAIL") << id;
   }
 }
 

@@ -27,8 +27,10 @@ struct Truth {
   double canard_rad = 0.0;  ///< mean of the four, as the air sees them
   double height_m = 0.0;
   double speed_m_s = 0.0;
-  double disturbance_rad = 0.0;                ///< equivalent fin offset u_d
-  std::optional<double> geometric_roll_rad{};  ///< as a camera sees it; in six degrees of freedom only
+  double disturbance_rad = 0.0;                 ///< equivalent fin offset u_d
+  std::optional<double> geometric_roll_rad{};   ///< as a camera sees it; in six degrees of freedom only
+  std::optional<double> tilt_from_guide_rad{};  ///< as Row has it; empty along a straight line; no file has it
+  std::optional<std::array<double, core::canard_count>> shafts_rad{};  ///< where each canard stands; no file has it
 };
 
 /// One tick as it stands in flight.csv, in SI and radians. Empty, or not a number: nobody knew it at that tick.

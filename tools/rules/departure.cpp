@@ -25,13 +25,15 @@ std::optional<double> from_trim_deg(const std::optional<double>& angle_rad, cons
                    : std::nullopt;
 }
 
+bool goes_by_truth(const flight::Row& row) { return row.truth && row.truth->shafts_rad; }
+
 void keep_largest(Departure& found, const flight::Row& row, const core::FlightPlan& plan) {
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const core::CanardPlan& canard = plan.canards.each[i];
     found.largest_command_deg =
         std::max(found.largest_command_deg, from_trim_deg(row.commands_rad[i], canard).value_or(0.0));
-    found.largest_encoder_deg =
-        std::max(found.largest_encoder_deg, from_trim_deg(row.encoders_rad[i], canard).value_or(0.0));
+    found.largest_angle_deg =
+        std::max(found.largest_angle_deg, from_trim_deg(canard_rad(row, i), canard).value_or(0.0));
   }
 }
 
@@ -44,13 +46,17 @@ bool command_is_away(const flight::Row& row, const core::FlightPlan& plan, std::
 double height_m(const flight::Row& row) { return row.truth ? row.truth->height_m : row.height_m; }
 double speed_m_s(const flight::Row& row) { return row.truth ? row.truth->speed_m_s : row.speed_m_s; }
 
+std::optional<double> canard_rad(const flight::Row& row, std::size_t canard) {
+  return goes_by_truth(row) ? std::optional{(*row.truth->shafts_rad)[canard]} : row.encoders_rad[canard];
+}
+
 std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan) {
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     if (command_is_away(row, plan, i)) {
       return fmt::format("command of canard {}", i + 1);
     }
-    if (from_trim_deg(row.encoders_rad[i], plan.canards.each[i]).value_or(0.0) > flight::encoder_tolerance_deg) {
-      return fmt::format("encoder of canard {}", i + 1);
+    if (from_trim_deg(canard_rad(row, i), plan.canards.each[i]).value_or(0.0) > flight::encoder_tolerance_deg) {
+      return fmt::format("{} of canard {}", goes_by_truth(row) ? "shaft" : "encoder", i + 1);
     }
   }
   return {};
@@ -72,7 +78,7 @@ std::optional<double> silent_from_s(std::span<const flight::Row> rows, double fr
       if (row.time_s >= from_s && row.time_s - seen_s[i] > longest_silence_s) {
         return std::max(from_s, seen_s[i]);
       }
-      if (row.encoders_rad[i]) {
+      if (canard_rad(row, i)) {
         seen_s[i] = row.time_s;
       }
     }
@@ -88,6 +94,7 @@ Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& p
       found = {.since_s = row.time_s};
     }
     found.until_s = row.time_s;
+    found.by_truth = goes_by_truth(row);
     const std::string away = who_is_away(row, plan);
     if (!away.empty() && row.time_s >= from_s) {
       found.time_s = row.time_s;
@@ -108,11 +115,13 @@ Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& p
 
 std::string departure_text(const Departure& found) {
   const auto shown = [](double deg) { return text::brief(std::ceil(deg * 100.0) / 100.0, 2); };
-  std::string said = fmt::format("from {} to {} s, commands within {} deg and encoders within {} deg of trim",
-                                 text::fixed(found.since_s, 2), text::fixed(found.until_s, 2),
-                                 shown(found.largest_command_deg), shown(found.largest_encoder_deg));
+  std::string said =
+      fmt::format("from {} to {} s, commands within {} deg and {} within {} deg of trim", text::fixed(found.since_s, 2),
+                  text::fixed(found.until_s, 2), shown(found.largest_command_deg),
+                  found.by_truth ? "shafts" : "encoders", shown(found.largest_angle_deg));
   if (found.hidden_from_s) {
-    said += fmt::format("; from {} s on encoders or rows are missing", text::fixed(*found.hidden_from_s, 2));
+    said += fmt::format("; from {} s on {}rows are missing", text::fixed(*found.hidden_from_s, 2),
+                        found.by_truth ? "" : "encoders or ");
   }
   return found.time_s ? said + "; then the " + found.what + " leaves it" : said;
 }

@@ -243,7 +243,7 @@ class OfFlight {
       }
       for (std::size_t i = 0; i < core::canard_count; ++i) {
         const auto trim_rad = static_cast<double>(flight_.plan.canards.each[i].trim.radians());
-        largest_rad = std::max(largest_rad, std::abs(row.encoders_rad[i].value_or(trim_rad) - trim_rad));
+        largest_rad = std::max(largest_rad, std::abs(canard_rad(row, i).value_or(trim_rad) - trim_rad));
       }
     }
     const std::vector<Hole> hidden = !is_log_               ? std::vector<Hole>{}

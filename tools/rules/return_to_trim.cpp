@@ -23,12 +23,17 @@ Finding tilt_off_trim(const flight::Flight& flight, std::span<const flight::Row>
     if (row.time_s < 0.0 || !is_commanded_away(row, flight.plan)) {
       continue;
     }
-    if (!row.tilt_from_guide_rad) {
-      return {{}, "the record has no attitude at " + text::fixed(row.time_s, 2) + " s"};
+    const std::optional<double>& tilt_rad = row.truth ? row.truth->tilt_from_guide_rad : row.tilt_from_guide_rad;
+    if (!tilt_rad) {
+      return {{},
+              row.truth ? "the simulated motion is straight and cannot tilt; allowed: flight.motion = \"six_dof\", or "
+                          "a trajectory that tilts"
+                        : fmt::format("the record has no attitude at {} s", text::fixed(row.time_s, 2))};
     }
-    if (const double tilt_deg = text::degrees(*row.tilt_from_guide_rad); tilt_deg >= largest_deg) {
+    if (const double tilt_deg = text::degrees(*tilt_rad); tilt_deg >= largest_deg) {
       largest_deg = tilt_deg;
-      when = fmt::format("at {} s, as the avionics estimated it", text::fixed(row.time_s, 2));
+      when = fmt::format("at {} s, {}", text::fixed(row.time_s, 2),
+                         row.truth ? "the true tilt" : "as the avionics estimated it");
     }
   }
   return {Number{largest_deg, missing.empty() ? largest_deg : std::numeric_limits<double>::infinity()},
