@@ -201,30 +201,6 @@ TEST(FlownVerdict, WindAcrossTheGuideAndSpeedsNearSoundAreSaid) {
   EXPECT_EQ(fly(launch2({"wind.speed_m_s=0.5"})).note_figures("guide"), (Numbers{"0.5", "16", "2"}));
 }
 
-// Its canards stand at trim throughout, whatever the wind does to a rocket on its pad.
-TEST(FlownVerdict, WithoutControlNoAngleOfAttackUnderControlIsSaid) {
-  for (const char* motion : {"flight.motion=six_dof", "flight.motion=straight"}) {
-    for (const char* why : {"dormancy.height_m=5000", "guide.minimum_speed_m_s=100"}) {
-      const Judged flown =
-          fly(launch2({motion, "wind.speed_m_s=8", why,
-                       std::string_view{why}.starts_with("dorm") ? "dormancy.until=height" : "dormancy.until=guide"}));
-      const std::string note = flown.note("guide");
-      EXPECT_FALSE(note.empty());
-      EXPECT_FALSE(fantail::says(note, "under control")) << note;
-      EXPECT_FALSE(fantail::says(note, "of their own")) << note;
-      EXPECT_FALSE(fantail::says(note, " later")) << note;
-    }
-  }
-}
-
-TEST(FlownVerdict, TheAngleOfAttackUnderControlIsNoneFromAfterIt) {
-  const Judged flown = fly(launch2({"flight.motion=six_dof", "wind.speed_m_s=8", "dormancy.until=burn_out",
-                                    "dormancy.burn_time_s=3.2", "run.control_time_s=0.5"}));
-  const std::string note = flown.note("under control");
-  const double at_s = std::stod(fantail::figures(note).at(2));
-  EXPECT_LE(at_s, flown.flight.events.control_end_s.value() + 0.005) << note;
-}
-
 TEST(FlownVerdict, PrandtlGlauertPromisesNothingAboveMach08) {
   // The figures of the note, and of which quantities nothing is promised.
   const auto doubted = [](const char* mass_kg, const std::vector<std::string>& more) {

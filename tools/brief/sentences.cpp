@@ -186,8 +186,8 @@ std::vector<std::string> wind_sentences(const Brief& of) {
       fmt::format("Simulated in steps of {} m/s, from four directions: up to {} m/s control stays within the roll "
                   "model.",
                   text::brief(wind_step_m_s, 0), text::brief(*limit.passed_m_s, 0)),
-      fmt::format("Not judged: the end of the guide, where the angle of attack then reaches {} deg, and flight that is "
-                  "slower than where control begins.",
+      fmt::format("Not judged: the end of the guide, where the angle of attack then reaches {} deg, and slower flight "
+                  "than there.",
                   fixed(degrees(limit.exit_attack_rad), 0)),
       fmt::format("Up to there the tilt limit ends control at most {} s before apogee.",
                   text::brief(limit.tilt_end_before_apogee_s, 2)),

@@ -105,14 +105,18 @@ std::optional<std::string> strong_motor(const sim::Scenario& scenario, double la
                      scenario.vehicle.accelerometer.full_scale_m_s2 / sim::gravity_m_s2);
 }
 
-/// Where the rocket was at least as fast as at a beginning, from there to an end.
+/// From a beginning to an end, where the rocket was at least as fast as at that beginning; behind a gate, which may
+/// open near top speed, as fast as off the guide.
 const flight::PathPoint* largest_angle_of_attack(const flight::Flight& flight, const flight::PathPoint& begin,
                                                  const std::optional<double>& end_s) {
   const auto speed_m_s = [](const flight::PathPoint& p) { return std::hypot(p.north_m_s, p.east_m_s, p.up_m_s); };
+  const flight::PathPoint* exit =
+      flight::has_gate(flight) ? flight::point_at(flight.path, flight.events.guide_clear_s.value_or(0.0)) : nullptr;
+  const double slowest_m_s = speed_m_s(exit != nullptr ? *exit : begin);
   const flight::PathPoint* largest = &begin;
   for (const flight::PathPoint& point : flight.path) {
-    const bool counts = point.time_s >= begin.time_s && point.time_s <= end_s.value_or(point.time_s) &&
-                        speed_m_s(point) >= speed_m_s(begin);
+    const bool counts =
+        point.time_s >= begin.time_s && point.time_s <= end_s.value_or(point.time_s) && speed_m_s(point) >= slowest_m_s;
     largest = counts && point.angle_of_attack_rad > largest->angle_of_attack_rad ? &point : largest;
   }
   return largest;
@@ -158,7 +162,7 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
     const flight::PathPoint* largest = largest_angle_of_attack(flight, *start, control_or_apogee_s(flight));
     angle_rad = largest->angle_of_attack_rad;
     text += fmt::format(
-        ", and up to {:.1f} deg under control, at {:.2f} s (flight slower than at its start is not counted)",
+        ", and up to {:.1f} deg under control, at {:.2f} s (flight slower than off the guide is not counted)",
         degrees(angle_rad), largest->time_s);
   }
   const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(flight::model_ends_at_attack_rad);
