@@ -21,7 +21,6 @@ inline constexpr double endless_s = std::numeric_limits<double>::infinity();
 inline flight::Flight whole() {
   flight::Flight log;
   log.plan = core::default_plan();
-  log.plan.dormancy.burn_time = core::Microseconds{8'000'000};
   log.events = {.liftoff_s = 0.0, .detected_s = 0.2, .control_start_s = 9.0, .control_end_s = 18.0};
   log.phase_changes.push_back({18.0, core::Phase::finished, core::PhaseReason::apogee});
   for (int i = -100; i <= 2000; ++i) {
@@ -54,7 +53,10 @@ inline flight::Flight without_start(double from_s, double to_s) {
   return log;
 }
 
-inline Finding figure(const flight::Flight& log, const std::string& name) { return of_log(log).at("flight." + name); }
+/// Of a motor that burns for 8 s.
+inline Finding figure(const flight::Flight& log, const std::string& name) {
+  return of_log(log, 8.0).at("flight." + name);
+}
 inline Number number(const flight::Flight& log, const std::string& name) {
   const Finding found = figure(log, name);
   return found.known ? std::get<Number>(*found.known) : Number{NAN, NAN};

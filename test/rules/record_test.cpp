@@ -136,7 +136,7 @@ TEST(Record, WithAHoleStillShowsACanardThatLeftTrimUnderThrust) {
 
 std::string_view boost_clause(const flight::Flight& log) {
   const std::vector<Judged> judged =
-      judge(load_pack("irec"), {.what = "a log", .found = of_log(log), .why_missing = "a log does not tell it"});
+      judge(load_pack("irec"), {.what = "a log", .found = of_log(log, 8.0), .why_missing = "a log does not tell it"});
   return name(std::ranges::find(judged, "7.4.1 (flight)", [](const Judged& one) { return one.clause.id; })->outcome);
 }
 
@@ -150,6 +150,19 @@ TEST(Record, DecidesAClauseOnlyAsFarAsItsRowsShowIt) {
   EXPECT_EQ(boost_clause(without(4.0, 14.0, early)), "NOT KNOWN");
   EXPECT_EQ(boost_clause(without(6.0, 8.5, early)), "FAIL") << "the canard was seen to move under thrust";
   EXPECT_EQ(boost_clause(without(8.5, 10.0)), "PASS") << "the hole begins after burn-out";
+}
+
+// Without its motor nobody knows burn-out; the largest dynamic pressure may decide in its place.
+TEST(Record, DoesNotPassByThePlansBurnTimeAlone) {
+  flight::Flight log = whole();
+  log.plan.dormancy.burn_time = core::Microseconds{8'000'000};
+  const auto passes_by = [&](const char* condition) {
+    Clause clause{.id = "x"};
+    clause.passes_if = Expression::parse(condition, {.meaning_of = [](const std::string&) { return Meaning{}; }});
+    return judge({.clauses = {clause}}, {.what = "a log", .found = of_log(log), .why_missing = "x"}).front().outcome;
+  };
+  EXPECT_EQ(passes_by("flight.left_trim_s >= flight.burnout_s"), Outcome::not_known);
+  EXPECT_EQ(passes_by("flight.left_trim_s >= flight.burnout_s or flight.left_trim_s >= flight.max_q_s"), Outcome::pass);
 }
 
 TEST(Record, BeginsToMissAtTheLaunch) {

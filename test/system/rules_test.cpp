@@ -14,6 +14,14 @@ std::map<std::string, std::string> outcomes(const json::Value& said) {
   return all;
 }
 
+std::string evidence(const json::Value& said, const std::string& id) {
+  std::string all;
+  for (const json::Value& one : said["clauses"]) {
+    all += one["id"].text() == id ? one["evidence"].text() : "";
+  }
+  return all;
+}
+
 const Words legal{"--set", "dormancy.until=burn_out",      "--set", "dormancy.burn_time_s=3.2",
                   "--set", "run.tilt_limit_deg=30",        "--set", "run.tilt_from=guide",
                   "--set", "run.canard_fault=end_control", "--set", "run.abort_input=closed_aborts"};
@@ -144,6 +152,9 @@ TEST(Rules, OfALogAloneAskForTheRocketAndJudgeItThen) {
   const json::Value named = asked(folder, {"rules", "irec", "flown.ftl", "--vehicle", "tasha3_launch2"});
   EXPECT_EQ(named["answer"], "yes");
   expect_said(named["compared"].text(), {"with the rocket Tasha III"});
+  expect_said(evidence(alone, "7.4.1 (flight)"),
+              {"flight.max_q_s = ", " s or more (", "dormancy.burn_time_s = 3.2 is the plan's word, not verified"});
+  expect_said(evidence(named, "7.4.1 (flight)"), {"by its thrust curve the motor burns for "});
   run_in(folder, with(with({"fly", "tasha3_launch2", "--out", "unstable"}, legal),
                       {"--set", "airframe.centre_of_pressure_m=0.85"}));
   EXPECT_EQ(outcomes(asked(folder, {"rules", "irec", "unstable"}, 1))["7.2.1"], "FAIL")
@@ -170,6 +181,17 @@ TEST(Rules, OfALogWithSeveralFlightsJudgeTheOneThatIsChosen) {
   const json::Value second = asked(folder, with(of_two, {"--flight", "2"}));
   EXPECT_EQ(outcomes(second)["7.4.1 (flight)"], "PASS");
   expect_said(second["compared"].text(), {"two.ftl, flight 2, as it was recorded"});
+}
+
+// Its scenario names the file from its own folder, and the log from another.
+TEST(Rules, OfALogWithAVehicleFileOfItsOwnAskForItsPath) {
+  const Folder folder;
+  run_in(folder, {"new", "mine", "--from", "tasha3_launch2"});
+  run_in(folder, {"fly", "mine/scenario.toml", "--out", "flown"});
+  expect_said(asked(folder, {"rules", "irec", "flown"}, 1)["sentence"].text(),
+              {"the vehicle \"vehicle.toml\" of its scenario: give the path of that file from here with --vehicle."});
+  expect_said(asked(folder, {"rules", "irec", "flown", "--vehicle", "mine/vehicle.toml"}, 1)["compared"].text(),
+              {"with the rocket mine"});
 }
 
 // What its rows do not show neither passes, nor is it said that it never happened.

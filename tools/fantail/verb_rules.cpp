@@ -130,10 +130,12 @@ void refuse_other_rocket(const sim::Vehicle& vehicle, const std::string& file, c
   }
 }
 
-void add_rocket(const RulesOptions& options, const flight::Flight& flight, Held& held) {
+/// What its rocket tells: figures of its own, and how long its motor burns.
+void add_log_and_rocket(const RulesOptions& options, const flight::Flight& flight, Held& held) {
   const FlownVehicle flown = flown_vehicle(options.scenario.scenario, options.vehicle);
   if (!flown.document) {
     held.subject.no_rocket = flown.why_unknown;
+    held.subject.found = rules::of_log(flight);
     return;
   }
   const sim::Vehicle vehicle = input::read_vehicle(*flown.document);
@@ -141,6 +143,8 @@ void add_rocket(const RulesOptions& options, const flight::Flight& flight, Held&
   refuse_other_rocket(vehicle, flown.document->file(), flight.vehicle);
   held.subject.what += fmt::format(", with the rocket {}{}", vehicle.name,
                                    flight.vehicle.empty() ? ", which the log does not name" : "");
+  const double burns_s = vehicle.motor.burnout_s();
+  held.subject.found = rules::of_log(flight, burns_s > 0.0 ? std::optional{burns_s} : std::nullopt);
   held.subject.found.merge(rules::of_rocket(vehicle, fly::side_moment_m3(vehicle), held.subject.found));
 }
 
@@ -162,12 +166,11 @@ Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
                       (flight.known.phase ? rules::control_in_log(flight).of_subject : "");
   held.subject.why_missing =
       flight.known.plan ? "a log does not tell it" : "a table without a flight plan does not tell it";
-  held.subject.found = rules::of_log(flight);
+  add_log_and_rocket(options, flight, held);
   if (flight.known.plan) {
     held.subject.found.merge(rules::of_plan(flight.plan));
     held.subject.found.merge(rules::of_law());
   }
-  add_rocket(options, flight, held);
   held.made = made_with(held.inputs);
   return held;
 }

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "flight/trim.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -58,7 +59,7 @@ std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan) {
     if (command_is_away(row, plan, i)) {
       return fmt::format("command of canard {}", i + 1);
     }
-    if (from_trim_deg(canard_rad(row, i), plan.canards.each[i]).value_or(0.0) > canard_tolerance_deg) {
+    if (from_trim_deg(canard_rad(row, i), plan.canards.each[i]).value_or(0.0) > flight::encoder_tolerance_deg) {
       return fmt::format("{} of canard {}", goes_by_truth(row) ? "shaft" : "encoder", i + 1);
     }
   }

@@ -11,9 +11,8 @@
 
 namespace fantail::rules {
 
-/// A command this far from trim moves a canard; its shaft has the play of a gear on top, and an encoder noise.
+/// A command this far from trim moves a canard; its shaft has the play of a gear on top (flight/trim.hpp).
 inline constexpr double command_tolerance_deg = 0.1;
-inline constexpr double canard_tolerance_deg = 0.5;
 
 /// The first canard that leaves trim, as far as commands and canard_rad() show it.
 struct Departure {

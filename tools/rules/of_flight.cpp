@@ -51,10 +51,12 @@ Peak peak(Rows rows, const Value& value_of) {
 
 class OfFlight {
  public:
-  OfFlight(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log)
+  OfFlight(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log,
+           const std::optional<double>& motor_burns_s)
       : flight_{flight},
         atmosphere_{atmosphere},
         is_log_{is_log},
+        motor_burns_s_{motor_burns_s},
         rows_{ascent(flight)},
         is_simulated_{has_truth(flight)},
         missing_{is_log ? holes_of_ascent(flight) : std::vector<Hole>{}},
@@ -130,8 +132,10 @@ class OfFlight {
   }
 
   void add_burnout() {
-    if (flight_.events.burnout_s) {
-      add("burnout_s", exactly(*flight_.events.burnout_s));
+    if (const auto& burnout_s = flight_.events.burnout_s) {
+      const bool is_bound = flight_.path_frame == flight::PathFrame::plane;
+      add("burnout_s", Number{*burnout_s, is_bound ? infinity : *burnout_s},
+          is_bound ? "the trajectory does not show thrust below drag" : "");
       return;
     }
     constexpr double window_s = 0.1;
@@ -148,22 +152,33 @@ class OfFlight {
         pushed_until_s = rows_[i].time_s;
       }
     }
-    const double burn_time_s = static_cast<double>(core::seconds(flight_.plan.dormancy.burn_time));
     const bool is_cut = rows_.back().time_s - pushed_until_s <= window_s;
     const std::string seen =
         fmt::format("the axial force was last above 0.15 g at {} s", text::fixed(pushed_until_s, 2));
-    const double end_s = std::max(pushed_until_s, burn_time_s);
+    const double end_s = std::max(pushed_until_s, motor_burns_s_.value_or(0.0));
     const std::vector<Hole> hidden =
         is_log_ ? holes(flight_.rows, 0.0, end_s + 2.0 * longest_step_s) : std::vector<Hole>{};
     if (!hidden.empty()) {
       add("burnout_s", Number{pushed_until_s, infinity}, with_missing(seen, hidden));
-    } else if (burn_time_s > 0.0 && !is_cut) {
-      add("burnout_s", exactly(end_s), fmt::format("{}; dormancy.burn_time_s = {}", seen, text::brief(burn_time_s, 3)));
+    } else if (motor_burns_s_ && !is_cut) {
+      add("burnout_s", exactly(end_s),
+          fmt::format("{}; by its thrust curve the motor burns for {} s", seen, text::fixed(*motor_burns_s_, 2)));
     } else {
       add("burnout_s", Number{pushed_until_s, infinity},
-          seen + (is_cut ? fmt::format(", where the {} ends", is_whole() ? "ascent" : "record")
-                         : "; thrust below drag may last longer"));
+          seen +
+              (is_cut ? fmt::format(", where the {} ends", is_whole() ? "ascent" : "record")
+                      : "; thrust below drag may last longer") +
+              stated_burn());
     }
+  }
+
+  /// Whoever wrote the plan may have been wrong.
+  [[nodiscard]] std::string stated_burn() const {
+    const double burn_time_s = static_cast<double>(core::seconds(flight_.plan.dormancy.burn_time));
+    return flight_.known.plan && burn_time_s > 0.0
+               ? fmt::format("; dormancy.burn_time_s = {} is the plan's word, not verified",
+                             text::brief(burn_time_s, 3))
+               : "";
   }
 
   void add_control_start() {
@@ -251,6 +266,7 @@ class OfFlight {
   const flight::Flight& flight_;
   const sim::Atmosphere& atmosphere_;
   bool is_log_;
+  std::optional<double> motor_burns_s_;
   Rows rows_;
   bool is_simulated_;
   std::vector<Hole> missing_;  ///< of a log
@@ -258,10 +274,11 @@ class OfFlight {
   Findings all_;
 };
 
-Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log) {
+Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log,
+                  const std::optional<double>& motor_burns_s) {
   const bool is_there = flight.events.liftoff_s || flight.events.detected_s;
   if (is_there && !ascent(flight).empty() && flight.differing_ticks == 0) {
-    return OfFlight{flight, atmosphere, is_log}.take();
+    return OfFlight{flight, atmosphere, is_log, motor_burns_s}.take();
   }
   const bool begins_late = !flight.rows.empty() && flight.known.phase && core::is_flight(flight.rows.front().phase);
   const std::string why = flight.differing_ticks > 0 ? differing_text(flight)
@@ -279,9 +296,11 @@ Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmospher
 }  // namespace
 
 Findings of_flight(const flight::Flight& flight, const sim::Atmosphere& atmosphere) {
-  return found_in(flight, atmosphere, false);
+  return found_in(flight, atmosphere, false, {});
 }
 
-Findings of_log(const flight::Flight& log) { return found_in(log, {}, true); }
+Findings of_log(const flight::Flight& log, const std::optional<double>& motor_burns_s) {
+  return found_in(log, {}, true, motor_burns_s);
+}
 
 }  // namespace fantail::rules

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "flight/trim.hpp"
 #include "rules/departure.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -49,7 +50,7 @@ Finding off_trim_after_abort(const flight::Flight& flight, std::span<const fligh
                            : Finding{{}, "no abort in the flight, as far as it is on record; " + missing_text(missing)};
   }
   const std::string aborted = fmt::format("abort at {} s; ", text::fixed(abort->time_s, 2));
-  const double from_s = abort->time_s + longest_return_s;
+  const double from_s = abort->time_s + flight::longest_return_s;
   const Departure found = departure(ascent, flight.plan, from_s);
   if (found.time_s) {
     return {true, fmt::format("{}{} is away from trim at {} s", aborted, found.what, text::fixed(*found.time_s, 2))};
