@@ -19,7 +19,7 @@ std::string clause(Outcome outcome, const Expected& e) {
     case Outcome::goes_on: return fmt::format("held within {:g} deg", e.meanwhile_deg);
     case Outcome::over: return fmt::format("control ended and canards at trim within {:g} s", e.trim_s);
     case Outcome::ended:
-      return fmt::format("control never began or ended early, and held within {:g} deg until then", e.meanwhile_deg);
+      return fmt::format("control ended early, and held within {:g} deg until then", e.meanwhile_deg);
     case Outcome::anything: break;
   }
   return "any roll, within the limits";

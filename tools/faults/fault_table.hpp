@@ -26,8 +26,8 @@ enum class Outcome : std::uint8_t {
   recovers = 1U << 3U,  ///< likewise, but from `settle_s` after the fault on; until then within `meanwhile_deg`
   goes_on = 1U << 4U,   ///< likewise, within `meanwhile_deg` all the time
   over = 1U << 5U,      ///< every canard commanded to trim `trim_s` after the fault began, from there on for good
-  ended = 1U << 6U,     ///< the plan ends control for a failed canard: it never began, or ended early, and until then
-                        ///< the roll angle was within `meanwhile_deg`
+  ended = 1U << 6U,  ///< the plan ends control for a failed canard: it ended early, and until then the roll angle was
+                     ///< within `meanwhile_deg`
   anything = 1U << 7U,  ///< nothing can be done by the avionics: only what holds for every flight is asked
 };
 inline constexpr unsigned outcomes = 8;
@@ -58,7 +58,7 @@ struct Expected {
 /// The same for a fault of a canard or of its encoder, by a plan that ends control for it.
 [[nodiscard]] constexpr Expected or_ended(Expected expected) {
   if (expected.applies() && !expected.allows(Outcome::anything) && !expected.allows(Outcome::over)) {
-    expected.allowed |= static_cast<unsigned>(Outcome::ended);
+    expected.allowed |= static_cast<unsigned>(Outcome::no_control) | static_cast<unsigned>(Outcome::ended);
   }
   return expected;
 }

@@ -197,7 +197,7 @@ bool Findings::is(Outcome outcome, const Expected& e) const {
       return last_phase != core::Phase::controlling && trim_after_s <= e.trim_s &&
              stands_after_s <= e.trim_s + travel_s;
     case Outcome::ended:
-      return !lasted && last_phase != core::Phase::controlling && apart_meanwhile_deg <= e.meanwhile_deg;
+      return controlled && !lasted && last_phase != core::Phase::controlling && apart_meanwhile_deg <= e.meanwhile_deg;
     case Outcome::anything: break;
   }
   return true;
