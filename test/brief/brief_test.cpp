@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "brief/sentences.hpp"
 #include "briefs.hpp"
 #include "fly/fly_scenario.hpp"
 #include "hardover/study.hpp"
@@ -47,7 +48,9 @@ TEST(Brief, SaysThatAGateIsNeverReachedAndComputesNoWindLimitThen) {
   EXPECT_FALSE(brief.nominal.control_start);
   EXPECT_FALSE(brief.wind_limit);
   const std::string text = text_of(brief);
-  EXPECT_NE(text.find("Simulated: the gate never opens, and the canards stay at trim."), std::string::npos) << text;
+  EXPECT_NE(text.find("Simulated: the gate never opens, and the canards are commanded to trim throughout."),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("No limit is computed: control does not begin."), std::string::npos) << text;
 }
 
@@ -66,6 +69,23 @@ TEST(Brief, TheWindLimitIsTheLastWindBeforeAFlightLeavesTheModelOrReachesTheTilt
   };
   EXPECT_LE(largest_attack_deg(*limit.passed_m_s), 15.0);
   EXPECT_GT(largest_attack_deg(*limit.passed_m_s + wind_step_m_s), 15.0);
+}
+
+// With the canards at trim until burn-out it stands in more wind than the roll model allows as it leaves the guide.
+TEST(Brief, TheWindLimitSaysWhatItDoesNotJudgeAtTheEndOfTheGuide) {
+  Brief brief{.is_six_dof = true};
+  brief.wind_limit =
+      wind_limit(scenario({"flight.motion=six_dof", "dormancy.until=burn_out", "dormancy.burn_time_s=3.2"}), [] {});
+  ASSERT_TRUE(brief.wind_limit->passed_m_s);
+  const double speed_m_s = fly_nominal(scenario({"flight.motion=six_dof"})).guide_exit.speed_m_s;
+  const double by_hand_rad = std::atan2(*brief.wind_limit->passed_m_s, speed_m_s);  // across the guide
+  EXPECT_GT(text::degrees(by_hand_rad), 15.0);
+  EXPECT_NEAR(brief.wind_limit->exit_attack_rad, by_hand_rad, 0.2 * by_hand_rad);
+  const std::vector<std::string> said = wind_sentences(brief);
+  EXPECT_NE(said.at(0).find("m/s control stays within the roll model."), std::string::npos) << said[0];
+  EXPECT_NE(said.at(1).find("Not judged: the end of the guide, where the angle of attack then reaches "),
+            std::string::npos)
+      << said[1];
 }
 
 TEST(Brief, AWindFailsByTheTiltLimitWhereTheFlightReportCallsItAnEarlyEnd) {

@@ -30,15 +30,17 @@ TEST(Sheet, HasThePatternsThatTheBoardShows) {
 
 TEST(Sheet, TheGateIsInWordsWithTheNumbersOfThePlan) {
   const auto first = [](const std::vector<std::string>& changes) { return gate_sentences(of_plan(changes)).front(); };
-  EXPECT_EQ(first({}), "Canards stay at trim until the rocket is 2 m beyond the guide and faster than 17 m/s.");
+  EXPECT_EQ(first({}),
+            "Canards are commanded to trim until the rocket is 2 m beyond the guide and faster than 17 m/s.");
   EXPECT_EQ(first({"guide.minimum_speed_m_s=0", "guide.clearance_m=1.5"}),
-            "Canards stay at trim until the rocket is 1.5 m beyond the guide.");
+            "Canards are commanded to trim until the rocket is 1.5 m beyond the guide.");
+  EXPECT_EQ(first({"dormancy.until=burn_out", "dormancy.burn_time_s=3"}),
+            "Canards are commanded to trim until burn-out is detected (axial force below 0.15 g for 0.1 s, at least "
+            "3.3 s after first thrust).");
   EXPECT_EQ(
-      first({"dormancy.until=burn_out", "dormancy.burn_time_s=3"}),
-      "Canards stay at trim until burn-out is detected (no thrust for 0.1 s, at least 3.3 s after first thrust).");
-  EXPECT_EQ(first({"dormancy.until=max_dynamic_pressure and height", "dormancy.height_m=1500"}),
-            "Canards stay at trim until the estimated dynamic pressure is 2 % below its maximum, and the estimated "
-            "height, less its error, is above 1500 m.");
+      first({"dormancy.until=max_dynamic_pressure and height", "dormancy.height_m=1500"}),
+      "Canards are commanded to trim until the estimated dynamic pressure is 2 % below its maximum, and the estimated "
+      "height, less its error, is above 1500 m.");
 }
 
 TEST(Sheet, WhatEndsControlHasTheFailedCanardAndTheAbortOnlyWhereThePlanHasThem) {

@@ -77,11 +77,38 @@ TEST(Outlook, AGateByBurnOutThatIsEarlySaysByHowMuchAndWhichFactorWouldNotBe) {
   EXPECT_TRUE(
       says(doubts_of(scenario), "s before the last thrust (2 % of its peak). A dormancy.burn_clock_factor of "));
   EXPECT_TRUE(says(doubts_of(scenario), "dormancy.burn_time_s = 3.2"));
+  // What is advised is followed to the letter: then the motor no longer burns in any sense.
+  const double to_end_s = found.burn_s.value() + found.thrust_end->time_s - found.last_thrust->time_s;
+  const double advised = std::ceil(100.0 * to_end_s / 3.2) / 100.0;
+  EXPECT_TRUE(says(doubts_of(scenario), fmt::format("A dormancy.burn_clock_factor of {:.2f} or more would keep it "
+                                                    "closed to the end of this thrust curve",
+                                                    advised)));
+  scenario.plan.dormancy.burn_clock_factor = static_cast<float>(advised);
+  EXPECT_GE(outlook(scenario).opening.value().time_s, found.thrust_end->time_s);
   const double factor = std::ceil(100.0 * found.burn_s.value() / 3.2) / 100.0;
   scenario.plan.dormancy.burn_clock_factor = static_cast<float>(factor);
   EXPECT_GT(outlook(scenario).opens_after_thrust_s().value(), 0.0);
   scenario.plan.dormancy.burn_clock_factor = static_cast<float>(factor - 0.02);
   EXPECT_LT(outlook(scenario).opens_after_thrust_s().value(), 0.0);
+}
+
+// A motor that rests for a second and burns again; the clock of a burn time of a second has run out by then.
+TEST(Outlook, AGateThatClosesAgainIsCapturedAfterItsLastOpeningAndPromisesNoTime) {
+  sim::Scenario scenario = second_launch(DormantUntil::burn_out);
+  scenario.plan.dormancy.burn_time = core::Microseconds{1'000'000};
+  scenario.vehicle.motor = sim::ThrustCurve{
+      {{0.0, 0.0}, {0.05, 160.0}, {1.5, 140.0}, {1.55, 0.0}, {2.6, 0.0}, {2.65, 150.0}, {3.9, 140.0}, {4.0, 0.0}},
+      scenario.vehicle.motor.propellant_kg()};
+  const Outlook found = outlook(scenario);
+  EXPECT_LT(found.opening.value().time_s, 2.6);
+  EXPECT_EQ(found.opening->reopenings, 1U);
+  // Counted from the first opening it would be two seconds more.
+  EXPECT_LT(found.opening->captured_after_s.value(), 1.2);
+  const std::string said = opening_clause(scenario, found, capture_forecast(scenario, found));
+  EXPECT_NE(said.find("in the simulated flight it closes and reopens 1 time; after the last the roll is captured "),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("by calculation"), std::string::npos) << said;
 }
 
 TEST(Outlook, AtTheLargestPressureTheMotorMayStillBurn) {
@@ -108,6 +135,18 @@ TEST(Outlook, AGateAboveTheApogeeIsNeverReached) {
   EXPECT_EQ(never_opened(scenario, found),
             "the gate is not reached: the apogee of 422 m is below dormancy.height_m = 1500. Control never begins");
   EXPECT_EQ(opening_clause(scenario, found, {}), "");
+}
+
+// Its guide leans, and it tilts past its limit while it waits.
+TEST(Outlook, AGateAboveTheApogeeIsSaidWhateverEndsTheWait) {
+  sim::Scenario scenario = second_launch(DormantUntil::height);
+  scenario.motion = sim::FlightMotion::six_dof;
+  scenario.guide.tilt_rad = text::radians(10.0);
+  scenario.plan.run.tilt_limit = core::Angle::from_degrees(20.0F);
+  const Outlook found = outlook(scenario);
+  EXPECT_EQ(found.stayed_because, core::PhaseReason::tilted_too_far);
+  EXPECT_NE(never_opened(scenario, found).find("is below dormancy.height_m = 1500. Control never begins"),
+            std::string::npos);
 }
 
 TEST(Outlook, ARocketThatNeverLeavesThePadHasNone) {
@@ -140,6 +179,40 @@ TEST(Outlook, TheForecastOfCaptureIsThatOfTheFlight) {
   EXPECT_NEAR(degrees(residual.value()), -9.0 / 23.0 * 0.9 * spinning.opening.value().speed_m_s, 0.3);
   EXPECT_TRUE(
       says(doubts(weak, spinning, capture_forecast(weak, spinning)), "the canards cannot stop the rotation: 29 deg/s"));
+}
+
+// Each with its reason; and a promise beyond what a verdict leaves out says so.
+TEST(Outlook, WhereNoCaptureTimeIsPromisedTheClauseSaysWhy) {
+  const auto clause = [](const sim::Scenario& scenario) {
+    const Outlook found = outlook(scenario);
+    return opening_clause(scenario, found, capture_forecast(scenario, found));
+  };
+  const sim::Scenario scenario = second_launch(DormantUntil::max_dynamic_pressure);
+  EXPECT_EQ(clause(scenario).find("promised"), std::string::npos) << clause(scenario);
+  sim::Scenario faulty = scenario;
+  faulty.faults.push_back({.device = sim::Device::servo, .how = sim::Behaviour::cut, .from_s = 30.0, .until_s = 31.0});
+  EXPECT_TRUE(says({clause(faulty)}, "no capture time is promised: the scenario has faults"));
+  sim::Scenario rates = scenario;
+  rates.plan.controller.rate_reference = core::RateReference::paper_literal;
+  EXPECT_TRUE(says({clause(rates)}, "no capture time is promised: controller.rate_reference is not \"zero\""));
+  sim::Scenario little = scenario;
+  little.plan.controller.canard_limit = core::Angle::from_degrees(5.5F);
+  EXPECT_TRUE(says({clause(little)}, "no capture time is promised: the fin offset needs more than 80 % of the "));
+  sim::Scenario blind = scenario;
+  blind.plan.offset.rejection = core::OffsetRejection::integral;
+  blind.plan.offset.integral_gain_per_s = 0.5F;
+  EXPECT_TRUE(says({clause(blind)}, "the law rejects the offset, and the plan has no [roll_model]"));
+}
+
+TEST(CaptureForecast, BeyondWhatAVerdictLeavesOutIsSaidSo) {
+  const sim::Scenario scenario = second_launch(DormantUntil::max_dynamic_pressure);
+  const Outlook found = outlook(scenario);
+  const auto clause = [&](double within_s) {
+    return opening_clause(scenario, found, CaptureForecast{.within_s = within_s});
+  };
+  EXPECT_TRUE(says({clause(1.15)}, "the roll is captured within 1.2 s"));
+  EXPECT_FALSE(says({clause(1.15)}, "leaves out"));
+  EXPECT_TRUE(says({clause(2.75)}, "captured within 2.8 s (a verdict leaves out only the first 1.2 s)"));
 }
 
 TEST(SpeedsUnderControl, GoDownToTheSlowestAtWhichTheRollIsHeld) {

@@ -64,6 +64,21 @@ TEST(FaultNames, WordsOfTheCommandLineThatAreNoneAreWrongUsage) {
   }
 }
 
+TEST(FaultAlone, APlanThatEndsControlForACanardIsSafeWhereItDoesAndNotWhereThePlanSaysToGoOn) {
+  Campaign campaign;
+  campaign.scenario = "kestrel_euroc";
+  campaign.every = 3'000;
+  const Alone ended = fly_alone(campaign, "servo/dead/controlling", 0);
+  EXPECT_EQ(ended.run.outcome, Outcome::ended) << ended.run.what;
+  EXPECT_NE(sentence(ended.expected)
+                .find("no control, or held within 10 deg, or control ended early, and held within 60 deg until then"),
+            std::string::npos)
+      << sentence(ended.expected);
+  EXPECT_EQ(fly_alone(campaign, "servo/hardover/launched", 0).run.outcome, Outcome::no_control);
+  campaign.changes = {{"run", "canard_fault", "continue"}};
+  EXPECT_NE(fly_alone(campaign, "servo/dead/controlling", 0).run.outcome, Outcome::ended);
+}
+
 TEST(FaultNames, AFaultThatIsNoneIsAnsweredWithThoseThatThereAre) {
   Campaign campaign = switches();
   campaign.fault = "foo";

@@ -9,8 +9,6 @@
 namespace fantail::faults {
 namespace {
 
-constexpr Expected held = any_of(Outcome::holds);
-
 std::string breach_of(const std::function<void(Moment& moment)>& change) {
   return judged(made_flight(change), at_three).breach;
 }

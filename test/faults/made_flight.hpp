@@ -14,6 +14,7 @@ namespace fantail::faults {
 constexpr double control_begin_s = 0.6;
 constexpr double control_end_s = 10.0;
 
+constexpr Expected held = any_of(Outcome::holds);
 constexpr FaultTime at_three{.begin_s = 3.0, .end_s = 3600.0};
 
 inline core::Phase phase_at(double time_s) {

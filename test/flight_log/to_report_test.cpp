@@ -60,6 +60,22 @@ TEST(ToReport, KnowsWhoFlewWhat) {
   EXPECT_TRUE(flight.notes.empty());
 }
 
+TEST(ToReport, CountsTheTicksOfWhichTheReplayGivesSomethingElse) {
+  Read read;
+  EXPECT_EQ(to_report(read.flight, read.regeneration).differing_ticks, 0U);
+  read.flight.ticks[1000].tick.canard_commands[2] = core::Angle::from_degrees(1.234F);
+  read.regeneration = regenerate(read.flight, *read.flight.plan);
+  EXPECT_EQ(to_report(read.flight, read.regeneration).differing_ticks, 1U);
+}
+
+// 1 % of what was felt, h + g t^2 / 2, and 0.06 g over the time; next to nothing is across.
+TEST(ToReport, HasTheErrorOfAHeightByAnAccelerometer) {
+  const Read read;
+  const flight::Row row = to_report(read.flight, read.regeneration).rows.back();
+  const double fallen_m = 0.5 * 9.80665 * row.time_s * row.time_s;
+  EXPECT_NEAR(row.height_error_m.value(), 0.01 * (row.height_m + fallen_m) + 0.06 * fallen_m, 0.1);
+}
+
 TEST(ToReport, HasThePhasesWithTheirReasonsAndTheEvents) {
   const Read read;
   const flight::Flight flight = to_report(read.flight, read.regeneration);

@@ -43,6 +43,16 @@ TEST(PredictedGate, AboveTheApogeeIsANoGoThatSaysSoOnce) {
   EXPECT_EQ(d.text.find("control does not begin"), std::string::npos) << d.text;
 }
 
+// The guide leans, and the rocket tilts past its limit while it waits; the height it would never reach.
+TEST(PredictedGate, AboveTheApogeeIsSaidWhereTheTiltLimitEndsTheWait) {
+  const Prediction p = predicted(
+      {"dormancy.until=height", "flight.motion=six_dof", "launch_guide.tilt_deg=10", "run.tilt_limit_deg=20"});
+  const Decision d = decide(p, {});
+  EXPECT_NE(d.text.find("the gate is not reached: the apogee of "), std::string::npos) << d.text;
+  EXPECT_NE(d.text.find("is below dormancy.height_m = 1500. Control never begins"), std::string::npos) << d.text;
+  EXPECT_EQ(d.text.find("tilted too far"), std::string::npos) << d.text;
+}
+
 TEST(PredictedGate, ThatCanardsCannotStopTheRotationIsSaidWithTheRateThatRemains) {
   const Prediction p = predicted({"dormancy.until=max_dynamic_pressure", "controller.canard_limit_deg=2"});
   const Criterion c = gate(p, 0.9).value();

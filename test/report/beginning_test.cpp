@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dormant_flight.hpp"
+#include "report/answer.hpp"
 #include "report/sections.hpp"
 #include "test.hpp"
 
@@ -108,6 +109,17 @@ TEST(Capture, CountsUntilTheRollStaysNearWhereTheLawSettles) {
   EXPECT_FALSE(c.turn);
 }
 
+// 100 deg/s and 0 deg off; it comes to 100 * 0.2 / e = 7.4 deg.
+TEST(Capture, OfARollThatNeverLeavesItsRestIsNotSaidInSeconds) {
+  SyntheticFlight made = dormant_flight();
+  roll(made, [](double t) { return 100.0 * t * std::exp(-t / 0.2); });
+  const Figures f = figures(made.flight);
+  EXPECT_EQ(f.capture.after_s, 0.0);
+  const std::string page = result::text(answer(made.flight, f, verdict(made.flight, f)));
+  EXPECT_TRUE(fantail::says(page, "Roll was within 10 deg of its rest as control began, and stayed there."));
+  EXPECT_FALSE(fantail::says(page, "captured in 0.00 s"));
+}
+
 TEST(Capture, IsNotWhatTheRollPassesThrough) {
   SyntheticFlight made = dormant_flight();
   roll(made, [](double t) { return 60.0 * (t - 1.0); });
@@ -178,8 +190,8 @@ TEST(Gate, ThatStaysClosedIsNoFailure) {
   EXPECT_EQ(v.outcome, Outcome::no_control);
   EXPECT_EQ(answer(v), result::Answer::undecided);
   EXPECT_EQ(v.text,
-            "Control never began: apogee at 421 m, the gate opens at 1500 m. The canards stayed at trim, as the plan "
-            "demands.");
+            "Control never began: apogee at 421 m, the gate opens at 1500 m. The canards were commanded to trim, as "
+            "the plan demands.");
   made.flight.plan.dormancy.height_m = 400.0F;  // the low end of the error did not reach it
   EXPECT_TRUE(says(verdict_of(made.flight), "low end"));
   made.flight.plan.dormancy.until = core::DormantUntil::burn_out;
@@ -199,9 +211,47 @@ TEST(Gate, ThatStaysClosedIsNoFailure) {
   EXPECT_EQ(verdict_of(made.flight).text,
             "No control: aborted by the abort input (at 4.50 s), while the canards waited for burn-out.");
   EXPECT_EQ(answer(verdict_of(made.flight)), result::Answer::no);
+  made.flight.plan.dormancy.until = core::DormantUntil::burn_out_and_height;
+  made.flight.plan.dormancy.height_m = 1500.0F;
+  EXPECT_TRUE(says(verdict_of(made.flight), "waited for burn-out and 1500 m, above the apogee of 421 m."));
+  made.flight.plan.dormancy.height_m = 400.0F;
+  EXPECT_TRUE(says(verdict_of(made.flight), "waited for burn-out and 400 m."));
+  made.flight.plan.dormancy.until = core::DormantUntil::burn_out;
   made.flight.phase_changes.pop_back();
   EXPECT_EQ(verdict_of(made.flight).text,
             "No control: the record ends while the canards waited for burn-out, from 0.60 s on.");
+}
+
+using Words = std::vector<std::string>;
+Words labels_of(const flight::Flight& flight) {
+  Words labels;
+  std::ranges::transform(charts(flight).charts.at(0).levels, std::back_inserter(labels), &page::Level::label);
+  return labels;
+}
+
+TEST(Gate, OnATrajectoryTheMotorMayStillBurnWhereItsThrustIsBelowTheDrag) {
+  SyntheticFlight made = dormant_flight();
+  made.flight.events.burnout_s = 0.9;
+  const auto said = [&made] {
+    const Figures f = figures(made.flight);
+    return result::text(answer(made.flight, f, verdict(made.flight, f)));
+  };
+  EXPECT_FALSE(fantail::says(said(), "burned"));
+  EXPECT_TRUE(fantail::says(said(), "thrust is over"));
+  made.flight.path_frame = flight::PathFrame::plane;
+  EXPECT_TRUE(
+      fantail::says(said(), "The motor may still have burned then: the trajectory does not show thrust below drag."));
+  EXPECT_FALSE(fantail::says(said(), "thrust is over"));
+  made.flight.events.burnout_s = 1.25;
+  EXPECT_TRUE(fantail::says(said(), "The motor still burned: its thrust ended 0.250 s later."));
+}
+
+TEST(Gate, ThatControlNeverBeganIsMarkedAsTheEventTableHasIt) {
+  SyntheticFlight made;
+  made.never_controlled(3.0, finished, core::PhaseReason::tilted_too_far);
+  made.flight.events.dormant_s = 0.6;
+  made.flight.events.control_end_s = 3.0;
+  EXPECT_EQ(labels_of(made.flight), (Words{"lift-off", "detected", "dormant", "control never began", "apogee"}));
 }
 
 TEST(Gate, IsShadedAndMarkedAndAStepIsNamedByThePlansAngle) {
@@ -210,12 +260,8 @@ TEST(Gate, IsShadedAndMarkedAndAStepIsNamedByThePlansAngle) {
   made.each_controlled([](flight::Row& row) { row.reference_rad = text::radians(row.time_s < 3.0 ? -360.0 : -380.0); });
   EXPECT_EQ(figures(made.flight).capture.turn, -1.0);
   const page::Chart roll_chart = charts(made.flight).charts.at(0);
-  std::vector<std::string> labels;
-  for (const page::Level& level : roll_chart.levels) {
-    labels.push_back(level.label);
-  }
-  EXPECT_EQ(labels, (std::vector<std::string>{"lift-off", "detected", "dormant", "gate opens", "step to \u221220\u00b0",
-                                              "apogee"}));
+  EXPECT_EQ(labels_of(made.flight),
+            (Words{"lift-off", "detected", "dormant", "gate opens", "step to \u221220\u00b0", "apogee"}));
   EXPECT_EQ(roll_chart.series.at(0).name, "reference R, from turn \u22121 (\u2212360 deg)");
   const auto shaded = std::ranges::find(roll_chart.shaded_ranges, "Dormant", &page::ShadedRange::label);
   ASSERT_NE(shaded, roll_chart.shaded_ranges.end());

@@ -71,18 +71,50 @@ TEST(ControlEnd, EveryOtherWayToNoControlIsNamed) {
   EXPECT_TRUE(says(verdict_of(deaf.flight), flight::display_name(core::PhaseReason::gyro_failed_before_control)));
 }
 
-TEST(ControlEnd, CanardsReturnToTrimOnlyWhereTheyHaveLeftIt) {
-  const auto says_so = [](const flight::Flight& flight) {
-    const Figures f = figures(flight);
-    return result::text(answer(flight, f, verdict(flight, f))).find("canards return to trim") != std::string::npos;
-  };
-  SyntheticFlight controlled;
-  controlled.end_control(4.0, core::PhaseReason::apogee);
-  EXPECT_TRUE(says_so(controlled.flight));
-  SyntheticFlight unseen;  // the rocket reports at 4 s that it has flown
-  unseen.never_controlled(4.0, core::Phase::finished, core::PhaseReason::flew_without_launch);
-  unseen.flight.events.control_end_s = 4.0;
-  EXPECT_FALSE(says_so(unseen.flight));
+std::string sheet_of(const flight::Flight& flight) {
+  const Figures f = figures(flight);
+  return result::text(answer(flight, f, verdict(flight, f)));
+}
+
+/// Two canards that no command moves, from 1 s to 4.3 s; each is given half a second to return.
+void jam(flight::Flight& flight) {
+  for (flight::Row& row : flight.rows) {
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      const auto trim_rad = static_cast<double>(flight.plan.canards.each[i].trim.radians());
+      const double away_deg = row.time_s < 1.0 || row.time_s > 4.3 ? 0.0 : i == 1 ? 25.0 : i == 3 ? -3.0 : 0.4;
+      row.commands_rad[i] = trim_rad;
+      row.encoders_rad[i] = trim_rad + text::radians(away_deg);
+    }
+  }
+}
+
+// A command to trim is no proof that they stand there.
+TEST(ControlEnd, SaysWhichCanardsDidNotStandAtTrimAfterIt) {
+  SyntheticFlight made;
+  made.end_control(3.0, core::PhaseReason::canard_fault);
+  EXPECT_TRUE(fantail::says(sheet_of(made.flight), "a canard fault; canards commanded to trim\n"));
+  jam(made.flight);
+  EXPECT_TRUE(
+      fantail::says(sheet_of(made.flight),
+                    "a canard fault; canards commanded to trim; by encoder, canard 2 stood up to 25.0 deg away, "
+                    "canard 4 stood up to 3.0 deg away\n"))
+      << sheet_of(made.flight);
+  SyntheticFlight late;
+  late.end_control(4.0, core::PhaseReason::apogee);
+  jam(late.flight);
+  EXPECT_FALSE(fantail::says(sheet_of(late.flight), "by encoder")) << "they came back in half a second";
+}
+
+TEST(ControlEnd, SaysWhichCanardsDidNotStandAtTrimWhileTheyWaited) {
+  SyntheticFlight made;
+  made.never_controlled(3.0, core::Phase::finished, core::PhaseReason::canard_fault);
+  made.flight.events.dormant_s = 0.6;
+  made.flight.events.control_end_s = 3.0;
+  jam(made.flight);
+  EXPECT_TRUE(
+      fantail::says(sheet_of(made.flight),
+                    "a canard fault; canards commanded to trim; by encoder, canard 2 stood up to 25.0 deg away"));
+  EXPECT_FALSE(fantail::says(sheet_of(made.flight), "stayed at trim"));
 }
 
 // It left the guide at 0.5 s of 1.5; of a plan that no condition of is known to be unmet, none is named.

@@ -50,7 +50,7 @@ TEST(Departure, IsTheFirstCommandBeyondATenthOfADegree) {
   const Departure found = departure(rows, plan);
   ASSERT_TRUE(found.time_s);
   EXPECT_NEAR(*found.time_s, 3.0, 1e-9);
-  EXPECT_NEAR(found.height_m, 300.0, 1e-9);
+  EXPECT_NEAR(found.row.height_m, 300.0, 1e-9);
   EXPECT_EQ(found.what, "command of canard 2");
   EXPECT_NEAR(found.largest_command_deg, 0.09, 1e-6);
 }
@@ -107,7 +107,7 @@ TEST(Departure, IsHiddenByAHoleInTheRows) {
   const Departure found = departure(rows, plan);
   ASSERT_TRUE(found.hidden_from_s);
   EXPECT_NEAR(*found.hidden_from_s, 2.0, 1e-9);
-  EXPECT_NEAR(found.hidden_height_m, 200.0, 1e-9);
+  EXPECT_NEAR(found.hidden_row.height_m, 200.0, 1e-9);
 }
 
 TEST(Departure, IsHiddenFromLiftOffOnWithoutAnyEncoder) {

@@ -86,6 +86,10 @@ TEST(RocketFigures, OfMarginsInFlightAreUnknownAboveTheModelsMachNumber) {
   for (const char* name : {"rocket.margin_calibres", "rocket.damping_ratio"}) {
     EXPECT_NE(all.at(name).how.find("Mach 1.30"), std::string::npos) << name;
   }
+  fast.extremes.top_mach = 0.8004;
+  EXPECT_NE(
+      of_rocket(scenario(), fast).at("rocket.margin_calibres").how.find("reaches Mach 0.8004, and above Mach 0.8 "),
+      std::string::npos);
 }
 
 Finding of_log_with_mach(const std::optional<Known>& mach, const std::string& name) {
@@ -123,23 +127,42 @@ TEST(FlightFigures, OfASimulatedFlightAreThoseOfItsEventsAndTruth) {
   EXPECT_EQ(all.at("flight.left_trim").known, Known{true});
 }
 
+// A path of another program shows its motor only where that pushes with more than the drag.
+TEST(FlightFigures, OnATrajectoryHaveABurnOutThatMayBeLater) {
+  flight::Flight flight = flown();
+  flight.path_frame = flight::PathFrame::plane;
+  const Number found = number(of_flight(flight, scenario().atmosphere), "flight.burnout_s");
+  EXPECT_EQ(found.low, *flown().events.burnout_s);
+  EXPECT_TRUE(std::isinf(found.high));
+}
+
 TEST(FlightFigures, OfALogHaveABurnOutThatIsNoEarlierThanTheLastForceAlongTheAxis) {
   flight::Flight log = logged(flown());
   const Number seen = number(of_log(log), "flight.burnout_s");
   EXPECT_NEAR(seen.low, 3.19, 0.05);
   EXPECT_TRUE(std::isinf(seen.high));
-  log.plan.dormancy.burn_time = core::Microseconds{3'500'000};
-  const Number stated = number(of_log(log), "flight.burnout_s");
-  EXPECT_NEAR(stated.low, 3.5, 1e-6);
-  EXPECT_EQ(stated.low, stated.high);
+  EXPECT_EQ(number(of_log(log, 3.5), "flight.burnout_s"), exactly(3.5)) << "the motor pushes less than the drag";
+  const Number longer = number(of_log(log, 2.0), "flight.burnout_s");
+  EXPECT_EQ(longer, exactly(seen.low)) << "it burned longer than its curve";
+}
+
+// A range wants to know that the motor is out, and whoever wrote the plan may have been wrong.
+TEST(FlightFigures, OfALogDoNotTakeThePlansBurnTimeForBurnOut) {
+  flight::Flight log = logged(flown());
+  const Number seen = number(of_log(log), "flight.burnout_s");
+  log.plan.dormancy.burn_time = core::Microseconds{1'500'000};
+  const Finding stated = of_log(log).at("flight.burnout_s");
+  EXPECT_EQ(stated.known, Known{seen});
+  EXPECT_NE(stated.how.find("dormancy.burn_time_s = 1.5 is the plan's word, not verified"), std::string::npos)
+      << stated.how;
+  EXPECT_EQ(of_log(log, 3.5).at("flight.burnout_s").how.find("the plan's word"), std::string::npos);
 }
 
 TEST(FlightFigures, OfALogThatEndsUnderThrustAreLowerBounds) {
   flight::Flight log = logged(flown());
   std::erase_if(log.rows, [](const flight::Row& row) { return row.time_s > 2.0; });
   log.events.control_end_s.reset();
-  log.plan.dormancy.burn_time = core::Microseconds{1'000'000};  // which the log contradicts
-  const Findings all = of_log(log);
+  const Findings all = of_log(log, 1.0);  // the log contradicts such a motor
   for (const char* name : {"flight.burnout_s", "flight.max_q_s", "flight.apogee_m", "flight.top_speed_m_s"}) {
     EXPECT_TRUE(std::isinf(number(all, name).high)) << name;
   }

@@ -44,6 +44,10 @@ TEST(NewRocket, FliesFromTheFilesThatAreMade) {
   const Folder folder;
   const Outcome made = fantail({"new", "my rocket", "--from", "tasha3_launch2"}, {.working_folder = folder.path()});
   EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find("fantail rules irec 'my rocket/scenario.toml' (most ranges ask for [dormancy] and "
+                          "run.abort_input in plan.toml)\n"),
+            std::string::npos)
+      << made.out;
   EXPECT_EQ(folder.listing(),
             (Words{"my rocket", "my rocket/plan.toml", "my rocket/scenario.toml", "my rocket/vehicle.toml"}));
   const Outcome flown = fantail({"fly", "my rocket/scenario.toml"}, {.working_folder = folder.path()});

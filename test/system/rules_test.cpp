@@ -14,6 +14,14 @@ std::map<std::string, std::string> outcomes(const json::Value& said) {
   return all;
 }
 
+std::string evidence(const json::Value& said, const std::string& id) {
+  std::string all;
+  for (const json::Value& one : said["clauses"]) {
+    all += one["id"].text() == id ? one["evidence"].text() : "";
+  }
+  return all;
+}
+
 const Words legal{"--set", "dormancy.until=burn_out",      "--set", "dormancy.burn_time_s=3.2",
                   "--set", "run.tilt_limit_deg=30",        "--set", "run.tilt_from=guide",
                   "--set", "run.canard_fault=end_control", "--set", "run.abort_input=closed_aborts"};
@@ -53,10 +61,49 @@ TEST(Rules, FailThePublishedLaunchByNameAtIrecAndEuroc) {
 
 TEST(Rules, PassAtIrecAPlanThatWaitsForBurnOut) {
   const Folder folder;
-  const json::Value irec = asked(folder, with({"rules", "irec", "tasha3_launch2"}, legal));
+  const json::Value irec =
+      asked(folder, with(with({"rules", "irec", "tasha3_launch2"}, legal), {"--set", "flight.motion=six_dof"}));
   EXPECT_EQ(irec["answer"], "yes");
   for (const auto& [id, outcome] : outcomes(irec)) {
     EXPECT_EQ(outcome, id.starts_with("7.3 (abort") || id.starts_with("7.3 (lock") ? "BLANK" : "PASS") << id;
+  }
+}
+
+// Along a straight line nothing can tilt.
+TEST(Rules, PassNoClauseOnTiltByAMotionThatCannotTilt) {
+  const Folder folder;
+  const Words legal_rocket{"rules", "irec", "tasha3_launch2_irec"};
+  EXPECT_EQ(outcomes(asked(folder, legal_rocket))["7.3 (flight)"], "PASS");
+  const json::Value said = asked(folder, with(legal_rocket, {"--set", "flight.motion=straight"}), 1);
+  EXPECT_EQ(said["answer"], "undecided");
+  EXPECT_EQ(outcomes(said)["7.3 (flight)"], "NOT_KNOWN");
+}
+
+// A gyro that reads 5 % too little reports a rocket that leans less than it does.
+TEST(Rules, JudgeASimulatedFlightByItsTrueTiltAndItsLogByTheEstimatedOne) {
+  const Folder folder;
+  const Words drifting{"kestrel", "--set", "imu.rate_scale_error=-0.05"};
+  EXPECT_EQ(outcomes(asked(folder, with({"rules", "irec"}, drifting), 1))["7.3 (flight)"], "FAIL");
+  run_in(folder, with(with({"fly"}, drifting), {"--out", "flown"}));
+  const json::Value flown = asked(folder, {"rules", "irec", "flown"});
+  EXPECT_EQ(outcomes(flown)["7.3 (flight)"], "PASS");
+  expect_said(flown.dump(), {"as the avionics estimated it"});
+}
+
+// The abort ends the avionics' part. Nobody recovers the canard that turns afterwards.
+TEST(Rules, FailALogWhoseCanardMovesAfterAnAbort) {
+  const Folder folder;
+  const std::string scenario = folder.write(
+      "aborted.toml",
+      "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n[[faults]]\nkind = \"device\"\ndevice = "
+      "\"abort_input\"\nbehaviour = \"pressed\"\nfrom_s = 1\nuntil_s = 2\n[[faults]]\nkind = \"canard_hardover\"\n"
+      "canard = 2\nfrom_s = 1.6\n");
+  const json::Value simulated = asked(folder, with({"rules", "irec", scenario}, legal), 1);
+  run_in(folder, with(with({"fly", scenario}, legal), {"--out", "flown"}));
+  const json::Value flown = asked(folder, {"rules", "irec", "flown"}, 1);
+  for (const char* id : {"7.3 (flight)", "7.4.1 (flight)"}) {
+    EXPECT_EQ(outcomes(simulated)[id], "FAIL") << id;
+    EXPECT_EQ(outcomes(flown)[id], "FAIL") << id;
   }
 }
 
@@ -105,10 +152,46 @@ TEST(Rules, OfALogAloneAskForTheRocketAndJudgeItThen) {
   const json::Value named = asked(folder, {"rules", "irec", "flown.ftl", "--vehicle", "tasha3_launch2"});
   EXPECT_EQ(named["answer"], "yes");
   expect_said(named["compared"].text(), {"with the rocket Tasha III"});
+  expect_said(evidence(alone, "7.4.1 (flight)"),
+              {"flight.max_q_s = ", " s or more (", "dormancy.burn_time_s = 3.2 is the plan's word, not verified"});
+  expect_said(evidence(named, "7.4.1 (flight)"), {"by its thrust curve the motor burns for "});
   run_in(folder, with(with({"fly", "tasha3_launch2", "--out", "unstable"}, legal),
                       {"--set", "airframe.centre_of_pressure_m=0.85"}));
   EXPECT_EQ(outcomes(asked(folder, {"rules", "irec", "unstable"}, 1))["7.2.1"], "FAIL")
       << "with the changes of the flight";
+}
+
+// Its mass, impulse and damping would be another's.
+TEST(Rules, OfALogRefuseTheVehicleOfAnotherRocket) {
+  const Folder folder;
+  run_in(folder, with({"fly", "tasha3_launch2", "--out", "flown"}, legal));
+  expect_said(run_in(folder, {"rules", "launch_canada", "flown", "--vehicle", "kestrel"}, 78).err,
+              {"kestrel.toml: name = \"Kestrel\", and the log is of the rocket \"Tasha III",
+               "allowed: the vehicle of that flight"});
+}
+
+TEST(Rules, OfALogWithSeveralFlightsJudgeTheOneThatIsChosen) {
+  const Folder folder;
+  run_in(folder, {"fly", "tasha3_launch2", "--out", "early"});
+  run_in(folder, with({"fly", "tasha3_launch2", "--out", "late"}, legal));
+  folder.write("two.ftl", content(folder.path() / "early/flight.ftl") + content(folder.path() / "late/flight.ftl"));
+  const Words of_two{"rules", "irec", "two.ftl", "--vehicle", "tasha3_launch2"};
+  expect_said(run_in(folder, of_two, 64).err, {"two.ftl holds 2 flights; which one? --flight 1 to 2"});
+  EXPECT_EQ(outcomes(asked(folder, with(of_two, {"--flight", "1"}), 1))["7.4.1 (flight)"], "FAIL");
+  const json::Value second = asked(folder, with(of_two, {"--flight", "2"}));
+  EXPECT_EQ(outcomes(second)["7.4.1 (flight)"], "PASS");
+  expect_said(second["compared"].text(), {"two.ftl, flight 2, as it was recorded"});
+}
+
+// Its scenario names the file from its own folder, and the log from another.
+TEST(Rules, OfALogWithAVehicleFileOfItsOwnAskForItsPath) {
+  const Folder folder;
+  run_in(folder, {"new", "mine", "--from", "tasha3_launch2"});
+  run_in(folder, {"fly", "mine/scenario.toml", "--out", "flown"});
+  expect_said(asked(folder, {"rules", "irec", "flown"}, 1)["sentence"].text(),
+              {"the vehicle \"vehicle.toml\" of its scenario: give the path of that file from here with --vehicle."});
+  expect_said(asked(folder, {"rules", "irec", "flown", "--vehicle", "mine/vehicle.toml"}, 1)["compared"].text(),
+              {"with the rocket mine"});
 }
 
 // What its rows do not show neither passes, nor is it said that it never happened.
@@ -156,6 +239,7 @@ TEST(Rules, RefuseWhatIsNoPackAndNoLaunch) {
           {"--set and --seed cannot change"});
   Refusal({}, {"rules", "irec", "tasha3_launch2", "--vehicle", "tasha3_launch2"}, 64,
           {"--vehicle names the rocket of a log"});
+  Refusal({}, {"rules", "irec", "tasha3_launch2", "--flight", "1"}, 64, {"--flight chooses one of a log"});
 }
 
 TEST(PlanCheck, WithRulesJudgesTheClausesOnPlans) {

@@ -55,6 +55,16 @@ TEST(FlownAgain, AFlightInSixDegreesOfFreedomFromALeaningGuideRollsAsItDid) {
   expect_same_roll(flight, fly_on(own, as_openrocket(flown)));
 }
 
+// A motion along the guide shows no tilt, so nobody may take it for one that stays below a limit.
+TEST(FlownAgain, ATrajectoryHasATrueTiltUnlessItGoesAlongTheGuideThroughout) {
+  const auto has_tilt = [](const std::vector<std::string>& changes) {
+    const sim::Scenario own = scenario(changes);
+    return fly_on(own, as_rocketpy(instants(own, 10))).rows.back().truth->tilt_from_guide_rad.has_value();
+  };
+  EXPECT_FALSE(has_tilt({}));
+  EXPECT_TRUE(has_tilt({"flight.motion=six_dof", "launch_guide.tilt_deg=5"}));
+}
+
 TEST(FlownAgain, AFlightInWindRollsAsItDid) {
   const sim::Scenario own = scenario({"flight.motion=six_dof", "wind.speed_m_s=5", "wind.from_deg=270",
                                       "airframe.roll_inertia_after_burnout_kg_m2=0.0035"});

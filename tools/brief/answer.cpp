@@ -48,8 +48,8 @@ constexpr auto brief_fields = result::fields<B>({
      "where that wind comes from"},
     {"wind_passed", "wind passed", m_s, 0,
      [](const B& b) { return b.wind_limit ? cell(b.wind_limit->passed_m_s) : Cell{}; },
-     "largest wind tried up to which the flight stays within the roll model and the tilt limit does not end control "
-     "early; null: none, or not computed"},
+     "largest wind tried up to which control stays within the roll model and the tilt limit does not end it early; "
+     "null: none, or not computed"},
     {"control_start", "control begins", s, 2, [](const B& b) { return of_start(b, &Moment::time_s); },
      "after lift-off; null: control never begins"},
     {"control_start_height", "at a height of", m, 0, [](const B& b) { return of_start(b, &Moment::height_m); },

@@ -77,6 +77,7 @@ struct WindLimit {
   std::optional<double> passed_m_s{};     ///< it and all smaller ones pass; empty: not even calm does
   std::string first_failure{};            ///< of the next one, a clause; empty: none up to most_wind_m_s
   double tilt_end_before_apogee_s = 0.0;  ///< so long before apogee the tilt limit may end control
+  double exit_attack_rad = 0.0;           ///< largest at the end of the guide in the winds that pass
 };
 /// Of a vehicle with an airframe: other flights know no wind.
 [[nodiscard]] WindLimit wind_limit(const sim::Scenario& scenario, const std::function<void()>& look);

@@ -48,7 +48,7 @@ std::string gate_conditions(const core::DormancyPlan& plan) {
   std::string all;
   const auto add = [&all](const std::string& condition) { all += (all.empty() ? "" : ", and ") + condition; };
   if (waits_for_burn_out(plan.until)) {
-    add(fmt::format("burn-out is detected (no thrust for 0.1 s, at least {} s after first thrust)",
+    add(fmt::format("burn-out is detected (axial force below 0.15 g for 0.1 s, at least {} s after first thrust)",
                     text::brief(static_cast<double>(plan.burn_clock_factor) * seconds(plan.burn_time), 2)));
   }
   if (waits_for_pressure(plan.until)) {
@@ -67,9 +67,10 @@ std::string opening(const Brief& of) {
     return fmt::format("Simulated: control begins at {}{}.", at(*flight.control_start),
                        flight.burns_at_control_start ? "; the motor still burns" : "");
   }
-  return fmt::format("Simulated: {}, and the canards stay at trim.", !flight.was_armed ? "the avionics are never armed"
-                                                                     : flight.was_dormant ? "the gate never opens"
-                                                                                          : "control never begins");
+  return fmt::format("Simulated: {}, and the canards are commanded to trim throughout.",
+                     !flight.was_armed    ? "the avionics are never armed"
+                     : flight.was_dormant ? "the gate never opens"
+                                          : "control never begins");
 }
 
 std::string fall_sentence(const Landing& landing) {
@@ -182,9 +183,12 @@ std::vector<std::string> wind_sentences(const Brief& of) {
     return {fmt::format("No wind passes. Even in calm air {}.", limit.first_failure)};
   }
   return {
-      fmt::format("Simulated in steps of {} m/s, from four directions: up to {} m/s the flight stays within the roll "
+      fmt::format("Simulated in steps of {} m/s, from four directions: up to {} m/s control stays within the roll "
                   "model.",
                   text::brief(wind_step_m_s, 0), text::brief(*limit.passed_m_s, 0)),
+      fmt::format("Not judged: the end of the guide, where the angle of attack then reaches {} deg, and slower flight "
+                  "than there.",
+                  fixed(degrees(limit.exit_attack_rad), 0)),
       fmt::format("Up to there the tilt limit ends control at most {} s before apogee.",
                   text::brief(limit.tilt_end_before_apogee_s, 2)),
       limit.first_failure.empty() ? "Stronger wind was not tried."
@@ -195,13 +199,14 @@ std::vector<std::string> gate_sentences(const Brief& of) {
   const core::DormancyPlan& gate = of.plan.dormancy;
   std::vector<std::string> all;
   if (gate.until == core::DormantUntil::guide) {
-    all.push_back(fmt::format("Canards stay at trim until the rocket is {}.", beyond_guide(of.plan.guide)));
+    all.push_back(fmt::format("Canards are commanded to trim until the rocket is {}.", beyond_guide(of.plan.guide)));
   } else {
-    all.push_back(fmt::format("Canards stay at trim until {}.", gate_conditions(gate)));
+    all.push_back(fmt::format("Canards are commanded to trim until {}.", gate_conditions(gate)));
     all.push_back(fmt::format("The rocket must also be {}.", beyond_guide(of.plan.guide)));
-    if (gate.until != core::DormantUntil::height) {
-      all.push_back(waits_for_burn_out(gate.until) ? "If the motor thrusts again, they return to trim."
-                                                   : "If the pressure rises to a new maximum, they return to trim.");
+    if (waits_for_burn_out(gate.until)) {
+      all.emplace_back("Thrust below drag counts as burn-out. Axial force above 1 g for 0.1 s ends control again.");
+    } else if (waits_for_pressure(gate.until)) {
+      all.emplace_back("If the pressure rises to a new maximum, they are commanded to trim again.");
     }
   }
   all.push_back(opening(of));
@@ -211,7 +216,7 @@ std::vector<std::string> gate_sentences(const Brief& of) {
 std::vector<std::string> end_sentences(const Brief& of) {
   const core::RunPlan& run = of.plan.run;
   std::vector<std::string> all{
-      fmt::format("Canards return to trim at the first of: apogee; tilt over {} deg from {}; {} s of control; gyro "
+      fmt::format("Trim is commanded at the first of: apogee; tilt over {} deg from {}; {} s of control; gyro "
                   "silent for {} s; timing or "
                   "memory fault{}{}.",
                   text::brief(degrees(static_cast<double>(run.tilt_limit.radians())), 1),

@@ -12,7 +12,7 @@ const std::array<SignalMeaning, 7>& signal_meanings() {
       SignalMeaning{armed, "Armed and ready", "Waits for a launch. Later faults do not show."},
       SignalMeaning{armed_not_ready, "Armed, not ready", "Was moved; must rest before it can detect a launch."},
       SignalMeaning{flying, "Launched", "Canards may move. The arm switch is ignored."},
-      SignalMeaning{finished, "Finished", "Canards at trim until power is off and on."}};
+      SignalMeaning{finished, "Finished", "Canards commanded to trim until power is off and on."}};
   return all;
 }
 

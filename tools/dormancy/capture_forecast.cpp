@@ -115,17 +115,29 @@ double way_back_m(const RollAtEntry& e, double path) {
              : 0.0;
 }
 
-std::optional<double> captured_after_path_s(const RollAtEntry& e, std::optional<double> path) {
+struct Promise {
+  std::optional<double> within_s{};
+  std::string_view why_none{};
+};
+
+Promise captured_after_path(const RollAtEntry& e, std::optional<double> path) {
+  constexpr std::string_view slow = "by then the air may be too slow";
+  if (std::abs(e.offset_rad) > largest_promised_share * e.limit_rad) {
+    return {.why_none = "the fin offset needs more than 80 % of the canards' limit"};
+  }
   // An estimate of the offset that begins wrong drives the rocket away first, nobody knows how far.
-  if (!path || std::abs(e.offset_rad) > largest_promised_share * e.limit_rad ||
-      (e.rejects_offset() && !(e.has_model && e.share))) {
-    return std::nullopt;
+  if (e.rejects_offset() && !(e.has_model && e.share)) {
+    return {.why_none = e.has_model ? "[roll_model] is not that of this vehicle, or the gate opens too soon"
+                                    : "the law rejects the offset, and the plan has no [roll_model]"};
+  }
+  if (!path) {
+    return {.why_none = "the canards cannot hold an angle"};
   }
   const double way_m = *path + dying_path_m(e) + way_back_m(e, *path);
   const auto on_the_way_s = time_for_path_s(e, way_m);
   const auto stop_s = earliest_stop_s(e);
   if (!on_the_way_s || !stop_s || way_m >= path_to_slow_m(e)) {
-    return std::nullopt;
+    return {.why_none = slow};
   }
   const double v2 = e.speed_m_s * e.speed_m_s;
   const double k = drag_1_m(e);
@@ -133,11 +145,11 @@ std::optional<double> captured_after_path_s(const RollAtEntry& e, std::optional<
   const double speed_then_m_s = std::sqrt((v2 + terminal2) * std::exp(-2.0 * k * way_m) - terminal2);
   const auto last_s = last_degrees_s(e, speed_then_m_s);
   if (!last_s || !last_degrees_s(e, e.speed_m_s)) {
-    return std::nullopt;
+    return {.why_none = "the loop may not settle at this speed"};
   }
   const double within_s = e.servo_lag_s + e.delay_s + std::max(*on_the_way_s, *stop_s) + *last_s;
   const double slow_s = time_for_path_s(e, path_to_slow_m(e)).value_or(0.0);
-  return within_s + shortest_capture_s < slow_s ? std::optional{within_s} : std::nullopt;
+  return within_s + shortest_capture_s < slow_s ? Promise{.within_s = within_s} : Promise{.why_none = slow};
 }
 
 }  // namespace
@@ -199,10 +211,14 @@ std::optional<double> time_for_path_s(const RollAtEntry& e, double path) {
   return terminal / sim::gravity_m_s2 * (std::atan(e.speed_m_s / terminal) - std::atan(std::sqrt(then2) / terminal));
 }
 
-std::optional<double> captured_within_s(const RollAtEntry& e) { return captured_after_path_s(e, path_m(e)); }
+std::optional<double> captured_within_s(const RollAtEntry& e) { return captured_after_path(e, path_m(e)).within_s; }
 
 std::optional<double> captured_from_any_angle_within_s(const RollAtEntry& e) {
-  return captured_after_path_s(e, longest_path_m(e));
+  return captured_after_path(e, longest_path_m(e)).within_s;
+}
+
+std::string_view why_no_capture_time(const RollAtEntry& e) {
+  return captured_after_path(e, longest_path_m(e)).why_none;
 }
 
 }  // namespace fantail::dormancy

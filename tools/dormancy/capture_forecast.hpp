@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "sim/roll_plant.hpp"
 
@@ -55,6 +56,9 @@ struct RollAtEntry {
 [[nodiscard]] double path_to_slow_m(const RollAtEntry& entry);
 /// Empty: it does not come that far.
 [[nodiscard]] std::optional<double> time_for_path_s(const RollAtEntry& entry, double path_m);
+
+/// Why captured_from_any_angle_within_s() promises nothing, a clause; empty: it does.
+[[nodiscard]] std::string_view why_no_capture_time(const RollAtEntry& entry);
 
 /// Within this time after control begins the roll is captured (see Opening), from its angle or from any. Cautious: the
 /// way, the metres 1 / c in which canards set the rocket turning, and what the law takes for the last degrees. Empty:

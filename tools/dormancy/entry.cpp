@@ -108,11 +108,13 @@ std::optional<CaptureForecast> capture_forecast(const sim::Scenario& scenario, c
                       .longest_path_m = longest_path_m(e),
                       .path_left_m = path_to_slow_m(e)};
   if (!scenario.faults.empty() || plan.controller.rate_reference != core::RateReference::zero) {
+    all.why_not = scenario.faults.empty() ? "controller.rate_reference is not \"zero\"" : "the scenario has faults";
     return all;
   }
+  all.why_not = why_no_capture_time(e);
   const auto promised = [&all, until_s = undisturbed_s(plan)](std::optional<double> within_s) {
     const bool is_disturbed = within_s && *within_s >= until_s;
-    all.is_disturbed = all.is_disturbed || is_disturbed;
+    all.why_not = is_disturbed ? "the excitation begins or the reference moves too soon" : all.why_not;
     return is_disturbed ? std::nullopt : within_s;
   };
   all.within_s = promised(captured_within_s(e));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "dormancy/capture_forecast.hpp"
 #include "dormancy/outlook.hpp"
 #include "sim/scenario.hpp"
@@ -19,8 +21,8 @@ struct CaptureForecast {
   std::optional<double> earliest_stop_s{};
   std::optional<double> path_m{};
   std::optional<double> longest_path_m{};
-  bool is_disturbed = false;  ///< the reference moves or the excitation begins before a time that could be promised
-  double path_left_m = 0.0;   ///< until the air is too slow
+  std::string why_not{};                            ///< a clause, where no time is promised
+  double path_left_m = 0.0;                         ///< until the air is too slow
   std::optional<double> within_s{};                 ///< from the angle of the flight
   std::optional<double> from_any_angle_within_s{};  ///< with its rate
 };

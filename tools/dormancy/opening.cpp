@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dormancy/opening.hpp"
 
+#include <utility>
+
 namespace fantail::dormancy {
 
 void OpeningWatch::add(const flight::Row& row, const flight::Flight& so_far) {
@@ -17,7 +19,12 @@ void OpeningWatch::add(const flight::Row& row, const flight::Flight& so_far) {
   }
   if (opening_ && !controls) {
     capture_.end();
+    pauses_ = true;
   } else if (opening_) {
+    if (std::exchange(pauses_, false)) {
+      opening_->reopenings += 1;
+      capture_ = report::CaptureWatch{tunnel_};
+    }
     const auto settles_rad = report::holds_an_angle(so_far) ? flight::settle_point_rad(row, so_far) : std::nullopt;
     capture_.add(row,
                  settles_rad ? std::optional{row.truth->roll_angle_rad - zero_.rad() - *settles_rad} : std::nullopt);

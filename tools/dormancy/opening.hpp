@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "flight/flight.hpp"
@@ -25,18 +26,19 @@ struct Opening {
   double rate_rad_s = 0.0;                   ///< likewise
   double angle_rad = 0.0;                    ///< as the law has it, whole turns and all
   double offset_rad = 0.0;                   ///< of the fins, where truth is known
-  std::optional<double> captured_after_s{};  ///< report::Capture::after_s; empty: never
+  std::uint64_t reopenings = 0;              ///< how often the gate had closed and control began anew
+  std::optional<double> captured_after_s{};  ///< report::Capture::after_s, from when control began last; empty: never
 };
 
 inline void fields(runs::RowText& text, Opening& opening) {
   text(opening.time_s, opening.was_waited_for, opening.height_m, opening.speed_m_s, opening.rate_rad_s,
-       opening.angle_rad, opening.offset_rad, opening.captured_after_s);
+       opening.angle_rad, opening.offset_rad, opening.reopenings, opening.captured_after_s);
 }
 
 /// Looks at a flight row by row.
 class OpeningWatch {
  public:
-  explicit OpeningWatch(bool tunnel) : zero_{tunnel}, capture_{tunnel} {}
+  explicit OpeningWatch(bool tunnel) : tunnel_{tunnel}, zero_{tunnel}, capture_{tunnel} {}
 
   /// Each row, in order, and the flight as far as it is known by then.
   void add(const flight::Row& row, const flight::Flight& so_far);
@@ -45,6 +47,8 @@ class OpeningWatch {
   [[nodiscard]] std::optional<Opening> found(const flight::Clock& clock = {}) const;
 
  private:
+  bool tunnel_;
+  bool pauses_ = false;  ///< control, which has begun
   report::TrueZero zero_;
   std::optional<Opening> opening_{};
   report::CaptureWatch capture_;

@@ -40,15 +40,20 @@ bool waits_beyond_guide(const core::FlightPlan& plan) {
 
 double seconds(core::Microseconds time) { return static_cast<double>(core::seconds(time)); }
 
-std::string capture_clause(const CaptureForecast& forecast) {
+std::string capture_clause(const CaptureForecast& forecast, const Opening& opening) {
+  if (opening.reopenings > 0) {
+    return "no capture time is promised, because the gate closes again";
+  }
   if (forecast.within_s || forecast.from_any_angle_within_s) {
     const double within_s = std::max(forecast.within_s.value_or(0.0), forecast.from_any_angle_within_s.value_or(0.0));
-    return fmt::format("by calculation, the roll is captured within {} s{}",
+    return fmt::format("by calculation, the roll is captured within {} s{}{}",
                        fixed(std::ceil(10.0 * within_s) / 10.0, 1),
-                       forecast.from_any_angle_within_s ? " from any roll angle" : "");
+                       forecast.from_any_angle_within_s ? " from any roll angle" : "",
+                       within_s > capture_takes_s
+                           ? fmt::format(" (a verdict leaves out only the first {} s)", brief(capture_takes_s, 1))
+                           : "");
   }
-  return forecast.is_disturbed ? "no capture time is promised: the excitation begins or the reference moves too soon"
-                               : "no capture time is promised";
+  return fmt::format("no capture time is promised: {}", forecast.why_not);
 }
 
 std::string residual_clause(const Outlook& outlook, const std::optional<CaptureForecast>& forecast) {
@@ -60,17 +65,24 @@ std::string residual_clause(const Outlook& outlook, const std::optional<CaptureF
                      fixed(outlook.opening.value().speed_m_s, 0));
 }
 
+/// From first thrust, as the flight code has it, to the end of the thrust curve.
+double burn_to_end_s(const Outlook& outlook) {
+  return outlook.burn_s.value() + outlook.thrust_end.value().time_s - outlook.last_thrust.value().time_s;
+}
+
 std::string on_early_burn_out(const core::FlightPlan& plan, const Outlook& outlook) {
-  if (!outlook.burn_s || !waits_for_burn_out(plan) || plan.dormancy.burn_time.count() <= 0) {
+  if (!outlook.burn_s || !outlook.thrust_end || !waits_for_burn_out(plan) || plan.dormancy.burn_time.count() <= 0) {
     return {};
   }
   constexpr double largest_factor = 5.0;
-  const double least = std::ceil(100.0 * *outlook.burn_s / seconds(plan.dormancy.burn_time)) / 100.0;
+  const double to_end_s = burn_to_end_s(outlook);
+  const double least = std::ceil(100.0 * to_end_s / seconds(plan.dormancy.burn_time)) / 100.0;
   return least > largest_factor
-             ? fmt::format(". A dormancy.burn_time_s of {} would keep it closed",
-                           fixed(std::ceil(100.0 * *outlook.burn_s) / 100.0, 2))
-             : fmt::format(". A dormancy.burn_clock_factor of {} or more would keep it closed with this thrust curve",
-                           brief(least, 2));
+             ? fmt::format(". A dormancy.burn_time_s of {} would keep it closed to the end of this thrust curve",
+                           fixed(std::ceil(100.0 * to_end_s) / 100.0, 2))
+             : fmt::format(
+                   ". A dormancy.burn_clock_factor of {} or more would keep it closed to the end of this thrust curve",
+                   brief(least, 2));
 }
 
 /// The gate is open before the motor has burnt out.
@@ -93,7 +105,7 @@ std::string wrong_burn_time(const core::FlightPlan& plan, const Outlook& outlook
   }
   constexpr double tolerance = 0.02;
   const double stated_s = seconds(plan.dormancy.burn_time);
-  const double to_end_s = *outlook.burn_s + outlook.thrust_end->time_s - outlook.last_thrust.value().time_s;
+  const double to_end_s = burn_to_end_s(outlook);
   if (stated_s >= (1.0 - tolerance) * *outlook.burn_s && stated_s <= (1.0 + tolerance) * to_end_s) {
     return {};
   }
@@ -153,25 +165,31 @@ std::string opening_clause(const sim::Scenario& scenario, const Outlook& outlook
   if (const auto costs_s = outlook.height_costs_s(); costs_s && plan.dormancy.until == DormantUntil::height) {
     all += fmt::format("; the margin for the height's error costs {} s", fixed(*costs_s, 2));
   }
+  const bool again = opening.reopenings > 0;
+  if (again) {
+    all += fmt::format("; in the simulated flight it closes and reopens {}", text::counted(opening.reopenings, "time"));
+  }
   if (opening.captured_after_s) {
-    all +=
-        fmt::format("; in the simulated flight the roll is captured {} s later", fixed(*opening.captured_after_s, 2));
+    all += fmt::format("; {} the roll is captured {} s later", again ? "after the last" : "in the simulated flight",
+                       fixed(*opening.captured_after_s, 2));
   }
   if (forecast && !forecast->residual_rate_rad_s) {
-    all += "; " + capture_clause(*forecast);
+    all += "; " + capture_clause(*forecast, opening);
   }
   return all;
 }
 
 std::string never_opened(const sim::Scenario& scenario, const Outlook& outlook) {
   const core::FlightPlan& plan = scenario.plan;
-  if (outlook.opening || !waits_beyond_guide(plan) || outlook.stayed_because != core::PhaseReason::gate_never_opened) {
+  const auto height_m = static_cast<double>(plan.dormancy.height_m);
+  const bool is_above_apogee = waits_for_height(plan) && outlook.apogee && outlook.apogee->height_m < height_m;
+  const bool was_waited_for = outlook.stayed_because == core::PhaseReason::gate_never_opened;
+  if (outlook.opening || !waits_beyond_guide(plan) || (!was_waited_for && !is_above_apogee)) {
     return {};
   }
-  const auto height_m = static_cast<double>(plan.dormancy.height_m);
   const std::string asked = brief(height_m, 1);
   if (waits_for_height(plan) && outlook.apogee) {
-    if (outlook.apogee->height_m < height_m) {
+    if (is_above_apogee) {
       return fmt::format(
           "the gate is not reached: the apogee of {} m is below dormancy.height_m = {}. Control never begins",
           text::apart(outlook.apogee->height_m, height_m, 0), asked);

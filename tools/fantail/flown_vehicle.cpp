@@ -41,8 +41,8 @@ FlownVehicle flown_vehicle(const std::filesystem::path& log, const std::optional
   // A path is one from the folder of a scenario that nobody names here: in this folder it may be another rocket's.
   if (const auto shipped = input::shipped_names(input::Shipped::vehicle);
       std::ranges::find(shipped, flown->vehicle_file) == shipped.end()) {
-    return {.why_unknown = fmt::format("{} was flown with the vehicle \"{}\" of its scenario: name that file with "
-                                       "--vehicle",
+    return {.why_unknown = fmt::format("{} was flown with the vehicle \"{}\" of its scenario: give the path of that "
+                                       "file from here with --vehicle",
                                        log.string(), flown->vehicle_file)};
   }
   input::Document document = load_vehicle(flown->vehicle_file);

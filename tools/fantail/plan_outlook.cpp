@@ -29,6 +29,7 @@ json::Value opening(const dormancy::Outlook& outlook) {
           {"speed_m_s", json::rounded(at.speed_m_s)},
           {"roll_rate_deg_s", json::rounded(text::degrees(at.rate_rad_s))},
           {"roll_angle_deg", json::rounded(text::degrees(at.angle_rad))},
+          {"reopenings", at.reopenings},
           {"captured_after_s", number(at.captured_after_s)}};
 }
 

@@ -243,8 +243,11 @@ void make(const NewOptions& options) {
   for (const text::NamedFile& file : files.files) {
     show("  made  {}\n", (folder / file.name).string());
   }
+  const std::string scenario_file = text::shell_word((folder / "scenario.toml").string());
   show("\nNext: fantail airframe {}\n      fantail fly {}\n", text::shell_word((folder / "vehicle.toml").string()),
-       text::shell_word((folder / "scenario.toml").string()));
+       scenario_file);
+  show("      fantail rules irec {} (most ranges ask for [dormancy] and run.abort_input in plan.toml)\n",
+       scenario_file);
 }
 
 void fill(const Verb& verb) {

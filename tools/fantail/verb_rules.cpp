@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,14 +17,17 @@
 #include "fantail/progress.hpp"
 #include "fantail/run.hpp"
 #include "fantail/scenario_options.hpp"
+#include "flight_log/flight_log.hpp"
 #include "fly/describe.hpp"
 #include "fly/fly_scenario.hpp"
 #include "input/shipped.hpp"
 #include "input/vehicle_file.hpp"
 #include "logs/flight_file.hpp"
+#include "protocol/log_header.hpp"
 #include "rules/judge.hpp"
 #include "rules/record.hpp"
 #include "text/number.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -31,6 +36,7 @@ struct RulesOptions {
   std::string pack;
   ScenarioOptions scenario{};  ///< or a log
   std::optional<std::string> vehicle;
+  std::optional<std::size_t> flight;
   std::string out;
   bool json = false;
 };
@@ -63,6 +69,9 @@ Held hold_scenario(const RulesOptions& options, const std::filesystem::path& pac
     throw UsageError{"--vehicle names the rocket of a log, and " + options.scenario.scenario +
                      " is a scenario, which names its own"};
   }
+  if (options.flight) {
+    throw UsageError{"--flight chooses one of a log, and " + options.scenario.scenario + " is a scenario"};
+  }
   const sim::Scenario scenario = load(options.scenario);
   refuse_unless_launch(
       scenario.surroundings == sim::Surroundings::flight && scenario.plan.run.start == core::Start::launch,
@@ -87,15 +96,55 @@ std::filesystem::path recorded(const std::filesystem::path& log) {
   return std::filesystem::exists(inside, ignored) ? inside : log;
 }
 
-void add_rocket(const RulesOptions& options, Held& held) {
+/// With the rests of that flight after resets.
+flight::Flight read_log(const RulesOptions& options) {
+  const std::filesystem::path path = recorded(options.scenario.scenario);
+  const std::filesystem::path file = logs::flight_file(path);
+  if (!logs::is_flight_log(file)) {
+    if (options.flight) {
+      throw UsageError{fmt::format("--flight {}: {} is a table of one flight", *options.flight, path.string())};
+    }
+    return logs::read_flight(path);
+  }
+  flight_log::LogFile log = flight_log::read_log_file(file);
+  if (options.flight || !flight_log::is_one_flight(log)) {
+    const std::size_t chosen = options.flight.value_or(1);
+    std::vector<flight_log::Flight> kept{take_flight(log, options.flight)};
+    for (std::size_t i = chosen; i < log.flights.size() && flight_log::is_rest_of(log.flights[i], kept.back()); ++i) {
+      kept.push_back(std::move(log.flights[i]));
+    }
+    log.flights = std::move(kept);
+  }
+  return logs::replayed_flight(log);
+}
+
+/// A board that is built by itself names no rocket in its log.
+void refuse_other_rocket(const sim::Vehicle& vehicle, const std::string& file, const std::string& flown) {
+  const std::string name = text::printable(vehicle.name.substr(0, protocol::log_text_size));
+  if (!flown.empty() && name != flown) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("{}: name = \"{}\", and the log is of the rocket \"{}\"; allowed: the vehicle of that "
+                    "flight",
+                    file, name, flown)};
+  }
+}
+
+/// What its rocket tells: figures of its own, and how long its motor burns.
+void add_log_and_rocket(const RulesOptions& options, const flight::Flight& flight, Held& held) {
   const FlownVehicle flown = flown_vehicle(options.scenario.scenario, options.vehicle);
   if (!flown.document) {
     held.subject.no_rocket = flown.why_unknown;
+    held.subject.found = rules::of_log(flight);
     return;
   }
   const sim::Vehicle vehicle = input::read_vehicle(*flown.document);
   held.inputs.emplace_back(flown.document->file());
-  held.subject.what += ", with the rocket " + vehicle.name;
+  refuse_other_rocket(vehicle, flown.document->file(), flight.vehicle);
+  held.subject.what += fmt::format(", with the rocket {}{}", vehicle.name,
+                                   flight.vehicle.empty() ? ", which the log does not name" : "");
+  const double burns_s = vehicle.motor.burnout_s();
+  held.subject.found = rules::of_log(flight, burns_s > 0.0 ? std::optional{burns_s} : std::nullopt);
   held.subject.found.merge(rules::of_rocket(vehicle, fly::side_moment_m3(vehicle), held.subject.found));
 }
 
@@ -105,18 +154,23 @@ Held hold_log(const RulesOptions& options, const std::filesystem::path& pack) {
     throw UsageError{log + " is a log, which --set and --seed cannot change"};
   }
   Held held{.inputs = {pack, log}, .name = name_of_log(log)};
-  const flight::Flight flight = logs::read_flight(recorded(log));
+  const flight::Flight flight = read_log(options);
   refuse_unless_launch(!flight.tunnel, log);
-  held.subject.what = fmt::format("{}, as it was recorded{}", log, flight.known.plan ? "" : ", without a flight plan") +
+  if (options.flight) {
+    held.name += fmt::format("_{}", *options.flight);
+  }
+  held.subject.what = fmt::format("{}{}, as it was recorded{}{}", log,
+                                  options.flight ? fmt::format(", flight {}", *options.flight) : "",
+                                  flight.known.plan ? "" : ", without a flight plan",
+                                  flight.differing_ticks > 0 ? ", whose replay differs" : "") +
                       (flight.known.phase ? rules::control_in_log(flight).of_subject : "");
   held.subject.why_missing =
       flight.known.plan ? "a log does not tell it" : "a table without a flight plan does not tell it";
-  held.subject.found = rules::of_log(flight);
+  add_log_and_rocket(options, flight, held);
   if (flight.known.plan) {
     held.subject.found.merge(rules::of_plan(flight.plan));
     held.subject.found.merge(rules::of_law());
   }
-  add_rocket(options, held);
   held.made = made_with(held.inputs);
   return held;
 }
@@ -149,6 +203,7 @@ void fill(const Verb& verb) {
               "The rocket of a log: a shipped name or a path [the shipped one in the flight's summary.json]")
       .offers(shipped(input::Shipped::vehicle))
       .value_name("NAME|FILE");
+  add_flight_choice(verb, options->flight);
   verb.option("--out", options->out,
               "Folder for rules.html and rules.json [out/rules/PACK+SCENARIO, with the changes in the name; of a log "
               "out/rules/PACK+LOG_flown]")

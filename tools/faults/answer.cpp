@@ -200,8 +200,9 @@ result::Document answer(const Result& result, const result::Made& made) {
                                                          : "No red cell",
                .sentence = headline(result),
                .not_in_it = {"An outcome that was stated beforehand; the page lists them at its end. In some of them "
-                             "control has ended and the rocket rolls freely. A safe cell does not rule out injury, and "
-                             "it does not cover where the rocket lands. All results come from a model on a PC."},
+                             "control has ended and the rocket rolls freely. With capture, the roll is not compared in "
+                             "the first 1.2 s of control. A safe cell does not rule out injury, and it does not "
+                             "cover where the rocket lands. All results come from a model on a PC."},
                .not_in_it_heading = "Safe means here:"},
           .facts = {{"scenario", "", result.scenario},
                     {"vehicle", "", result.vehicle},

@@ -50,6 +50,12 @@ void check(const Campaign& campaign) {
   }
 }
 
+double apart_deg_of(const Findings& findings, std::optional<Outcome> outcome) {
+  return outcome == Outcome::ended      ? findings.apart_meanwhile_deg
+         : outcome == Outcome::anything ? findings.apart_with_turns_deg
+                                        : findings.apart_deg;
+}
+
 Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint64_t number, const Findings& findings) {
   const auto outcome = findings.outcome(cell.expected());
   return {.number = number,
@@ -58,7 +64,7 @@ Run run_of(const Twins& twins, const Cell& cell, const Grid::Run& at, std::uint6
           .outcome = outcome,
           .is_breach = !findings.breach.empty(),
           .came_back = !outcome && findings.came_back(cell.expected()),
-          .apart_deg = 1e-3 * std::round(1e3 * findings.apart_deg),
+          .apart_deg = 1e-3 * std::round(1e3 * apart_deg_of(findings, outcome)),
           .trim_after_s = findings.trim_after_s,
           .stands_after_s = findings.stands_after_s,
           .what = outcome ? std::string{} : findings.what_it_was()};
@@ -176,8 +182,8 @@ Result fly_campaign(const Prepared& prepared, const std::filesystem::path& folde
 
 Alone fly_alone(const Prepared& prepared, const std::string& cell_name, std::uint64_t number) {
   const Twins& twins = prepared.twins;
-  Cell cell = cell_of(cell_name);
-  cell.stays_at_trim = twins.stay_at_trim;
+  const Cell named = cell_of(cell_name);
+  const Cell cell = twins.cell(*named.row, named.phase);
   if (const std::string why = why_not(*cell.row, twins.scenario); !why.empty()) {
     refuse(cell_name + ": " + why);
   }

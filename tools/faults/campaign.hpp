@@ -37,7 +37,7 @@ struct Run {
   std::optional<Outcome> outcome{};  ///< the first allowed one that it was; empty: none
   bool is_breach = false;            ///< of what holds for every flight, which no limit excuses
   bool came_back = false;            ///< Findings, of a flight that was none
-  double apart_deg = 0.0;            ///< Findings
+  double apart_deg = 0.0;            ///< Findings: of its outcome
   double trim_after_s = 0.0;         ///< Findings
   double stands_after_s = 0.0;       ///< Findings
   std::string what{};                ///< of a flight that was none: what it was

@@ -30,6 +30,7 @@ std::string figure_of(const Run& run) {
     case Outcome::no_control: return "no control";
     case Outcome::over:
       return fmt::format("at trim after {:.3f} s, canards after {:.3f} s", run.trim_after_s, run.stands_after_s);
+    case Outcome::ended: return fmt::format("control ended, roll {:.1f} deg off until then", run.apart_deg);
     case Outcome::anything: return fmt::format("roll {:.1f} deg off, not judged", run.apart_deg);
     case Outcome::holds:
     case Outcome::recovers:

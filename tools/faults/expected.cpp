@@ -18,6 +18,8 @@ std::string clause(Outcome outcome, const Expected& e) {
                          e.within_deg, e.settle_s, e.meanwhile_deg);
     case Outcome::goes_on: return fmt::format("held within {:g} deg", e.meanwhile_deg);
     case Outcome::over: return fmt::format("control ended and canards at trim within {:g} s", e.trim_s);
+    case Outcome::ended:
+      return fmt::format("control ended early, and held within {:g} deg until then", e.meanwhile_deg);
     case Outcome::anything: break;
   }
   return "any roll, within the limits";
@@ -44,6 +46,7 @@ const char* name(Outcome outcome) {
     case Outcome::recovers: return "recovers";
     case Outcome::goes_on: return "goes_on";
     case Outcome::over: return "over";
+    case Outcome::ended: return "ended";
     case Outcome::anything: break;
   }
   return "anything";

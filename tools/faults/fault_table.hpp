@@ -26,9 +26,11 @@ enum class Outcome : std::uint8_t {
   recovers = 1U << 3U,  ///< likewise, but from `settle_s` after the fault on; until then within `meanwhile_deg`
   goes_on = 1U << 4U,   ///< likewise, within `meanwhile_deg` all the time
   over = 1U << 5U,      ///< every canard commanded to trim `trim_s` after the fault began, from there on for good
-  anything = 1U << 6U,  ///< nothing can be done by the avionics: only what holds for every flight is asked
+  ended = 1U << 6U,  ///< the plan ends control for a failed canard: it ended early, and until then the roll angle was
+                     ///< within `meanwhile_deg`
+  anything = 1U << 7U,  ///< nothing can be done by the avionics: only what holds for every flight is asked
 };
-inline constexpr unsigned outcomes = 7;
+inline constexpr unsigned outcomes = 8;
 
 /// What is safe in one cell, stated before anything is flown.
 struct Expected {
@@ -49,6 +51,14 @@ struct Expected {
   if (expected.applies() && !expected.allows(Outcome::anything)) {
     expected.allowed =
         (expected.allowed & static_cast<unsigned>(Outcome::not_armed)) | static_cast<unsigned>(Outcome::no_control);
+  }
+  return expected;
+}
+
+/// The same for a fault of a canard or of its encoder, by a plan that ends control for it.
+[[nodiscard]] constexpr Expected or_ended(Expected expected) {
+  if (expected.applies() && !expected.allows(Outcome::anything) && !expected.allows(Outcome::over)) {
+    expected.allowed |= static_cast<unsigned>(Outcome::no_control) | static_cast<unsigned>(Outcome::ended);
   }
   return expected;
 }
@@ -121,6 +131,14 @@ struct FaultRow {
   /// "the failed canard may stand anywhere within its limit, at trim or not".
   [[nodiscard]] std::string shaft_sentence() const;
 };
+
+/// Of one canard: its servo, or the encoder that watches it.
+[[nodiscard]] constexpr bool is_of_canard(const FaultRow& row) {
+  return row.recipe.fault.device == sim::Device::servo || row.recipe.fault.device == sim::Device::encoder;
+}
+[[nodiscard]] constexpr bool ends_for_canards(const core::FlightPlan& plan) {
+  return plan.run.canard_fault == core::CanardFaultPolicy::end_control;
+}
 
 /// All of them, device by device.
 [[nodiscard]] std::span<const FaultRow> fault_table();

@@ -53,9 +53,7 @@ std::string fingerprint(const Twins& twins) {
   }
   for (const Recipe& recipe : recipes) {
     const auto row = std::ranges::find(fault_table(), recipe, &FaultRow::recipe);
-    const Cell cell{.row = &*row,
-                    .phase = twins.stay_at_trim ? Phase::launched : Phase::controlling,
-                    .stays_at_trim = twins.stay_at_trim};
+    const Cell cell = twins.cell(*row, twins.stay_at_trim ? Phase::launched : Phase::controlling);
     all += text_of(fly_run(twins, cell, Grid{twins, cell.phase, step_ms, every}[0], 0));
   }
   return runs::short_digest(all);

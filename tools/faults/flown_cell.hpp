@@ -17,10 +17,14 @@ namespace fantail::faults {
 struct Cell {
   const FaultRow* row = nullptr;
   Phase phase = Phase::pad;
-  bool stays_at_trim = false;  ///< Twins
+  bool stays_at_trim = false;  ///< as the next, of Twins::cell()
+  bool may_end = false;
 
   [[nodiscard]] std::string name() const;  ///< imu/dead/controlling
-  [[nodiscard]] Expected expected() const { return stays_at_trim ? at_trim(row->expect(phase)) : row->expect(phase); }
+  [[nodiscard]] Expected expected() const {
+    const Expected& stated = row->expect(phase);
+    return stays_at_trim ? at_trim(stated) : may_end ? or_ended(stated) : stated;
+  }
   /// What is safe, with what a failed servo may do meanwhile.
   [[nodiscard]] std::string safe() const;
 };
@@ -35,6 +39,14 @@ struct Twins {
   std::vector<Twin> twins;           ///< one a seed
   Limits limits;
   bool stay_at_trim = false;  ///< the plan's gate opens with none of the seeds: nothing but canards at trim is safe
+
+  /// What is safe in it goes by the plan, too.
+  [[nodiscard]] Cell cell(const FaultRow& row, Phase phase) const {
+    return {.row = &row,
+            .phase = phase,
+            .stays_at_trim = stay_at_trim,
+            .may_end = ends_for_canards(scenario.plan) && is_of_canard(row)};
+  }
 };
 
 /// Flies them, on several threads (0: as many as the machine has). `look` is called with how many are done, a few times

@@ -28,6 +28,7 @@ Limits limits_of(const sim::Scenario& scenario) {
   const core::FlightPlan& plan = scenario.plan;
   Limits limits{.shafts = shaft_limits(scenario),
                 .any_turn = plan.controller.entry == core::ControlEntry::capture,
+                .capture_s = plan.controller.entry == core::ControlEntry::capture ? 1.2 : 0.0,
                 .early_s = plan.sensors.barometer == core::BarometerUse::none ? 0.1 : 0.5};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const core::CanardPlan& canard = plan.canards.each[i];
@@ -158,14 +159,20 @@ void Judge::look_at_phase(const Moment& moment) {
 }
 
 void Judge::look_at_roll(const Moment& moment) {
-  const bool twin_controls = twin_.control_begin && moments_ >= *twin_.control_begin && moments_ <= *twin_.control_end;
+  const auto capture = static_cast<std::size_t>(limits_.capture_s * 1e3);
+  const bool twin_controls =
+      twin_.control_begin && moments_ >= *twin_.control_begin + capture && moments_ <= *twin_.control_end;
   if (!twin_controls || moment.time_s < fault_.begin_s) {
     return;
   }
   const double apart_rad = moment.true_roll_rad - twin_.true_roll_rad[moments_];
   const double apart_deg = std::abs(limits_.any_turn ? std::remainder(apart_rad, 360.0 * degree) : apart_rad) / degree;
   findings_.apart_deg = std::max(findings_.apart_deg, apart_deg);
+  findings_.apart_with_turns_deg = std::max(findings_.apart_with_turns_deg, std::abs(apart_rad) / degree);
   findings_.apart_at_end_deg = apart_deg;
+  if (moment.phase == core::Phase::controlling) {
+    findings_.apart_meanwhile_deg = std::max(findings_.apart_meanwhile_deg, apart_deg);
+  }
   if (moment.time_s >= fault_.end_s + settle_s_) {
     findings_.apart_settled_deg = std::max(findings_.apart_settled_deg, apart_deg);
   }
@@ -189,6 +196,8 @@ bool Findings::is(Outcome outcome, const Expected& e) const {
     case Outcome::over:
       return last_phase != core::Phase::controlling && trim_after_s <= e.trim_s &&
              stands_after_s <= e.trim_s + travel_s;
+    case Outcome::ended:
+      return controlled && !lasted && last_phase != core::Phase::controlling && apart_meanwhile_deg <= e.meanwhile_deg;
     case Outcome::anything: break;
   }
   return true;
@@ -217,9 +226,12 @@ std::string Findings::what_it_was() const {
   if (!controlled) {
     return "no control";
   }
+  const bool has_turned = apart_with_turns_deg > apart_deg + 180.0;
   return fmt::format(
-      "{}, roll {:.1f} deg off; commands off trim until {:.3f} s after the fault began, canards until {:.3f} s",
-      lasted ? "control continued" : "control ended early", apart_deg, trim_after_s, stands_after_s);
+      "{}, roll {:.1f} deg off{}; commands off trim until {:.3f} s after the fault began, canards until {:.3f} s",
+      lasted ? "control continued" : "control ended early", apart_deg,
+      has_turned ? fmt::format(" without whole turns, {:.1f} with them", apart_with_turns_deg) : "", trim_after_s,
+      stands_after_s);
 }
 
 }  // namespace fantail::faults

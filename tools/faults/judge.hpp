@@ -33,7 +33,8 @@ struct Limits {
   std::array<double, core::canard_count> trim_rad{};
   std::array<double, core::canard_count> limit_rad{};  ///< smallest of plan, hard limit and mechanical stop
   ShaftLimits shafts{};
-  bool any_turn = false;  ///< with capture a roll that is whole turns away is the same
+  bool any_turn = false;   ///< with capture a roll that is whole turns away is the same
+  double capture_s = 0.0;  ///< so long after the twin's control began its roll is only on the way, and not compared
   /// Control may end so long before the twin's. A twin with a barometer notices apogee a little later than the
   /// accelerometer alone.
   double early_s = 0.1;
@@ -64,11 +65,13 @@ struct Findings {
   bool controlled = false;
   bool lasted = false;     ///< control went on until at most Limits::early_s before the twin's ended
   double apart_deg = 0.0;  ///< largest difference from the twin's roll, from the fault on while the twin controls
-  double apart_settled_deg = 0.0;  ///< likewise, from settle_s after the end of the fault on
-  double apart_at_end_deg = 0.0;   ///< likewise, in the last moment that the twin controls
-  double trim_after_s = 0.0;       ///< from the begin of the fault to the last command off trim; 0: none was
-  double stands_after_s = 0.0;     ///< likewise, to when the last shaft that obeys truly stood off trim
-  double travel_s = 0.0;           ///< ShaftLimits, which an outcome allows beside its own time
+  double apart_with_turns_deg = 0.0;  ///< likewise, whole turns counted whatever Limits::any_turn says
+  double apart_meanwhile_deg = 0.0;   ///< likewise, while this one controls, too
+  double apart_settled_deg = 0.0;     ///< likewise, from settle_s after the end of the fault on
+  double apart_at_end_deg = 0.0;      ///< likewise, in the last moment that the twin controls
+  double trim_after_s = 0.0;          ///< from the begin of the fault to the last command off trim; 0: none was
+  double stands_after_s = 0.0;        ///< likewise, to when the last shaft that obeys truly stood off trim
+  double travel_s = 0.0;              ///< ShaftLimits, which an outcome allows beside its own time
   core::Phase last_phase = core::Phase::safe;
   std::string breach{};   ///< of what holds for every flight; empty: none
   double breach_s = 0.0;  ///< after ignition

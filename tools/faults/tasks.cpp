@@ -49,7 +49,7 @@ std::vector<Task> tasks_of(const Campaign& campaign, const Twins& twins) {
       if (!wanted) {
         continue;
       }
-      Task task{.cell = {.row = &row, .phase = phase, .stays_at_trim = twins.stay_at_trim}, .grid = {}};
+      Task task{.cell = twins.cell(row, phase), .grid = {}};
       if (task.cell.expected().applies() && why_not(row, twins.scenario).empty()) {
         task.is_not_reached = grids[i]->size() == 0;
         task.grid = task.is_not_reached ? nullptr : grids[i];

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/flight_plan_members.hpp"
 #include "core/gain_schedule.hpp"
+#include "core/height_error.hpp"
 #include "flight/barometer.hpp"
 
 namespace fantail::flight {
@@ -114,6 +116,16 @@ void note_phase_event(Events& events, core::Phase from, core::Phase to, double t
 
 namespace {
 
+/// With no smaller an error of the accelerometer than plans state where nobody measured it, whatever this plan states.
+std::optional<double> height_error_m(const core::TickRecord& record) {
+  static const core::DormancyPlan usual = core::default_plan().dormancy;
+  const bool is_under_way = core::is_flight(record.phase) || record.phase == core::Phase::finished;
+  if (record.barometer_state == core::BarometerState::used || !is_under_way) {
+    return std::nullopt;
+  }
+  return static_cast<double>(core::motion_error(usual, record.time, record.motion).height_m);
+}
+
 void fill(Row& r, const core::TickRecord& record, double time_s) {
   r.time_s = time_s;
   r.phase = record.phase;
@@ -135,6 +147,7 @@ void fill(Row& r, const core::TickRecord& record, double time_s) {
   r.height_m = static_cast<double>(record.motion.height_m);
   r.speed_m_s = static_cast<double>(record.motion.speed_m_s);
   r.tilt_from_guide_rad = finite_angle(record.motion.tilt_from_guide);
+  r.height_error_m = height_error_m(record);
 }
 
 }  // namespace

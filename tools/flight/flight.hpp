@@ -27,8 +27,10 @@ struct Truth {
   double canard_rad = 0.0;  ///< mean of the four, as the air sees them
   double height_m = 0.0;
   double speed_m_s = 0.0;
-  double disturbance_rad = 0.0;                ///< equivalent fin offset u_d
-  std::optional<double> geometric_roll_rad{};  ///< as a camera sees it; in six degrees of freedom only
+  double disturbance_rad = 0.0;                 ///< equivalent fin offset u_d
+  std::optional<double> geometric_roll_rad{};   ///< as a camera sees it; in six degrees of freedom only
+  std::optional<double> tilt_from_guide_rad{};  ///< as Row has it; empty along a straight line; no file has it
+  std::optional<std::array<double, core::canard_count>> shafts_rad{};  ///< where each canard stands; no file has it
 };
 
 /// One tick as it stands in flight.csv, in SI and radians. Empty, or not a number: nobody knew it at that tick.
@@ -50,6 +52,7 @@ struct Row {
   double speed_m_s = 0.0;
   std::optional<Truth> truth{};
   std::optional<double> tilt_from_guide_rad{};  ///< of the long axis, from where it pointed at rest; no file has it
+  std::optional<double> height_error_m{};       ///< of height_m by an accelerometer alone, at most; no file has it
   bool replayed = true;  ///< false: of a logged tick to which no replay leads; only what the log itself holds is known
 };
 
@@ -204,8 +207,9 @@ struct Flight {
   bool tunnel = false;
   core::FlightPlan plan{};
   std::optional<ImposedRoll> imposed_roll;
-  std::string why_not_armed;       ///< a clause; empty: it was armed, or nobody knows
-  std::vector<std::string> notes;  ///< faults and assumptions, a sentence each
+  std::string why_not_armed;        ///< a clause; empty: it was armed, or nobody knows
+  std::size_t differing_ticks = 0;  ///< of a log: its replay does not give what was recorded
+  std::vector<std::string> notes;   ///< faults and assumptions, a sentence each
   Events events;
   std::vector<PhaseChange> phase_changes;
   std::optional<core::Vector3> gyro_bias_rad_s;  ///< that the law took off; empty: it never flew, or a table
@@ -218,8 +222,7 @@ struct Flight {
   std::optional<CanardReach> canard_reach;  ///< of the simulated canards; empty: nobody knows
   std::string why_uncontrollable;           ///< as stability has it; empty: the canards obey the law, or nobody knows
   double left_by_fins = 1.0;                ///< of a roll torque of the canards: stability::left_in_the_end()
-  /// Of one canard that is turned by a radian: its moment about the centre of gravity after burn-out, over 1/2 rho v^2.
-  /// Empty: the vehicle does not say where its canards are.
+  /// Of one canard turned by a radian: moment about the burnt-out centre of gravity over 1/2 rho v^2; empty: unknown.
   std::optional<double> side_moment_m3;
   /// Over the air speed, in the air at the ground: the least and the largest roll rate in resonance with the pitch.
   /// Empty: not a simulated launch, or nothing is known of the pitch.

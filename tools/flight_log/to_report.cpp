@@ -214,6 +214,7 @@ flight::Flight to_report(std::span<const Part> parts) {
   for (const Part& part : parts) {
     set_events(result, part.flight, after_hole_s);
     add_notes(result, part.flight, part.regeneration);
+    result.differing_ticks += part.regeneration.differing;
   }
   add_outages(result, parts);
   flight::end_control_with_outage(result);

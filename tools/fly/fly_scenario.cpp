@@ -27,14 +27,25 @@ std::optional<double> in_seconds(const std::optional<core::Microseconds>& time) 
   return time ? std::optional{in_seconds(*time)} : std::nullopt;
 }
 
-flight::Truth to_report(const sim::Truth& truth) {
+/// A trajectory without a tilt of its own, which has that of the guide all along.
+bool cannot_tilt(const sim::Scenario& scenario) {
+  return scenario.path && std::ranges::all_of(scenario.path->samples, [&](const auto& sample) {
+           return sample.tilt_rad == scenario.path->samples.front().tilt_rad;
+         });
+}
+
+flight::Truth truth_of(const sim::World& world, bool tilts) {
+  const sim::Truth truth = world.truth();
+  const std::optional<sim::Path> path = world.path();
   return {.roll_angle_rad = truth.roll_angle_rad,
           .roll_rate_rad_s = truth.roll_rate_rad_s,
           .canard_rad = truth.canard_rad,
           .height_m = truth.height_m,
           .speed_m_s = truth.speed_m_s,
           .disturbance_rad = truth.disturbance_rad,
-          .geometric_roll_rad = truth.geometric_roll_rad};
+          .geometric_roll_rad = truth.geometric_roll_rad,
+          .tilt_from_guide_rad = path && tilts ? std::optional{path->tilt_from_guide_rad} : std::nullopt,
+          .shafts_rad = world.shafts_rad()};
 }
 
 flight::PathPoint to_report(const sim::Path& path, double time_s) {
@@ -169,6 +180,7 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   flight.rows_per_line = static_cast<std::size_t>(ticks_per_line / ticks_per_row);
   sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
   const bool is_held = scenario.surroundings == sim::Surroundings::gimbal || scenario.pin;
+  const bool tilts = !cannot_tilt(scenario);
   bool was_armed = false;
   Watches watches{.speeds = {}, .limits = ModelLimits{scenario}, .take = hooks.take};
   BurnWatch burn{scenario};
@@ -188,7 +200,7 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
     flight::note_tick(flight, record, time_s);
     if (ticks % ticks_per_row == 0) {
       flight::Row row = flight::row(record, time_s);
-      row.truth = to_report(world.truth());
+      row.truth = truth_of(world, tilts);
       watches.add(row, flight);
       if (!hooks.take) {
         flight.rows.push_back(row);

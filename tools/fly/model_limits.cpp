@@ -105,17 +105,26 @@ std::optional<std::string> strong_motor(const sim::Scenario& scenario, double la
                      scenario.vehicle.accelerometer.full_scale_m_s2 / sim::gravity_m_s2);
 }
 
-/// Where the rocket was at least as fast as at a beginning, from there to an end.
+/// From a beginning to an end, where the rocket was at least as fast as at that beginning; behind a gate, which may
+/// open near top speed, as fast as off the guide.
 const flight::PathPoint* largest_angle_of_attack(const flight::Flight& flight, const flight::PathPoint& begin,
                                                  const std::optional<double>& end_s) {
   const auto speed_m_s = [](const flight::PathPoint& p) { return std::hypot(p.north_m_s, p.east_m_s, p.up_m_s); };
+  const flight::PathPoint* exit =
+      flight::has_gate(flight) ? flight::point_at(flight.path, flight.events.guide_clear_s.value_or(0.0)) : nullptr;
+  const double slowest_m_s = speed_m_s(exit != nullptr ? *exit : begin);
   const flight::PathPoint* largest = &begin;
   for (const flight::PathPoint& point : flight.path) {
-    const bool counts = point.time_s >= begin.time_s && point.time_s <= end_s.value_or(point.time_s) &&
-                        speed_m_s(point) >= speed_m_s(begin);
+    const bool counts =
+        point.time_s >= begin.time_s && point.time_s <= end_s.value_or(point.time_s) && speed_m_s(point) >= slowest_m_s;
     largest = counts && point.angle_of_attack_rad > largest->angle_of_attack_rad ? &point : largest;
   }
   return largest;
+}
+
+/// The end of control, where it is known.
+std::optional<double> control_or_apogee_s(const flight::Flight& flight) {
+  return flight.events.control_end_s ? flight.events.control_end_s : flight.events.apogee_s;
 }
 
 /// In six degrees of freedom the flow that was there, else the one that the stated wind would make.
@@ -128,11 +137,11 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
   std::string text;
   double angle_rad = std::atan2(scenario.wind.speed_m_s, *exit_speed_m_s);
   if (const flight::PathPoint* point = flight::point_at(flight.path, *flight.events.guide_clear_s)) {
-    const flight::PathPoint* largest = largest_angle_of_attack(flight, *point, flight.events.apogee_s);
+    const flight::PathPoint* largest = largest_angle_of_attack(flight, *point, control_or_apogee_s(flight));
     angle_rad = largest->angle_of_attack_rad;
     text =
         fmt::format("The angle of attack is {:.0f} deg at the end of the guide", degrees(point->angle_of_attack_rad));
-    if (largest != point && !flight::has_gate(flight)) {
+    if (largest != point && !flight::has_gate(flight) && flight.events.control_start_s) {
       text += fmt::format(", and up to {:.0f} deg later, at {:.2f} s", degrees(angle_rad), largest->time_s);
     }
   } else {
@@ -141,14 +150,20 @@ std::optional<std::string> wind_at_canards(const sim::Scenario& scenario, const 
         "deg",
         scenario.wind.speed_m_s, *exit_speed_m_s, degrees(angle_rad));
   }
+  if (!flight.events.control_start_s) {
+    return text + ".";
+  }
   if (flight::has_gate(flight)) {  // until then the canards stand at trim
-    const flight::PathPoint* start = flight::point_at(flight.path, flight.events.control_start_s.value_or(-1.0));
-    if (start == nullptr) {
+    const auto start =
+        std::ranges::lower_bound(flight.path, *flight.events.control_start_s, {}, &flight::PathPoint::time_s);
+    if (start == flight.path.end()) {
       return text + ".";
     }
-    const flight::PathPoint* largest = largest_angle_of_attack(flight, *start, flight.events.apogee_s);
+    const flight::PathPoint* largest = largest_angle_of_attack(flight, *start, control_or_apogee_s(flight));
     angle_rad = largest->angle_of_attack_rad;
-    text += fmt::format(", and up to {:.1f} deg under control, at {:.2f} s", degrees(angle_rad), largest->time_s);
+    text += fmt::format(
+        ", and up to {:.1f} deg under control, at {:.2f} s (flight slower than off the guide is not counted)",
+        degrees(angle_rad), largest->time_s);
   }
   const double linear_angle_rad = scenario.vehicle.canard_air.stall_rad.value_or(flight::model_ends_at_attack_rad);
   const double limit_rad = flight::canard_limit_rad(scenario.plan);
@@ -178,8 +193,7 @@ std::optional<double> attack_under_control_rad(const sim::Scenario& scenario, co
   const auto start =
       std::ranges::lower_bound(flight.path, *flight.events.control_start_s, {}, &flight::PathPoint::time_s);
   if (start != flight.path.end()) {
-    const std::optional<double>& end_s = flight.events.control_end_s;
-    return largest_angle_of_attack(flight, *start, end_s ? end_s : flight.events.apogee_s)->angle_of_attack_rad;
+    return largest_angle_of_attack(flight, *start, control_or_apogee_s(flight))->angle_of_attack_rad;
   }
   const double wind_m_s = scenario.wind.speed_m_s;
   return wind_m_s > 0.0 ? std::optional{std::atan2(wind_m_s, *start_speed_m_s)} : std::nullopt;

@@ -122,14 +122,17 @@ void expect_rows_of_log_beside(const flight::Flight& rows, const std::filesystem
 bool is_flight_log(const std::filesystem::path& path) { return path.extension() == ".ftl"; }
 
 flight::Flight read_flight_log(const std::filesystem::path& file) {
-  const flight_log::LogFile log = flight_log::read_log_file(file);
-  const auto refuse = [&file](const std::string& complaint) {
-    throw Error{ErrorKind::bad_data, file.string() + ": " + complaint};
+  return replayed_flight(flight_log::read_log_file(file));
+}
+
+flight::Flight replayed_flight(const flight_log::LogFile& log) {
+  const auto refuse = [&log](const std::string& complaint) {
+    throw Error{ErrorKind::bad_data, log.name + ": " + complaint};
   };
   if (!flight_log::is_one_flight(log)) {
     refuse(
         fmt::format("contains {} flights; extract one with fantail log export {} --to csv --flight N, N from 1 to {}",
-                    log.flights.size(), text::shell_word(file.string()), log.flights.size()));
+                    log.flights.size(), text::shell_word(log.name), log.flights.size()));
   }
   std::vector<flight_log::Regeneration> replays;
   for (const flight_log::Flight& flight : log.flights) {

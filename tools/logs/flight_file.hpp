@@ -36,6 +36,7 @@ void expect_rows_of_log_beside(const flight::Flight& rows, const std::filesystem
 /// The one flight in a log, replayed. Throws text::Error: no_such_input; bad_data when it holds no flight, several,
 /// or none that can be replayed, saying what can be done about it.
 [[nodiscard]] flight::Flight read_flight_log(const std::filesystem::path& file);
+[[nodiscard]] flight::Flight replayed_flight(const flight_log::LogFile& log);
 
 /// A log (.ftl), a table with the columns of flight.csv (files/load.hpp), or a folder of fantail fly: its flight.csv
 /// (which has the truth too) with what summary.json says and with the plan of flight.ftl, or that log alone. Throws

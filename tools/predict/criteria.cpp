@@ -176,7 +176,9 @@ Criterion held(const Prediction& p, double threshold) {
   if (share.count > 0) {
     flight::Flight of_plan;
     of_plan.plan = p.flown.plan;
-    all.push_back("this leaves out " + report::settling_left_out(of_plan));
+    const bool again =
+        std::ranges::any_of(p.runs, [](const Run& run) { return run.opening && run.opening->reopenings > 0; });
+    all.push_back("this leaves out " + report::settling_left_out(of_plan, again));
   }
   report::AllowedTiltEnds allowed;
   for (const Run& run : p.runs) {

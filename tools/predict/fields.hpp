@@ -39,7 +39,7 @@ inline constexpr auto median_fields = result::fields<P>({
      "true speed along the axis at that time"},
     {"gate_rate", "roll rate then", u::deg_s, 0, &P::gate_rate_rad_s, "true roll rate at that time"},
     {"captured_after", "roll captured after", u::s, 2, &P::captured_after_s,
-     "time from then until the roll angle stays within 10 deg of where the law settles"},
+     "time from the last opening until the roll angle stays within 10 deg of where the law settles"},
     {"spin_rate", "spin without authority, at top speed", u::deg_s, 0, &P::spin_rate_rad_s,
      "final roll rate of the runs whose canards cannot balance the fin offset"},
     {"offset_size", "size of the fin offset", u::deg, 1, &P::offset_size_rad,
@@ -114,7 +114,7 @@ inline constexpr auto run_fields = result::fields<Run>({
      [](const Run& r) {
        return r.opening && r.opening->captured_after_s ? Cell{*r.opening->captured_after_s} : Cell{};
      },
-     "time from then until the roll angle stays within 10 deg of where the law settles"},
+     "time from the last opening until the roll angle stays within 10 deg of where the law settles"},
     {"spin_rate", "spin", u::deg_s, 0, &Run::spin_rate_rad_s,
      "final roll rate where the canards cannot balance the offset"},
     {"wind", "wind", u::m_s, 1, [](const Run& r) { return r.wind ? Cell{r.wind->speed_m_s} : Cell{}; },

@@ -39,12 +39,17 @@ std::string why_closed(const Prediction& p) {
                            text::brief(asked_m, 1));
 }
 
+std::size_t reopened(const Prediction& p) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(p.runs, [](const Run& run) { return run.opening && run.opening->reopenings > 0; }));
+}
+
 /// Medians.
 std::string how_it_opens(const Prediction& p) {
   return fmt::format(
-      "the gate opens at {} s, {} m, {} m/s through the air; the rocket then turns at {} deg/s (medians)",
-      fixed(p.gate_time_s->p50, 2), fixed(p.gate_height_m->p50, 0), fixed(p.gate_speed_m_s->p50, 0),
-      fixed(degrees(p.gate_rate_rad_s->p50), 0));
+      "the gate {}opens at {} s, {} m, {} m/s through the air; the rocket then turns at {} deg/s (medians)",
+      reopened(p) > 0 ? "first " : "", fixed(p.gate_time_s->p50, 2), fixed(p.gate_height_m->p50, 0),
+      fixed(p.gate_speed_m_s->p50, 0), fixed(degrees(p.gate_rate_rad_s->p50), 0));
 }
 
 /// What the canards leave of the rotation in runs whose offset they cannot balance; empty: there are none.
@@ -64,11 +69,14 @@ std::string not_stopped(const Prediction& p) {
 }
 
 std::string how_it_is_captured(const Prediction& p) {
+  const std::size_t again = reopened(p);
+  const std::string_view since = again > 0 ? " of the last opening" : "";
   if (p.captured.count == 0) {
-    return "the roll is captured in none of these runs";
+    return fmt::format("the roll is captured in none of these runs{}", again > 0 ? " after the last opening" : "");
   }
-  return fmt::format("the roll is captured in {} of {}, 95 % of them within {} s", p.captured.count,
-                     text::counted(p.captured.of, "run"), fixed(std::ceil(100.0 * p.captured_after_s->p95) / 100.0, 2));
+  return fmt::format("the roll is captured in {} of {}, 95 % of them within {} s{}", p.captured.count,
+                     text::counted(p.captured.of, "run"), fixed(std::ceil(100.0 * p.captured_after_s->p95) / 100.0, 2),
+                     since);
 }
 
 }  // namespace
@@ -92,6 +100,9 @@ std::optional<Criterion> gate(const Prediction& p, double threshold) {
   }
   if (p.opened.count > 0) {
     clauses.push_back(how_it_opens(p));
+    if (const std::size_t again = reopened(p); again > 0) {
+      clauses.push_back(fmt::format("in {} of {} it closes and reopens", again, runs(p.runs.size())));
+    }
     clauses.push_back(how_it_is_captured(p));
     clauses.push_back(not_stopped(p));
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "campaign/flown_run.hpp"
+#include "flight/gate.hpp"
 #include "predict/margins.hpp"
 #include "report/figures.hpp"
 
@@ -149,6 +150,16 @@ void keep_path(Run& run, const flight::Flight& flight, const sim::Scenario& scen
   }
 }
 
+/// Also where something else ended the wait for a height that the rocket does not reach.
+bool gate_stays_closed(const flight::Flight& flight, const std::optional<double>& apogee_m) {
+  if (flight.phase_changes.empty() || flight.events.control_start_s) {
+    return false;
+  }
+  const auto gate_m = flight::gate_height_m(flight);
+  const bool is_above_apogee = flight.events.dormant_s && gate_m && apogee_m && *apogee_m < *gate_m;
+  return is_above_apogee || flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;
+}
+
 Run run_of(const flight::Flight& flight, const report::Figures& figures, const report::Verdict& verdict,
            const sim::Scenario& scenario, const TunnelStep& airframe, const Track& track) {
   Run run;
@@ -161,8 +172,7 @@ Run run_of(const flight::Flight& flight, const report::Figures& figures, const r
   run.ended_by_tilt = verdict.ended_by_tilt;
   run.allowed_tilt_end_s = verdict.allowed_tilt_end_s;
   run.begun_on_guide_s = verdict.begun_on_guide_s;
-  run.gate_stays_closed =
-      !flight.phase_changes.empty() && flight.phase_changes.back().reason == core::PhaseReason::gate_never_opened;
+  run.gate_stays_closed = gate_stays_closed(flight, figures.apogee_m);
   keep_notes(run, flight, scenario);
   run.largest_hold_error_rad = figures.largest_hold_error_rad;
   run.saturated_share = figures.saturated_fraction;

@@ -81,7 +81,7 @@ std::vector<page::Level> event_marks(const flight::Flight& flight) {
     mark(jolt->time_s, "jolt");
   }
   if (!e.apogee_s || (e.control_end_s && *e.control_end_s < *e.apogee_s - 0.2)) {
-    mark(e.control_end_s, "control ends");
+    mark(e.control_end_s, ends_a_wait(flight) ? "control never began" : "control ends");
   }
   return marks;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -41,6 +42,14 @@ bool was_lost(const flight::Flight& flight) {
     return false;
   }
   return !flight.outages.back().to_s || flight.phase_changes.back().phase == core::Phase::safe;
+}
+
+bool was_under_control(std::span<const flight::PhaseChange> changes) {
+  return std::ranges::find(changes, core::Phase::controlling, &flight::PhaseChange::phase) != changes.end();
+}
+
+bool ends_a_wait(const flight::Flight& flight) {
+  return flight.events.dormant_s && !was_under_control(flight.phase_changes);
 }
 
 std::optional<double> begun_on_guide_s(const flight::Flight& flight) {

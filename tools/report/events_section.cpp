@@ -29,30 +29,27 @@ constexpr auto moment_fields = result::fields<Moment>({
     {"meaning", "meaning", result::units::none, 0, &Moment::meaning, "why, or what it is"},
 });
 
-bool was_under_control(std::span<const flight::PhaseChange> changes) {
-  return std::ranges::find(changes, core::Phase::controlling, &flight::PhaseChange::phase) != changes.end();
-}
-
 /// Where it was not the apogee also what for.
 std::string what_control_end_means(const flight::Flight& flight, const Verdict& verdict) {
   if (!was_under_control(flight.phase_changes)) {
+    const std::string canards = commanded_to_trim(flight, flight.events.detected_s.value_or(0.0));
     const auto reason =
         flight.phase_changes.empty() ? core::PhaseReason::flew_without_launch : flight.phase_changes.back().reason;
     return reason == core::PhaseReason::flew_without_launch || !reason
-               ? "the rocket reports that it has flown; canards stayed at trim"
-               : fmt::format("{}; canards stayed at trim", flight::display_name(*reason));
+               ? fmt::format("the rocket reports that it has flown; {}", canards)
+               : fmt::format("{}; {}", flight::display_name(*reason), canards);
   }
   const auto outage = std::ranges::find(flight.outages, flight.events.control_end_s, &flight::Outage::from_s);
   if (outage != flight.outages.end()) {
     return outage->to_s ? fmt::format("with the last tick before {} s", text::fixed(*outage->to_s, 3))
                         : "with the last tick";
   }
+  const std::string canards = commanded_to_trim(flight, *flight.events.control_end_s);
   if (!verdict.ended_early || flight.phase_changes.empty()) {
-    return "canards return to trim";
+    return canards;
   }
   const auto reason = flight.phase_changes.back().reason;
-  return fmt::format("canards return to trim: {}",
-                     !reason ? "the log does not say why" : flight::display_name(*reason));
+  return fmt::format("{}; {}", !reason ? "the log does not say why" : flight::display_name(*reason), canards);
 }
 
 /// The gate closed again under control, and opened again. A record may miss where control began.
@@ -61,7 +58,7 @@ void add_gate_events(std::vector<Moment>& to, const flight::Flight& flight) {
     const flight::PhaseChange& change = flight.phase_changes[i];
     const core::Phase before = flight.phase_changes[i - 1].phase;
     if (change.phase == core::Phase::dormant && before == core::Phase::controlling) {
-      to.push_back({change.time_s, "gate closes", flight::gate_has_closed(flight) + ", canards return to trim"});
+      to.push_back({change.time_s, "gate closes", flight::gate_has_closed(flight) + ", canards commanded to trim"});
     } else if (change.phase == core::Phase::controlling &&
                !was_under_control(std::span{flight.phase_changes}.first(i))) {
       if (!flight.events.control_start_s) {
@@ -88,9 +85,11 @@ result::Table events(const flight::Flight& flight, const Verdict& verdict) {
       one.meaning = "roll angle is zero here, canards leave trim";
     } else if (one.what == "control starts" && flight.events.dormant_s) {
       one.meaning = flight::gate_has_opened(flight);
+    } else if (one.what == "burn-out" && flight.path_frame == flight::PathFrame::plane) {
+      one.meaning = "thrust no longer above drag in the trajectory; it may last longer";
     } else if (one.what == "dormant") {
       one.meaning = "canards at trim, waiting for " + flight::gate_name(flight);
-    } else if (one.what == "control ends" && flight.events.dormant_s && !was_under_control(flight.phase_changes)) {
+    } else if (one.what == "control ends" && ends_a_wait(flight)) {
       one.what = "control never began";
       one.meaning = what_control_end_means(flight, verdict);
     } else if (one.what == "control ends") {

@@ -69,7 +69,7 @@ inline constexpr auto events = result::fields<E>({
     {"dormant", "dormant", u::s, 3, &E::dormant_s, "off the guide, canards at trim until the plan's gate opens"},
     {"control_start", "control starts", u::s, 3, &E::control_start_s, "canards leave trim"},
     {"burnout", "burn-out", u::s, 3, &E::burnout_s, "thrust is over"},
-    {"control_end", "control ends", u::s, 3, &E::control_end_s, "canards return to trim"},
+    {"control_end", "control ends", u::s, 3, &E::control_end_s, "canards are commanded to trim"},
     {"apogee", "apogee", u::s, 3, &E::apogee_s, "highest point"},
     {"parachute", "parachute", u::s, 3, &E::parachute_s, "begins to open; true time, not known on board"},
 });

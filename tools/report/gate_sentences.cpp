@@ -33,12 +33,16 @@ std::string at_opening(const flight::Flight& flight, const Figures& f) {
   return text;
 }
 
-/// A gate that is past before burn-out lets control begin under thrust, and a page has to say so.
+/// A gate that is past before burn-out lets control begin under thrust, and a page has to say so. A trajectory shows a
+/// motor only where it pushes with more than the drag.
 std::string motor(const flight::Flight& flight) {
   const auto& start_s = flight.events.control_start_s;
   const auto& burnout_s = flight.events.burnout_s;
   if (start_s && burnout_s && *start_s < *burnout_s) {
-    return fmt::format("The motor still burned: burn-out was {} later.", in_s(*burnout_s - *start_s, 3));
+    return fmt::format("The motor still burned: its thrust ended {} later.", in_s(*burnout_s - *start_s, 3));
+  }
+  if (start_s && flight.path_frame == flight::PathFrame::plane) {
+    return "The motor may still have burned then: the trajectory does not show thrust below drag.";
   }
   const core::DormantUntil until = flight.plan.dormancy.until;
   const bool may_burn = until != core::DormantUntil::burn_out && until != core::DormantUntil::burn_out_and_height;
@@ -47,7 +51,10 @@ std::string motor(const flight::Flight& flight) {
 }
 
 std::string captured(const Capture& c) {
-  const std::string held = c.after_s ? fmt::format("roll was captured in {}", in_s(*c.after_s))
+  constexpr double seen_s = 0.005;  // less is 0.00 s
+  const bool is_at_once = c.after_s && *c.after_s < seen_s;
+  const std::string held = is_at_once  ? "roll was within 10 deg of its rest as control began, and stayed there"
+                           : c.after_s ? fmt::format("roll was captured in {}", in_s(*c.after_s))
                            : c.watched_s
                                ? fmt::format("roll was not captured in the first {} of control", in_s(*c.watched_s))
                                : "";

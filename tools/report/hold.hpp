@@ -110,10 +110,11 @@ class RunningRest {
   std::size_t rows_ = 0;
 };
 
-/// What the hold error leaves out: "the first second of control and of each step".
-[[nodiscard]] std::string settling_left_out(const flight::Flight& flight);
+/// What the hold error leaves out: "the first second of control and of each step". `again`: control ended and began
+/// anew, and each time that is left out.
+[[nodiscard]] std::string settling_left_out(const flight::Flight& flight, bool again);
 /// "after" that.
-[[nodiscard]] std::string once_settled(const flight::Flight& flight);
+[[nodiscard]] std::string once_settled(const flight::Flight& flight, bool again);
 
 /// Where the law of the plan comes to rest: "R + u_d/kp".
 [[nodiscard]] std::string settle_point_name(const flight::Flight& flight);

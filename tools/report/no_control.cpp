@@ -9,6 +9,7 @@
 #include "flight/gate.hpp"
 #include "flight/phase_names.hpp"
 #include "report/verdict_parts.hpp"
+#include "text/apart.hpp"
 #include "text/number.hpp"
 
 namespace fantail::report {
@@ -75,7 +76,8 @@ std::string why_guide_not_cleared(const flight::Flight& flight, const flight::Ph
 std::string gate_never_opened(const flight::Flight& flight, const Figures& f, const flight::PhaseChange& change) {
   const auto gate_m = flight::gate_height_m(flight);
   if (gate_m && f.apogee_m && *f.apogee_m <= *gate_m) {
-    return fmt::format("apogee at {} m, the gate opens at {} m", text::fixed(*f.apogee_m, 0), text::brief(*gate_m, 1));
+    return fmt::format("apogee at {} m, the gate opens at {} m", text::apart(*f.apogee_m, *gate_m, 0),
+                       text::brief(*gate_m, 1));
   }
   if (const double seen_m = largest(flight, change, &flight::Row::height_m);
       gate_m && !f.apogee_m && seen_m <= *gate_m) {
@@ -121,15 +123,20 @@ std::string why_not_from(const flight::Flight& flight, const flight::PhaseChange
 }
 
 /// What ended it, if the canards still waited for their gate.
-std::string why_not_from_dormant(const flight::Flight& flight, const flight::PhaseChange& last) {
-  const std::string waited = "while the canards waited for " + flight::gate_name(flight);
+std::string why_not_from_dormant(const flight::Flight& flight, const Figures& f, const flight::PhaseChange& last) {
+  const auto gate_m = flight::gate_height_m(flight);
+  const std::string waited =
+      fmt::format("while the canards waited for {}{}", flight::gate_name(flight),
+                  gate_m && f.apogee_m && *f.apogee_m <= *gate_m
+                      ? fmt::format(", above the apogee of {} m", text::apart(*f.apogee_m, *gate_m, 0))
+                      : "");
   return last.phase == core::Phase::dormant
              ? fmt::format("the record ends {}, from {} on", waited, at(last))
              : fmt::format("{} (at {}), {}", last.reason ? flight::display_name(*last.reason) : "control was over",
                            at(last), waited);
 }
 
-std::string why_no_control(const flight::Flight& flight) {
+std::string why_no_control(const flight::Flight& flight, const Figures& f) {
   if (flight.phase_changes.empty()) {
     return "the rocket was never armed" + (flight.why_not_armed.empty() ? "" : ", because " + flight.why_not_armed);
   }
@@ -142,7 +149,7 @@ std::string why_no_control(const flight::Flight& flight) {
   const std::size_t changes = flight.phase_changes.size();
   const bool was_dormant = changes > 1 && flight.phase_changes[changes - 2].phase == core::Phase::dormant;
   if (last.phase == core::Phase::dormant || (last.phase == core::Phase::finished && was_dormant)) {
-    return why_not_from_dormant(flight, last);
+    return why_not_from_dormant(flight, f, last);
   }
   if (last.reason != core::PhaseReason::flew_without_launch) {
     return why_not_from(flight, last);
@@ -162,13 +169,13 @@ bool gate_stayed_closed(const flight::Flight& flight) {
 
 std::string no_control(const flight::Flight& flight, const Figures& f) {
   if (gate_stayed_closed(flight)) {
-    return fmt::format("Control never began: {}. The canards stayed at trim, as the plan demands.",
+    return fmt::format("Control never began: {}. The canards were commanded to trim, as the plan demands.",
                        gate_never_opened(flight, f, flight.phase_changes.back()));
   }
   const bool is_table =
       flight.phase_changes.empty() ? !flight.seed && flight.why_not_armed.empty() : !flight.phase_changes.back().reason;
   return is_table && !flight.rows.empty() ? no_control_in_rows(flight)
-                                          : fmt::format("No control: {}.", why_no_control(flight));
+                                          : fmt::format("No control: {}.", why_no_control(flight, f));
 }
 
 }  // namespace fantail::report

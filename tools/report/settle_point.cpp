@@ -46,19 +46,22 @@ std::string in_numbers(const flight::Flight& flight) {
 
 }  // namespace
 
-std::string settling_left_out(const flight::Flight& flight) {
+std::string settling_left_out(const flight::Flight& flight, bool again) {
   const core::ReferencePlan& reference = flight.plan.reference;
   const bool has_steps = reference.kind == core::ReferenceKind::square_wave ||
                          (reference.kind == core::ReferenceKind::steps && reference.step_times_count > 0);
+  const std::string_view control = again ? "each spell of control" : "control";
   if (first_settling_time_s(flight) != step_settling_time_s(flight)) {
-    return fmt::format("the first {} s of control{}", text::brief(first_settling_time_s(flight), 1),
+    return fmt::format("the first {} s of {}{}", text::brief(first_settling_time_s(flight), 1), control,
                        has_steps ? " and the first second of each step" : "");
   }
-  return fmt::format("the first {} of control{}", flight.tunnel ? "two seconds" : "second",
+  return fmt::format("the first {} of {}{}", flight.tunnel ? "two seconds" : "second", control,
                      has_steps ? " and of each step" : "");
 }
 
-std::string once_settled(const flight::Flight& flight) { return "after " + settling_left_out(flight); }
+std::string once_settled(const flight::Flight& flight, bool again) {
+  return "after " + settling_left_out(flight, again);
+}
 
 std::string settle_point_name(const flight::Flight& flight) {
   if (flight.known.plan && flight::rejects_offset(flight.plan)) {
@@ -83,7 +86,7 @@ std::string settle_point_text(const flight::Flight& flight, bool can_settle) {
                 balanced + here;
   const bool leaves_out_capture = first_settling_time_s(flight) != step_settling_time_s(flight);
   return fmt::format(
-      "{} The hold error is measured from there, without the {} after control start and {}after each "
+      "{} The hold error is measured from there, without the {} after each beginning of control and {}after each "
       "reference step.",
       why,
       leaves_out_capture ? text::brief(first_settling_time_s(flight), 1) + " s for capture"

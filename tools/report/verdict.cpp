@@ -129,7 +129,8 @@ Verdict steady(const flight::Flight& flight, const Figures& f, const std::string
   return {is_off ? Outcome::off_command : Outcome::held,
           sentence(fmt::format(
               "steady, {} deg from the command{}: {}, roll stayed within {} of where this law settles{}; {}", off,
-              asked, once_settled(flight), degrees_text(*f.largest_hold_error_rad), how_long_judged(f), rest))};
+              asked, once_settled(flight, !f.reopenings.empty()), degrees_text(*f.largest_hold_error_rad),
+              how_long_judged(f), rest))};
 }
 
 /// Where the canards do not do what the law commands, neither the offset nor the gains decide, and there is no angle at
@@ -168,9 +169,9 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
       return {Outcome::not_judged, sentence("roll not judged: " + why)};
     }
     if (const std::string_view misses = what_misses_control(flight, f); held && !misses.empty()) {
-      const std::string on_record =
-          fmt::format("roll not judged: {}; where it is, the roll stayed within {} of where this law settles, {}; {}",
-                      misses, degrees_text(*f.largest_hold_error_rad), once_settled(flight), rest);
+      const std::string on_record = fmt::format(
+          "roll not judged: {}; where it is, the roll stayed within {} of where this law settles, {}; {}", misses,
+          degrees_text(*f.largest_hold_error_rad), once_settled(flight, !f.reopenings.empty()), rest);
       return {Outcome::not_judged, sentence(on_record) + ended_at_limit};
     }
     if (held && *f.judged_time_s >= least_judged_s) {
@@ -182,10 +183,10 @@ Verdict judge_control(const flight::Flight& flight, const Figures& f) {
       const std::string mean = f.mean_reference_error_rad ? fmt::format("; in the mean {} from the command",
                                                                         degrees_text(*f.mean_reference_error_rad))
                                                           : "";
-      return {Outcome::not_held,
-              sentence(fmt::format("roll not held: {}, up to {} from where this law settles{}; {}",
-                                   once_settled(flight), degrees_text(*f.largest_hold_error_rad), mean, rest)) +
-                  ended_at_limit};
+      return {Outcome::not_held, sentence(fmt::format("roll not held: {}, up to {} from where this law settles{}; {}",
+                                                      once_settled(flight, !f.reopenings.empty()),
+                                                      degrees_text(*f.largest_hold_error_rad), mean, rest)) +
+                                     ended_at_limit};
     }
   }
   return {Outcome::not_judged, sentence(fmt::format("roll not judged: {}{}", why_not_judged(flight, f),

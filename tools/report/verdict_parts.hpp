@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,11 @@ namespace fantail::report {
 /// The canards waited at trim for a gate that did not open in this flight: the plan asks for that, and nothing failed.
 [[nodiscard]] bool gate_stayed_closed(const flight::Flight& flight);
 
+[[nodiscard]] bool was_under_control(std::span<const flight::PhaseChange> changes);
+
+/// The event named control end is that of canards which waited for their gate to the last: control never began.
+[[nodiscard]] bool ends_a_wait(const flight::Flight& flight);
+
 /// Control began so long before the rocket left the launch guide. Empty: it did not.
 [[nodiscard]] std::optional<double> begun_on_guide_s(const flight::Flight& flight);
 
@@ -39,6 +45,10 @@ void add_gate_sentences(std::vector<std::string>& to, const flight::Flight& flig
 /// When the barometer that the plan asks for was used from launch detection to the end of control, and when and why it
 /// was not. Empty: the plan asks for none, or nobody knows.
 [[nodiscard]] std::string barometer_sentences(const flight::Flight& flight);
+
+/// "canards commanded to trim", and which of them stood elsewhere before apogee, and how far: each had time to return
+/// from `from_s` on. A command moves no canard that is jammed.
+[[nodiscard]] std::string commanded_to_trim(const flight::Flight& flight, double from_s);
 
 /// Did control end before apogee, whatever ended it? In the tunnel, where there is no apogee: for another reason than
 /// the plan's own time.

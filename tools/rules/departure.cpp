@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <ranges>
 
 #include <fmt/format.h>
 
+#include "flight/trim.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -22,36 +25,17 @@ std::optional<double> from_trim_deg(const std::optional<double>& angle_rad, cons
                    : std::nullopt;
 }
 
-struct Watch {
-  Departure found{};
-  std::array<std::optional<double>, core::canard_count> seen_s{};
-  double last_height_m = 0.0;
+bool goes_by_truth(const flight::Row& row) { return row.truth && row.truth->shafts_rad; }
 
-  void look_for_silence(const flight::Row& row) {
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      const double since_s = std::max(0.0, seen_s[i].value_or(0.0));
-      const bool is_silent = !seen_s[i] || row.time_s - *seen_s[i] > longest_silence_s;
-      if (row.time_s >= 0.0 && is_silent && !found.hidden_from_s) {
-        found.hidden_from_s = since_s;
-        found.hidden_height_m = last_height_m;
-      }
-      if (row.encoders_rad[i]) {
-        seen_s[i] = row.time_s;
-      }
-    }
-    last_height_m = height_m(row);
+void keep_largest(Departure& found, const flight::Row& row, const core::FlightPlan& plan) {
+  for (std::size_t i = 0; i < core::canard_count; ++i) {
+    const core::CanardPlan& canard = plan.canards.each[i];
+    found.largest_command_deg =
+        std::max(found.largest_command_deg, from_trim_deg(row.commands_rad[i], canard).value_or(0.0));
+    found.largest_angle_deg =
+        std::max(found.largest_angle_deg, from_trim_deg(canard_rad(row, i), canard).value_or(0.0));
   }
-
-  void keep_largest(const flight::Row& row, const core::FlightPlan& plan) {
-    for (std::size_t i = 0; i < core::canard_count; ++i) {
-      const core::CanardPlan& canard = plan.canards.each[i];
-      found.largest_command_deg =
-          std::max(found.largest_command_deg, from_trim_deg(row.commands_rad[i], canard).value_or(0.0));
-      found.largest_encoder_deg =
-          std::max(found.largest_encoder_deg, from_trim_deg(row.encoders_rad[i], canard).value_or(0.0));
-    }
-  }
-};
+}
 
 bool command_is_away(const flight::Row& row, const core::FlightPlan& plan, std::size_t canard) {
   return from_trim_deg(row.commands_rad[canard], plan.canards.each[canard]).value_or(0.0) > command_tolerance_deg;
@@ -60,15 +44,23 @@ bool command_is_away(const flight::Row& row, const core::FlightPlan& plan, std::
 }  // namespace
 
 double height_m(const flight::Row& row) { return row.truth ? row.truth->height_m : row.height_m; }
+Number height_range_m(const flight::Row& row) {
+  const double error_m = row.truth ? 0.0 : row.height_error_m.value_or(0.0);
+  return {height_m(row) - error_m, height_m(row) + error_m};
+}
 double speed_m_s(const flight::Row& row) { return row.truth ? row.truth->speed_m_s : row.speed_m_s; }
+
+std::optional<double> canard_rad(const flight::Row& row, std::size_t canard) {
+  return goes_by_truth(row) ? std::optional{(*row.truth->shafts_rad)[canard]} : row.encoders_rad[canard];
+}
 
 std::string who_is_away(const flight::Row& row, const core::FlightPlan& plan) {
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     if (command_is_away(row, plan, i)) {
       return fmt::format("command of canard {}", i + 1);
     }
-    if (from_trim_deg(row.encoders_rad[i], plan.canards.each[i]).value_or(0.0) > encoder_tolerance_deg) {
-      return fmt::format("encoder of canard {}", i + 1);
+    if (from_trim_deg(canard_rad(row, i), plan.canards.each[i]).value_or(0.0) > flight::encoder_tolerance_deg) {
+      return fmt::format("{} of canard {}", goes_by_truth(row) ? "shaft" : "encoder", i + 1);
     }
   }
   return {};
@@ -79,36 +71,61 @@ bool is_commanded_away(const flight::Row& row, const core::FlightPlan& plan) {
                              [&](std::size_t i) { return command_is_away(row, plan, i); });
 }
 
-Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan) {
-  Watch watch;
+std::optional<double> silent_from_s(std::span<const flight::Row> rows, double from_s, double to_s) {
+  std::array<double, core::canard_count> seen_s{};
+  seen_s.fill(-std::numeric_limits<double>::infinity());
+  for (const flight::Row& row : rows) {
+    if (row.time_s > to_s) {
+      break;
+    }
+    for (std::size_t i = 0; i < core::canard_count; ++i) {
+      if (row.time_s >= from_s && row.time_s - seen_s[i] > longest_silence_s) {
+        return std::max(from_s, seen_s[i]);
+      }
+      if (canard_rad(row, i)) {
+        seen_s[i] = row.time_s;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Departure departure(std::span<const flight::Row> rows, const core::FlightPlan& plan, double from_s) {
+  Departure found;
   bool begins = true;
   for (const flight::Row& row : rows) {
-    watch.found.since_s = begins ? row.time_s : watch.found.since_s;
-    watch.found.until_s = row.time_s;
-    begins = false;
-    watch.look_for_silence(row);
+    if (begins) {
+      found = {.since_s = row.time_s};
+    }
+    found.until_s = row.time_s;
+    found.by_truth = goes_by_truth(row);
     const std::string away = who_is_away(row, plan);
-    if (!away.empty() && row.time_s >= 0.0) {
-      watch.found.time_s = row.time_s;
-      watch.found.height_m = height_m(row);
-      watch.found.what = away;
+    if (!away.empty() && row.time_s >= from_s) {
+      found.time_s = row.time_s;
+      found.row = row;
+      found.what = away;
       break;
     }
     begins = !away.empty();
-    if (row.time_s >= 0.0) {
-      watch.keep_largest(row, plan);
-    }
+    keep_largest(found, row, plan);
   }
-  return watch.found;
+  found.hidden_from_s = silent_from_s(rows, from_s, found.until_s);
+  if (found.hidden_from_s) {
+    const auto after = std::ranges::upper_bound(rows, *found.hidden_from_s, {}, &flight::Row::time_s);
+    found.hidden_row = after == rows.begin() ? *after : *std::prev(after);
+  }
+  return found;
 }
 
 std::string departure_text(const Departure& found) {
   const auto shown = [](double deg) { return text::brief(std::ceil(deg * 100.0) / 100.0, 2); };
-  std::string said = fmt::format("from {} to {} s, commands within {} deg and encoders within {} deg of trim",
-                                 text::fixed(found.since_s, 2), text::fixed(found.until_s, 2),
-                                 shown(found.largest_command_deg), shown(found.largest_encoder_deg));
+  std::string said =
+      fmt::format("from {} to {} s, commands within {} deg and {} within {} deg of trim", text::fixed(found.since_s, 2),
+                  text::fixed(found.until_s, 2), shown(found.largest_command_deg),
+                  found.by_truth ? "shafts" : "encoders", shown(found.largest_angle_deg));
   if (found.hidden_from_s) {
-    said += fmt::format("; from {} s on encoders or rows are missing", text::fixed(*found.hidden_from_s, 2));
+    said += fmt::format("; from {} s on {}rows are missing", text::fixed(*found.hidden_from_s, 2),
+                        found.by_truth ? "" : "encoders or ");
   }
   return found.time_s ? said + "; then the " + found.what + " leaves it" : said;
 }

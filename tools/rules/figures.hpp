@@ -46,8 +46,9 @@ using Findings = std::map<std::string, Finding, std::less<>>;
 [[nodiscard]] Findings of_flight(const flight::Flight& flight, const sim::Atmosphere& atmosphere);
 
 /// flight.* of a record, in the standard atmosphere. What may have happened in a hole of its rows is unknown, or known
-/// only to one side. Unknown all of them where no launch was detected in it.
-[[nodiscard]] Findings of_log(const flight::Flight& log);
+/// only to one side. Unknown all of them where no launch was detected in it. `motor_burns_s`: how long by its thrust
+/// curve; empty: unknown, and so is burn-out.
+[[nodiscard]] Findings of_log(const flight::Flight& log, const std::optional<double>& motor_burns_s = {});
 
 /// rocket.* of a scenario and its flight.
 [[nodiscard]] Findings of_rocket(const sim::Scenario& scenario, const flight::Flight& flight);

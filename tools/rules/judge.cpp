@@ -163,7 +163,8 @@ result::Verdict verdict(const std::vector<Judged>& judged) {
 result::Verdict verdict(const std::vector<Judged>& judged, const Subject& subject) {
   result::Verdict found = verdict(judged);
   const bool lacks_rocket = std::ranges::any_of(judged, [](const Judged& one) {
-    return one.outcome == Outcome::not_known && names_any_of(one.clause, "rocket.");
+    return one.outcome == Outcome::not_known &&
+           (names_any_of(one.clause, "rocket.") || names_any_of(one.clause, "flight.burnout_s"));
   });
   if (lacks_rocket && !subject.no_rocket.empty()) {
     found.sentence += fmt::format(" The rocket is not known: {}.", subject.no_rocket);

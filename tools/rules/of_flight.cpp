@@ -24,10 +24,8 @@ using Rows = std::span<const flight::Row>;
 bool has_truth(const flight::Flight& flight) { return !flight.rows.empty() && flight.rows.front().truth.has_value(); }
 
 /// Up to the end of the ascent: later a parachute opens, and an estimate is worth nothing.
-Rows ascent(const flight::Flight& flight, bool is_log) {
-  const auto end_s = is_log              ? end_of_ascent(flight)
-                     : has_truth(flight) ? flight.events.apogee_s
-                                         : flight.events.control_end_s;
+Rows ascent(const flight::Flight& flight) {
+  const auto end_s = end_of_ascent(flight);
   const auto end = std::ranges::find_if(
       flight.rows, [&](const flight::Row& row) { return row.time_s > end_s.value_or(row.time_s); });
   return Rows{flight.rows}.first(static_cast<std::size_t>(end - flight.rows.begin()));
@@ -53,11 +51,13 @@ Peak peak(Rows rows, const Value& value_of) {
 
 class OfFlight {
  public:
-  OfFlight(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log)
+  OfFlight(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log,
+           const std::optional<double>& motor_burns_s)
       : flight_{flight},
         atmosphere_{atmosphere},
         is_log_{is_log},
-        rows_{ascent(flight, is_log)},
+        motor_burns_s_{motor_burns_s},
+        rows_{ascent(flight)},
         is_simulated_{has_truth(flight)},
         missing_{is_log ? holes_of_ascent(flight) : std::vector<Hole>{}},
         control_{is_log ? control_in_log(flight) : ControlInLog{}} {}
@@ -97,10 +97,13 @@ class OfFlight {
   }
   [[nodiscard]] std::string estimated() const { return is_simulated_ ? "" : "as the avionics estimated it"; }
 
+  [[nodiscard]] std::string estimated_height(const flight::Row& row) const {
+    return estimated() + (!is_simulated_ && row.height_error_m ? ", within the usual error of an accelerometer" : "");
+  }
+
   void add_motion() {
     const Peak height = peak(rows_, height_m);
-    const bool reached_apogee = is_whole() && (is_simulated_ || ended_at_apogee(flight_));
-    add_peak("apogee_m", height, !reached_apogee);
+    add_peak("apogee_m", height, !is_whole());
     const Peak speed = peak(rows_, speed_m_s);
     add_peak("top_speed_m_s", speed, speed.is_last);
     add_peak(
@@ -124,13 +127,15 @@ class OfFlight {
     if (is_log_) {
       return missing_.empty();
     }
-    const auto& end_s = is_simulated_ ? flight_.events.apogee_s : flight_.events.control_end_s;
+    const auto end_s = end_of_ascent(flight_);
     return end_s && flight_.rows.back().time_s >= *end_s;
   }
 
   void add_burnout() {
-    if (flight_.events.burnout_s) {
-      add("burnout_s", exactly(*flight_.events.burnout_s));
+    if (const auto& burnout_s = flight_.events.burnout_s) {
+      const bool is_bound = flight_.path_frame == flight::PathFrame::plane;
+      add("burnout_s", Number{*burnout_s, is_bound ? infinity : *burnout_s},
+          is_bound ? "the trajectory does not show thrust below drag" : "");
       return;
     }
     constexpr double window_s = 0.1;
@@ -147,21 +152,33 @@ class OfFlight {
         pushed_until_s = rows_[i].time_s;
       }
     }
-    const double burn_time_s = static_cast<double>(core::seconds(flight_.plan.dormancy.burn_time));
     const bool is_cut = rows_.back().time_s - pushed_until_s <= window_s;
     const std::string seen =
         fmt::format("the axial force was last above 0.15 g at {} s", text::fixed(pushed_until_s, 2));
-    const double end_s = std::max(pushed_until_s, burn_time_s);
+    const double end_s = std::max(pushed_until_s, motor_burns_s_.value_or(0.0));
     const std::vector<Hole> hidden =
         is_log_ ? holes(flight_.rows, 0.0, end_s + 2.0 * longest_step_s) : std::vector<Hole>{};
     if (!hidden.empty()) {
       add("burnout_s", Number{pushed_until_s, infinity}, with_missing(seen, hidden));
-    } else if (burn_time_s > 0.0 && !is_cut) {
-      add("burnout_s", exactly(end_s), fmt::format("{}; dormancy.burn_time_s = {}", seen, text::brief(burn_time_s, 3)));
+    } else if (motor_burns_s_ && !is_cut) {
+      add("burnout_s", exactly(end_s),
+          fmt::format("{}; by its thrust curve the motor burns for {} s", seen, text::fixed(*motor_burns_s_, 2)));
     } else {
       add("burnout_s", Number{pushed_until_s, infinity},
-          seen + (is_cut ? ", where the log ends" : "; thrust below drag may last longer"));
+          seen +
+              (is_cut ? fmt::format(", where the {} ends", is_whole() ? "ascent" : "record")
+                      : "; thrust below drag may last longer") +
+              stated_burn());
     }
+  }
+
+  /// Whoever wrote the plan may have been wrong.
+  [[nodiscard]] std::string stated_burn() const {
+    const double burn_time_s = static_cast<double>(core::seconds(flight_.plan.dormancy.burn_time));
+    return flight_.known.plan && burn_time_s > 0.0
+               ? fmt::format("; dormancy.burn_time_s = {} is the plan's word, not verified",
+                             text::brief(burn_time_s, 3))
+               : "";
   }
 
   void add_control_start() {
@@ -178,9 +195,11 @@ class OfFlight {
     }
     const double first_s = is_log_ ? control_.first_s.value_or(*start_s) : *start_s;
     const auto before = std::ranges::lower_bound(rows_, first_s, {}, &flight::Row::time_s);
-    const auto [low_m, high_m] = std::minmax({height_m(*before), height_m(*row)});
+    const Number first = height_range_m(*before);
+    const Number last = height_range_m(*row);
     add("control_start_s", Number{first_s, *start_s}, first_s < *start_s ? "it may have begun in a hole before" : "");
-    add("control_start_height_m", Number{low_m, high_m}, estimated());
+    add("control_start_height_m", Number{std::min(first.low, last.low), std::max(first.high, last.high)},
+        estimated_height(*row));
   }
 
   void add_canards() {
@@ -206,20 +225,19 @@ class OfFlight {
       add("left_trim_s", {}, why);
       add("left_trim_height_m", {}, why);
     } else {
-      const double earliest_m = hidden_s ? found.hidden_height_m : found.height_m;
+      const Number earliest = height_range_m(hidden_s ? found.hidden_row : found.row);
+      const Number seen = height_range_m(found.row);
       const std::vector<Hole> hidden = is_log_ ? holes(rows_, 0.0, *found.time_s) : std::vector<Hole>{};
       add("left_trim_s", Number{hidden_s.value_or(*found.time_s), *found.time_s}, missing_text(hidden));
-      add("left_trim_height_m", Number{std::min(earliest_m, found.height_m), std::max(earliest_m, found.height_m)},
-          estimated());
+      add("left_trim_height_m", Number{std::min(earliest.low, seen.low), std::max(earliest.high, seen.high)},
+          estimated_height(found.row));
     }
-    add_before_control(hidden_s.has_value());
+    add_before_control();
     all_.merge(return_to_trim(flight_, rows_,
-                              is_whole()         ? ""
-                              : missing_.empty() ? "the record ends before the ascent does"
-                                                 : missing_text(missing_)));
+                              is_log_ || is_whole() ? missing_ : std::vector{Hole{rows_.back().time_s, infinity}}));
   }
 
-  void add_before_control(bool is_hidden) {
+  void add_before_control() {
     const auto before_s = is_log_ ? control_.before_s : flight_.events.control_start_s.value_or(infinity);
     if (!before_s) {
       add("canard_before_control_deg", {}, control_.why_unknown);
@@ -232,13 +250,15 @@ class OfFlight {
       }
       for (std::size_t i = 0; i < core::canard_count; ++i) {
         const auto trim_rad = static_cast<double>(flight_.plan.canards.each[i].trim.radians());
-        largest_rad = std::max(largest_rad, std::abs(row.encoders_rad[i].value_or(trim_rad) - trim_rad));
+        largest_rad = std::max(largest_rad, std::abs(canard_rad(row, i).value_or(trim_rad) - trim_rad));
       }
     }
     const std::vector<Hole> hidden = !is_log_               ? std::vector<Hole>{}
                                      : *before_s < infinity ? holes(flight_.rows, 0.0, *before_s)
                                                             : missing_;
-    const bool is_known = !is_hidden && hidden.empty() && (!is_log_ || control_.start_s || control_.never_began);
+    const bool is_seen =
+        hidden.empty() && !silent_from_s(rows_, 0.0, *before_s) && (is_whole() || *before_s < infinity);
+    const bool is_known = is_seen && (!is_log_ || control_.start_s || control_.never_began);
     add("canard_before_control_deg",
         Number{text::degrees(largest_rad), is_known ? text::degrees(largest_rad) : infinity}, missing_text(hidden));
   }
@@ -246,6 +266,7 @@ class OfFlight {
   const flight::Flight& flight_;
   const sim::Atmosphere& atmosphere_;
   bool is_log_;
+  std::optional<double> motor_burns_s_;
   Rows rows_;
   bool is_simulated_;
   std::vector<Hole> missing_;  ///< of a log
@@ -253,17 +274,20 @@ class OfFlight {
   Findings all_;
 };
 
-Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log) {
+Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmosphere, bool is_log,
+                  const std::optional<double>& motor_burns_s) {
   const bool is_there = flight.events.liftoff_s || flight.events.detected_s;
-  if (is_there && !ascent(flight, is_log).empty()) {
-    return OfFlight{flight, atmosphere, is_log}.take();
+  if (is_there && !ascent(flight).empty() && flight.differing_ticks == 0) {
+    return OfFlight{flight, atmosphere, is_log, motor_burns_s}.take();
   }
   const bool begins_late = !flight.rows.empty() && flight.known.phase && core::is_flight(flight.rows.front().phase);
+  const std::string why = flight.differing_ticks > 0 ? differing_text(flight)
+                          : begins_late              ? "the record begins after the launch"
+                                                     : "there is no launch in it";
   Findings all;
   for (const FigureText& figure : figure_texts()) {
     if (figure.name.starts_with("flight.")) {
-      all[std::string{figure.name}] = {{},
-                                       begins_late ? "the record begins after the launch" : "there is no launch in it"};
+      all[std::string{figure.name}] = {{}, why};
     }
   }
   return all;
@@ -272,9 +296,11 @@ Findings found_in(const flight::Flight& flight, const sim::Atmosphere& atmospher
 }  // namespace
 
 Findings of_flight(const flight::Flight& flight, const sim::Atmosphere& atmosphere) {
-  return found_in(flight, atmosphere, false);
+  return found_in(flight, atmosphere, false, {});
 }
 
-Findings of_log(const flight::Flight& log) { return found_in(log, {}, true); }
+Findings of_log(const flight::Flight& log, const std::optional<double>& motor_burns_s) {
+  return found_in(log, {}, true, motor_burns_s);
+}
 
 }  // namespace fantail::rules

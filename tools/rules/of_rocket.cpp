@@ -8,6 +8,7 @@
 #include "airframe/model/build_up.hpp"
 #include "flight/model_end.hpp"
 #include "rules/figures.hpp"
+#include "text/apart.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -82,7 +83,8 @@ class OfRocket {
     const std::string moves =
         fmt::format("above Mach {} the centre of pressure moves", text::brief(flight::model_ends_at_mach, 2));
     return mach.low > flight::model_ends_at_mach
-               ? fmt::format("the flight reaches Mach {}, and {}", text::fixed(mach.low, 2), moves)
+               ? fmt::format("the flight reaches Mach {}, and {}", text::apart(mach.low, flight::model_ends_at_mach, 2),
+                             moves)
            : mach.high > flight::model_ends_at_mach ? "the record does not show the largest Mach number, and " + moves
                                                     : "";
   }

@@ -19,6 +19,15 @@ constexpr double rounding_s = 1e-6;
 
 bool is_hole(double from_s, double to_s) { return to_s - from_s > longest_step_s + rounding_s; }
 
+/// The true one, or where the avionics noticed it.
+std::optional<double> apogee_s(const flight::Flight& flight) {
+  const auto noticed = std::ranges::find_if(flight.phase_changes, [](const flight::PhaseChange& change) {
+    return change.phase == core::Phase::finished && change.reason == core::PhaseReason::apogee;
+  });
+  const bool is_noticed = !flight.events.apogee_s && noticed != flight.phase_changes.end();
+  return is_noticed ? std::optional{noticed->time_s} : flight.events.apogee_s;
+}
+
 std::optional<double> greatest_height_s(const std::vector<flight::Row>& rows) {
   std::optional<double> time_s;
   double greatest_m = -endless_s;
@@ -54,12 +63,6 @@ std::optional<double> first_chance_s(const std::vector<flight::Row>& rows, doubl
 
 }  // namespace
 
-bool ended_at_apogee(const flight::Flight& log) {
-  return log.events.apogee_s || std::ranges::any_of(log.phase_changes, [](const flight::PhaseChange& change) {
-           return change.phase == core::Phase::finished && change.reason == core::PhaseReason::apogee;
-         });
-}
-
 std::vector<Hole> holes(std::span<const flight::Row> rows, double from_s, double to_s) {
   std::vector<Hole> found;
   double seen_s = from_s;
@@ -90,16 +93,22 @@ std::string missing_text(const std::vector<Hole>& holes) {
   return holes.size() > most ? all + " and more" : all;
 }
 
-std::optional<double> end_of_ascent(const flight::Flight& log) {
-  const bool has_truth = !log.rows.empty() && log.rows.front().truth;
-  const auto& event_s = has_truth ? log.events.apogee_s : log.events.control_end_s;
-  return event_s ? event_s : greatest_height_s(log.rows);
+std::optional<double> end_of_ascent(const flight::Flight& flight) {
+  const auto known_s = apogee_s(flight);
+  return known_s ? known_s : greatest_height_s(flight.rows);
+}
+
+std::string differing_text(const flight::Flight& log) {
+  return log.differing_ticks == 0
+             ? ""
+             : text::counted(log.differing_ticks, "tick") + " of the record " +
+                   (log.differing_ticks == 1 ? "differs from its replay" : "differ from their replay");
 }
 
 std::vector<Hole> holes_of_ascent(const flight::Flight& log) {
   const std::optional<double> end_s = end_of_ascent(log);
-  // An apogee that was noticed is the end; any other end may have come with the hole.
-  const double beyond_s = ended_at_apogee(log) ? 0.0 : 2.0 * longest_step_s;
+  // The greatest height on record may be that before the hole.
+  const double beyond_s = apogee_s(log) ? 0.0 : 2.0 * longest_step_s;
   return holes(log.rows, 0.0, end_s ? *end_s + beyond_s : endless_s);
 }
 

@@ -19,16 +19,18 @@ struct Hole {
   double to_s = 0.0;  ///< infinity: the record ends
 };
 
-[[nodiscard]] bool ended_at_apogee(const flight::Flight& log);
-
 /// Those that hide a part of this span; its first row may come so much later.
 [[nodiscard]] std::vector<Hole> holes(std::span<const flight::Row> rows, double from_s, double to_s);
 
 /// "the record misses 4.00 to 8.50 s", "the record ends at 4.99 s"; empty: nothing is missing
 [[nodiscard]] std::string missing_text(const std::vector<Hole>& holes);
 
-/// Apogee, or the end of control before it. Where no event tells, a log has it at its greatest height, if it goes on.
-[[nodiscard]] std::optional<double> end_of_ascent(const flight::Flight& log);
+/// Apogee, whenever control ended: the true one, or where the avionics noticed it, or the greatest height of a record
+/// that goes on. Canards stay on the rocket until then.
+[[nodiscard]] std::optional<double> end_of_ascent(const flight::Flight& flight);
+
+/// "3 ticks of the record differ from their replay", so its rows are not what was recorded; empty: none does.
+[[nodiscard]] std::string differing_text(const flight::Flight& log);
 
 /// Between launch and the end of the ascent.
 [[nodiscard]] std::vector<Hole> holes_of_ascent(const flight::Flight& log);

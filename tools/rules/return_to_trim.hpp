@@ -2,10 +2,11 @@
 #pragma once
 
 #include <span>
-#include <string>
+#include <vector>
 
 #include "flight/flight.hpp"
 #include "rules/figures.hpp"
+#include "rules/record.hpp"
 
 namespace fantail::rules {
 
@@ -13,8 +14,8 @@ namespace fantail::rules {
 inline constexpr double longest_return_s = 0.5;
 
 /// flight.tilt_off_trim_deg and flight.off_trim_after_abort, of a flight with a known plan. `ascent` are its rows up to
-/// the end of the ascent; `missing` says which are not there, empty: all are.
+/// the end of the ascent; `missing` is where some are not there.
 [[nodiscard]] Findings return_to_trim(const flight::Flight& flight, std::span<const flight::Row> ascent,
-                                      const std::string& missing);
+                                      const std::vector<Hole>& missing);
 
 }  // namespace fantail::rules
