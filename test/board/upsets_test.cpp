@@ -33,7 +33,7 @@ struct Shown {
 class Upsets : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const std::filesystem::path file{FANTAIL_IMAGES "/fantail-stm32f405.elf"};
+    const std::filesystem::path file{FANTAIL_TEST_SOURCE "/build/arm/fantail-stm32f405.elf"};
     if (!std::filesystem::exists(file)) {
       return;  // nobody has built it
     }
