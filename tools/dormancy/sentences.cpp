@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "report/hold.hpp"
 #include "text/apart.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -20,8 +21,6 @@ using text::fixed;
 
 // Ranges ask for no more, from the direction of the launch guide.
 constexpr double largest_tilt_rad = text::radians(30.0);
-// So long a capture may take; an excitation before that takes canard angle away from it.
-constexpr double capture_takes_s = 1.2;
 
 bool waits_for_burn_out(const core::FlightPlan& plan) {
   return plan.dormancy.until == DormantUntil::burn_out || plan.dormancy.until == DormantUntil::burn_out_and_height;
@@ -46,12 +45,12 @@ std::string capture_clause(const CaptureForecast& forecast, const Opening& openi
   }
   if (forecast.within_s || forecast.from_any_angle_within_s) {
     const double within_s = std::max(forecast.within_s.value_or(0.0), forecast.from_any_angle_within_s.value_or(0.0));
-    return fmt::format("by calculation, the roll is captured within {} s{}{}",
-                       fixed(std::ceil(10.0 * within_s) / 10.0, 1),
-                       forecast.from_any_angle_within_s ? " from any roll angle" : "",
-                       within_s > capture_takes_s
-                           ? fmt::format(" (a verdict leaves out only the first {} s)", brief(capture_takes_s, 1))
-                           : "");
+    return fmt::format(
+        "by calculation, the roll is captured within {} s{}{}", fixed(std::ceil(10.0 * within_s) / 10.0, 1),
+        forecast.from_any_angle_within_s ? " from any roll angle" : "",
+        within_s > report::longest_capture_s
+            ? fmt::format(" (a verdict leaves out only the first {} s)", brief(report::longest_capture_s, 1))
+            : "");
   }
   return fmt::format("no capture time is promised: {}", forecast.why_not);
 }
@@ -233,9 +232,9 @@ std::vector<std::string> doubts(const core::FlightPlan& plan) {
         "controller.entry = \"capture\" without [roll_model]: the turn is chosen from gains and spin alone");
   }
   if (captures && plan.excitation.form != core::ExcitationForm::none &&
-      seconds(plan.excitation.begin) < capture_takes_s) {
+      seconds(plan.excitation.begin) < report::longest_capture_s) {
     all.push_back(fmt::format("excitation.begin_s = {}: it takes canard angle from capture. Begin at {} s or later",
-                              brief(seconds(plan.excitation.begin), 3), brief(capture_takes_s, 1)));
+                              brief(seconds(plan.excitation.begin), 3), brief(report::longest_capture_s, 1)));
   }
   std::erase(all, "");
   return all;

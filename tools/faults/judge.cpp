@@ -25,10 +25,12 @@ bool is_at_rest(core::Phase phase) { return phase != core::Phase::safe && phase 
 
 Limits limits_of(const sim::Scenario& scenario) {
   constexpr double hard_limit_rad = 20.0 * degree;
+  constexpr double longest_capture_s = 1.2;
   const core::FlightPlan& plan = scenario.plan;
+  const bool captures = plan.controller.entry == core::ControlEntry::capture;
   Limits limits{.shafts = shaft_limits(scenario),
-                .any_turn = plan.controller.entry == core::ControlEntry::capture,
-                .capture_s = plan.controller.entry == core::ControlEntry::capture ? 1.2 : 0.0,
+                .any_turn = captures,
+                .capture_s = captures ? longest_capture_s : 0.0,
                 .early_s = plan.sensors.barometer == core::BarometerUse::none ? 0.1 : 0.5};
   for (std::size_t i = 0; i < core::canard_count; ++i) {
     const core::CanardPlan& canard = plan.canards.each[i];

@@ -12,7 +12,6 @@ namespace fantail::report {
 double step_settling_time_s(const flight::Flight& flight) { return flight.tunnel ? 2.0 : 1.0; }
 
 double first_settling_time_s(const flight::Flight& flight) {
-  constexpr double longest_capture_s = 1.2;
   return flight::captures(flight) ? std::max(longest_capture_s, step_settling_time_s(flight))
                                   : step_settling_time_s(flight);
 }

@@ -20,8 +20,11 @@ inline constexpr double shortest_rest_s = 0.5;
   return std::isfinite(value) ? std::optional{value} : std::nullopt;
 }
 
+/// So long a capture may take from any angle.
+inline constexpr double longest_capture_s = 1.2;
+
 /// What the hold error leaves out after control start: a second, in the slow air of the tunnel two, and with capture
-/// the 1.2 s that it may take from any angle.
+/// longest_capture_s.
 [[nodiscard]] double first_settling_time_s(const flight::Flight& flight);
 /// And after each change of the reference.
 [[nodiscard]] double step_settling_time_s(const flight::Flight& flight);

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <ranges>
 
 #include <fmt/format.h>
@@ -73,7 +72,7 @@ bool is_commanded_away(const flight::Row& row, const core::FlightPlan& plan) {
 
 std::optional<double> silent_from_s(std::span<const flight::Row> rows, double from_s, double to_s) {
   std::array<double, core::canard_count> seen_s{};
-  seen_s.fill(-std::numeric_limits<double>::infinity());
+  seen_s.fill(-infinity);
   for (const flight::Row& row : rows) {
     if (row.time_s > to_s) {
       break;

@@ -14,6 +14,8 @@
 
 namespace fantail::rules {
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// A number of which only the ends are known lies between them: "3.1 or more" reaches to infinity. Most have equal
 /// ends.
 struct Number {

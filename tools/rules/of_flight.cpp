@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "rules/burnout.hpp"
 #include "rules/departure.hpp"
 #include "rules/figures.hpp"
 #include "rules/record.hpp"
 #include "rules/return_to_trim.hpp"
-#include "sim/units.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
 namespace fantail::rules {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Rows = std::span<const flight::Row>;
 
 bool has_truth(const flight::Flight& flight) { return !flight.rows.empty() && flight.rows.front().truth.has_value(); }
@@ -64,7 +62,8 @@ class OfFlight {
 
   Findings take() && {
     add_motion();
-    add_burnout();
+    const Finding burnout = burnout_s(flight_, rows_, {.is_log = is_log_, .is_whole = is_whole()}, motor_burns_s_);
+    add("burnout_s", burnout.known, burnout.how);
     add_control_start();
     add_canards();
     return std::move(all_);
@@ -83,9 +82,6 @@ class OfFlight {
     const bool is_bound = flight_.unmeasured.speed_bound_from_s && !is_simulated_;
     add(name, Number{peak.value, is_open || is_bound || !missing_.empty() ? infinity : peak.value},
         with_missing(is_bound ? "estimated; an accelerometer was at the end of its range" : estimated(), missing_));
-  }
-  static std::string with_missing(const std::string& how, const std::vector<Hole>& hidden) {
-    return how + (how.empty() || hidden.empty() ? "" : "; ") + missing_text(hidden);
   }
   /// Of what may have been at a seen time or in a hole.
   static Number at_or_in(double seen_s, const std::vector<Hole>& hidden) {
@@ -129,56 +125,6 @@ class OfFlight {
     }
     const auto end_s = end_of_ascent(flight_);
     return end_s && flight_.rows.back().time_s >= *end_s;
-  }
-
-  void add_burnout() {
-    if (const auto& burnout_s = flight_.events.burnout_s) {
-      const bool is_bound = flight_.path_frame == flight::PathFrame::plane;
-      add("burnout_s", Number{*burnout_s, is_bound ? infinity : *burnout_s},
-          is_bound ? "the trajectory does not show thrust below drag" : "");
-      return;
-    }
-    constexpr double window_s = 0.1;
-    constexpr double threshold_m_s2 = 0.15 * sim::gravity_m_s2;
-    double pushed_until_s = 0.0;
-    std::size_t first = 0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      sum += rows_[i].specific_force_m_s2;
-      while (rows_[i].time_s - rows_[first].time_s > window_s) {
-        sum -= rows_[first++].specific_force_m_s2;
-      }
-      if (rows_[i].time_s >= 0.0 && sum >= threshold_m_s2 * static_cast<double>(i - first + 1)) {
-        pushed_until_s = rows_[i].time_s;
-      }
-    }
-    const bool is_cut = rows_.back().time_s - pushed_until_s <= window_s;
-    const std::string seen =
-        fmt::format("the axial force was last above 0.15 g at {} s", text::fixed(pushed_until_s, 2));
-    const double end_s = std::max(pushed_until_s, motor_burns_s_.value_or(0.0));
-    const std::vector<Hole> hidden =
-        is_log_ ? holes(flight_.rows, 0.0, end_s + 2.0 * longest_step_s) : std::vector<Hole>{};
-    if (!hidden.empty()) {
-      add("burnout_s", Number{pushed_until_s, infinity}, with_missing(seen, hidden));
-    } else if (motor_burns_s_ && !is_cut) {
-      add("burnout_s", exactly(end_s),
-          fmt::format("{}; by its thrust curve the motor burns for {} s", seen, text::fixed(*motor_burns_s_, 2)));
-    } else {
-      add("burnout_s", Number{pushed_until_s, infinity},
-          seen +
-              (is_cut ? fmt::format(", where the {} ends", is_whole() ? "ascent" : "record")
-                      : "; thrust below drag may last longer") +
-              stated_burn());
-    }
-  }
-
-  /// Whoever wrote the plan may have been wrong.
-  [[nodiscard]] std::string stated_burn() const {
-    const double burn_time_s = static_cast<double>(core::seconds(flight_.plan.dormancy.burn_time));
-    return flight_.known.plan && burn_time_s > 0.0
-               ? fmt::format("; dormancy.burn_time_s = {} is the plan's word, not verified",
-                             text::brief(burn_time_s, 3))
-               : "";
   }
 
   void add_control_start() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -184,8 +183,7 @@ Findings of_rocket(const sim::Vehicle& vehicle, std::optional<double> side_momen
   return OfRocket{{.vehicle = vehicle,
                    .side_moment_m3 = side_moment_m3,
                    .density_kg_m3 = sim::Atmosphere{}.density_kg_m3(0.0),
-                   .top_mach = is_known ? std::get<Number>(*mach->second.known)
-                                        : Number{0.0, std::numeric_limits<double>::infinity()}}}
+                   .top_mach = is_known ? std::get<Number>(*mach->second.known) : Number{0.0, infinity}}}
       .take();
 }
 

@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "rules/departure.hpp"
+#include "rules/expression.hpp"
 #include "text/number.hpp"
 
 namespace fantail::rules {
 namespace {
 
-constexpr double endless_s = std::numeric_limits<double>::infinity();
 /// Times of rows are sums of steps.
 constexpr double rounding_s = 1e-6;
 
@@ -30,7 +29,7 @@ std::optional<double> apogee_s(const flight::Flight& flight) {
 
 std::optional<double> greatest_height_s(const std::vector<flight::Row>& rows) {
   std::optional<double> time_s;
-  double greatest_m = -endless_s;
+  double greatest_m = -infinity;
   for (const flight::Row& row : rows) {
     if (row.time_s >= 0.0 && height_m(row) > greatest_m) {
       greatest_m = height_m(row);
@@ -76,7 +75,7 @@ std::vector<Hole> holes(std::span<const flight::Row> rows, double from_s, double
     seen_s = row.time_s;
   }
   if (is_hole(seen_s, to_s)) {
-    found.push_back({std::max(seen_s, from_s), endless_s});
+    found.push_back({std::max(seen_s, from_s), infinity});
   }
   return found;
 }
@@ -85,7 +84,7 @@ std::string missing_text(const std::vector<Hole>& holes) {
   constexpr std::size_t most = 2;
   std::string all;
   for (const auto& [from_s, to_s] : std::span{holes}.first(std::min(most, holes.size()))) {
-    const bool ends = to_s == endless_s;
+    const bool ends = to_s == infinity;
     const std::string_view verb = ends ? "ends at " : all.empty() ? "misses " : "";
     all += all.empty() ? "the record " : " and ";
     all += fmt::format("{}{}{} s", verb, seconds_text(from_s), ends ? "" : " to " + seconds_text(to_s));
@@ -109,7 +108,7 @@ std::vector<Hole> holes_of_ascent(const flight::Flight& log) {
   const std::optional<double> end_s = end_of_ascent(log);
   // The greatest height on record may be that before the hole.
   const double beyond_s = apogee_s(log) ? 0.0 : 2.0 * longest_step_s;
-  return holes(log.rows, 0.0, end_s ? *end_s + beyond_s : endless_s);
+  return holes(log.rows, 0.0, end_s ? *end_s + beyond_s : infinity);
 }
 
 ControlInLog control_in_log(const flight::Flight& log) {
@@ -124,7 +123,7 @@ ControlInLog control_in_log(const flight::Flight& log) {
     if (is_seen) {
       return {.start_s = start_s, .first_s = first_chance_s(rows, *start_s), .before_s = start_s};
     }
-    return unseen("when", holes(rows, 0.0, row == rows.end() ? endless_s : row->time_s), start_s);
+    return unseen("when", holes(rows, 0.0, row == rows.end() ? infinity : row->time_s), start_s);
   }
   const auto controls = std::ranges::find(rows, core::Phase::controlling, &flight::Row::phase);
   if (controls != rows.end()) {
@@ -133,9 +132,9 @@ ControlInLog control_in_log(const flight::Flight& log) {
   const std::vector<Hole> hidden = holes_of_ascent(log);
   const bool has_launch = log.events.liftoff_s || log.events.detected_s;
   if (!has_launch || !hidden.empty()) {
-    return unseen("whether", has_launch ? hidden : std::vector<Hole>{}, endless_s);
+    return unseen("whether", has_launch ? hidden : std::vector<Hole>{}, infinity);
   }
-  return {.before_s = endless_s,
+  return {.before_s = infinity,
           .never_began = true,
           .why_unknown = "control never began",
           .of_subject = ", in which control never began"};

@@ -24,6 +24,10 @@ struct Hole {
 
 /// "the record misses 4.00 to 8.50 s", "the record ends at 4.99 s"; empty: nothing is missing
 [[nodiscard]] std::string missing_text(const std::vector<Hole>& holes);
+/// What is known, and that.
+[[nodiscard]] inline std::string with_missing(const std::string& how, const std::vector<Hole>& hidden) {
+  return how + (how.empty() || hidden.empty() ? "" : "; ") + missing_text(hidden);
+}
 
 /// Apogee, whenever control ended: the true one, or where the avionics noticed it, or the greatest height of a record
 /// that goes on. Canards stay on the rocket until then.

@@ -2,7 +2,6 @@
 #include "rules/return_to_trim.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -36,7 +35,7 @@ Finding tilt_off_trim(const flight::Flight& flight, std::span<const flight::Row>
                          row.truth ? "the true tilt" : "as the avionics estimated it");
     }
   }
-  return {Number{largest_deg, missing.empty() ? largest_deg : std::numeric_limits<double>::infinity()},
+  return {Number{largest_deg, missing.empty() ? largest_deg : infinity},
           when + (missing.empty() ? "" : "; ") + missing_text(missing)};
 }
 

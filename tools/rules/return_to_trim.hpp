@@ -10,9 +10,6 @@
 
 namespace fantail::rules {
 
-/// Servo and play have settled so long after an abort.
-inline constexpr double longest_return_s = 0.5;
-
 /// flight.tilt_off_trim_deg and flight.off_trim_after_abort, of a flight with a known plan. `ascent` are its rows up to
 /// the end of the ascent; `missing` is where some are not there.
 [[nodiscard]] Findings return_to_trim(const flight::Flight& flight, std::span<const flight::Row> ascent,
