@@ -98,6 +98,7 @@ class Avionics {
   /// No copy of it is left: the trims are unknown. A word that no single bit makes, because it takes all pulses away.
   [[nodiscard]] bool plan_is_lost() const { return lost_plan_ == plan_lost; }
   static constexpr std::uint32_t plan_lost = 0x9E37'79B9;
+  static_assert(std::popcount(plan_lost) > 1);
   std::uint32_t lost_plan_ = 0;
   BusReceiver receiver_;
   BenchMode bench_mode_;

@@ -49,6 +49,7 @@ class BoardFlight {
   /// Where four servos stand that hear every pulse at the pins, cut ones too: 20 ms of lag, 600 degrees a second, a
   /// stop at 25 degrees, 10 us a degree. Without pulses they stay. The farthest from trim, and from where they would
   /// stand had they heard the whole pulses alone.
+  [[nodiscard]] double servo_deg(std::size_t line) const { return servos_[line].is_deg; }
   [[nodiscard]] double most_servo_deg() const { return most_servo_deg_; }
   [[nodiscard]] double most_astray_deg() const { return most_astray_deg_; }
   void forget_most_servo() { most_servo_deg_ = most_astray_deg_ = 0.0; }

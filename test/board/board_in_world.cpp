@@ -75,10 +75,10 @@ BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std
                                                              image.file().string(), tick_function)};
   }
   board_.processor.on_return_of(*tick, [this](std::uint32_t record) { take_record(record); });
-  board_.accelerometer.noisy = false;  // the world's sensors are noisy enough
-  board_.imu.gyro_noise_deg_s = board_.imu.accelerometer_noise_g = 0.0;
-  board_.second_imu.noise_counts = 0.0;
   board_.barometer.noise_counts = 10.0;
+  for (devices::FakeAs5047p& encoder : board_.encoders) {
+    encoder.angle = 1'000;  // a shaft without noise at 0 looks like a line that is held down
+  }
   board_.flash.cells = std::move(flash);
   board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};
   board_.switch_on();
@@ -128,6 +128,9 @@ const core::TickRecord& BoardInWorld::tick() {
 }
 
 void BoardInWorld::show_world() {
+  board_.accelerometer.noisy = false;  // the world's sensors are noisy enough
+  board_.imu.gyro_noise_deg_s = board_.imu.accelerometer_noise_g = 0.0;
+  board_.second_imu.noise_counts = 0.0;
   const auto show = [](auto& device, const hal::ImuSample& sample, const hal::ImuScale& scale) {
     device.rate_deg_s = times(sample.rate, degrees(double{scale.rate_rad_s}));
     device.force_g = times(sample.specific_force, double{scale.specific_force_m_s2} / standard_gravity_m_s2);

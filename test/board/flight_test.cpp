@@ -15,8 +15,6 @@
 namespace fantail::board {
 namespace {
 
-using test::fantail;
-using test::Outcome;
 using testing::HasSubstr;
 
 const std::string image_file = std::string{FANTAIL_TEST_SOURCE} + "/build/arm/fantail-stm32f405.elf";
@@ -32,7 +30,7 @@ class FlashedImage : public testing::Test {
 
 TEST_F(FlashedImage, FliesFromResetToLandingAndItsFlashRepeatsByteForByte) {
   const test::Folder folder;
-  const Outcome flown = fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file, "--out", "flown"},
+  const test::Outcome flown = test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file, "--out", "flown"},
                                 {.working_folder = folder.path()});
   EXPECT_EQ(flown.exit_code, 0) << flown.err;
   EXPECT_THAT(flown.out, HasSubstr("every output byte as recorded"));
@@ -63,7 +61,7 @@ TEST_F(FlashedImage, HasPulsesAgainWithinTenMillisecondsOfAnyResetAndFortyWithou
 
 TEST_F(FlashedImage, WithoutTheAddressSpaceThatTheEmulatorWantsItSaysSo) {
   const test::Folder folder;
-  const Outcome outcome = fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file},
+  const test::Outcome outcome = test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file},
                                   {.working_folder = folder.path(), .prepare = [] {
                                      const rlimit small{.rlim_cur = 700U << 20U, .rlim_max = 700U << 20U};
                                      ::setrlimit(RLIMIT_AS, &small);
@@ -74,7 +72,7 @@ TEST_F(FlashedImage, WithoutTheAddressSpaceThatTheEmulatorWantsItSaysSo) {
 
 TEST_F(FlashedImage, OneThatNeverComesToItsFirstTickIsNamedWithThePlaceWhereItIs) {
   const test::Folder folder;
-  const Outcome outcome = fantail({"fly", "tasha3_launch2", "--on", "board", "--image",
+  const test::Outcome outcome = test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image",
                                    std::string{FANTAIL_TEST_SOURCE} + "/build/arm/fantail-count.elf"},
                                   {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 74) << outcome.out;

@@ -132,6 +132,12 @@ std::string table_of(std::span<const Trial> trials, std::span<const Moment> mome
   }
   std::string text = by_outcome(trials, by_region) + by_outcome(trials, by_phase) + pins_of(trials) + names_of(trials) +
                      of_any_bit(trials);
+  long beyond = 0;
+  for (const Trial& trial : trials) {
+    beyond += trial.pins.beyond_plan;
+  }
+  text += fmt::format("{} whole pulses beyond the plan; {} flips changed pulses and named nothing\n", beyond,
+                      count(trials, [](const Trial& trial) { return trial.outcome == Outcome::unnamed; }));
   for (const Trial& trial : trials) {
     if (is_finding(trial, moments[trial.moment].phase)) {
       text += fmt::format(

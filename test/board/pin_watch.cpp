@@ -40,7 +40,7 @@ void PinWatch::follow() {
   for (std::size_t i = 0; i < canards_.size(); ++i) {
     const double silent_ms = 1e3 * (flight_.board().now_s() - canards_[i].last_s);
     pins_.silence_ms = std::max(pins_.silence_ms, silent_ms);
-    const bool beyond = std::abs(flight_.servos_deg()[i]) > canards_[i].plan_deg;
+    const bool beyond = std::abs(flight_.servo_deg(i)) > canards_[i].plan_deg;
     canards_[i].beyond_ms = beyond ? canards_[i].beyond_ms + 1.0 : 0.0;
     pins_.longest_beyond_ms = std::max(pins_.longest_beyond_ms, canards_[i].beyond_ms);
   }

@@ -20,7 +20,19 @@ board_build() {
   host_options=FANTAIL_TESTS
   # A build that was configured without Unicorn knows nothing of it.
   grep -qs libexec/fantail-board build/host/build.ninja || rm -f build/host/build.ninja
-  host_build "the virtual board" fantail-board
+  host_build "the virtual board" fantail-board "$@"
+}
+
+# board_check: what a change of the firmware may break and only the flashed image shows.
+board_check() {
+  local image=build/arm/fantail-stm32f405.elf
+  take_turn
+  board_build board_sweep board_flips
+  leave_turn
+  begin_checks board
+  checked "the flashed image through every kind of reset, at 16 instants each" build/host/test/board/board_sweep "$image" 16
+  checked "the flashed image with 500 bits flipped" build/host/test/board/board_flips "$image" 500
+  end_checks "Virtual board" "./dev board --check"
 }
 
 flash() {

@@ -18,7 +18,7 @@ gates() {
   [ $# -eq 0 ] || usage
   local failed="" begun gate
   begun=$(date +%s)
-  for gate in repository "package --lint" docs trace "prove --resume" coverage "mutate --sample 300"; do
+  for gate in repository "package --lint" "board --check" docs trace "prove --resume" coverage "mutate --sample 300"; do
     # shellcheck disable=SC2086 # a list of words
     ./dev $gate || {
       echo "dev: gates: ./dev $gate ended with $?" >&2
@@ -26,7 +26,7 @@ gates() {
     }
   done
   /usr/bin/python3 tools/dev/figures.py docs/figures/gates.md "Gates of every change" "./dev gates" \
-    build/figures/repository.json build/figures/package.json build/figures/docs.json build/figures/complexity.json build/figures/proofs.json build/figures/coverage.json build/figures/mutation.json || failed=yes
+    build/figures/repository.json build/figures/package.json build/figures/board.json build/figures/docs.json build/figures/complexity.json build/figures/proofs.json build/figures/coverage.json build/figures/mutation.json || failed=yes
   echo "gates: $(($(date +%s) - begun)) s, ${failed:+not }passed"
   [ -z "$failed" ]
 }

@@ -81,10 +81,12 @@ soak() {
   [ -z "$before" ] || usage
   take_turn
   # shellcheck disable=SC2086
-  need $soak_packages $prove_packages
+  need $soak_packages $prove_packages $board_packages
   prover_of_proofs || refuse "the model checker could not be installed (see above), and the soak has every proof in it"
   host_options=FANTAIL_TESTS
-  host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core fantail fantail-campaign
+  arm_build "the image for the virtual board" fantail-stm32f405
+  host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core test_dormancy test_gates fantail fantail-campaign \
+    board_flips board_sweep board_faults board_timing
   build "the fuzzers" build/fuzz 600 fuzz_commands
   leave_turn
   /usr/bin/python3 -B tools/dev/soak.py . "$@" || code=$?

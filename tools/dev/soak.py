@@ -210,6 +210,8 @@ class Builds:
         if name == "proofs":
             return digest_of(self.root, below(self.root, PROOFS))
         sources = self.sources(command)
+        if "build/arm/" in command:  # the image
+            sources |= below(self.root, ("firmware", "hal"))
         return digest_of(self.root, sources | below(self.root, ALWAYS) if sources else below(self.root, EVERYTHING))
 
 

@@ -129,7 +129,7 @@ std::vector<std::string> FlightComputerOption::notes() const {
   }
   if (const std::uint32_t again = target_->link().asked_again(); again != 0) {
     notes.push_back(text::counted(again, "message was", "messages were") +
-                    " lost or damaged on the line, and sent again.");
+                    " sent again, because no answer came in time.");
   }
   return notes;
 }
