@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace fantail::board {
 namespace {
 
@@ -154,6 +156,11 @@ void Board::pass_byte() {
 }
 
 std::vector<hal::CanFrame> Board::take_sent() { return std::exchange(sent_, {}); }
+
+std::string Board::state(const Image& image) const {
+  return fmt::format("it is at {}. {}It said: {}", image.where(processor.program_counter()),
+                     processor.complaints.empty() ? "" : "First, at " + processor.complaints.front() + ". ", console);
+}
 
 std::vector<std::string> Board::violations() const {
   std::set<std::string> all{old_violations_.begin(), old_violations_.end()};

@@ -63,6 +63,8 @@ class Board {
   std::vector<Restart> restarts{};
   /// What a driver did that a device forbids: everything so far, each once.
   [[nodiscard]] std::vector<std::string> violations() const;
+  /// For who waits in vain: where the processor is, what it complained of first, what the console said.
+  [[nodiscard]] std::string state(const Image& image) const;
 
   Timeline timeline;
 

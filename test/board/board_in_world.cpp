@@ -92,9 +92,8 @@ void BoardInWorld::await_first_rate() {
     board_.run_until(board_.now_s() + 0.1 * tick_s);
   }
   if (!sees()) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      fmt::format("the image has not come to its first rate in {} s; it is at {}. It said: {}",
-                                  most_start_s, image_.where(board_.processor.program_counter()), board_.console)};
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("the image has not come to its first rate in {} s; {}",
+                                                             most_start_s, board_.state(image_))};
   }
   until_s_ = last_tick_ended_s_ + idle_s;
   board_.run_until(until_s_);

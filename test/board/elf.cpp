@@ -2,10 +2,13 @@
 #include "elf.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <memory>
 
+#include <cxxabi.h>
 #include <elf.h>
 #include <fmt/format.h>
 
@@ -116,7 +119,11 @@ std::string Image::where(std::uint32_t address) const {
     return "?";
   }
   --next;
-  return next->first == address ? next->second : fmt::format("{} + 0x{:x}", next->second, address - next->first);
+  int failed = 0;
+  const std::unique_ptr<char, decltype(&std::free)> plain{
+      abi::__cxa_demangle(next->second.c_str(), nullptr, nullptr, &failed), &std::free};
+  const std::string name = plain ? plain.get() : next->second;
+  return next->first == address ? name : fmt::format("{} + 0x{:x}", name, address - next->first);
 }
 
 }  // namespace fantail::board

@@ -23,7 +23,9 @@ constexpr std::uint64_t entry_cycles = 12;
 }  // namespace
 
 void Processor::fault(std::uint32_t configurable, std::uint32_t address, const std::string& what) {
-  complaints.push_back(fmt::format("{:.6f} s: {} by 0x{:08x}, {}", timeline_.now_s(), what, pc_, image_.where(pc_)));
+  const std::uint32_t caller = get(UC_ARM_REG_LR);
+  complaints.push_back(fmt::format("{:.6f} s: {} by 0x{:08x}, {}, with LR in {}", timeline_.now_s(), what, pc_,
+                                   image_.where(pc_), image_.where(caller)));
   if (system_.active() == SystemBlock::nmi || system_.active() == SystemBlock::hard_fault) {
     locked_ = true;
     return;

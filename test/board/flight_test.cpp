@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The bytes that are flashed, in flight.
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -15,6 +17,7 @@
 namespace fantail::board {
 namespace {
 
+using namespace std::string_literals;
 using testing::HasSubstr;
 
 const std::string image_file = std::string{FANTAIL_TEST_SOURCE} + "/build/arm/fantail-stm32f405.elf";
@@ -68,6 +71,22 @@ TEST_F(FlashedImage, WithoutTheAddressSpaceThatTheEmulatorWantsItSaysSo) {
                                    }});
   EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("the emulator wants 1 GiB of address space, of which it uses little: "));
+}
+
+// The random numbers come from elsewhere then: 0x50060800 becomes an address where nothing is.
+TEST_F(FlashedImage, OneThatReachesForAnAddressWithoutADeviceIsNamedWithAddressAndPlace) {
+  std::ifstream file{image_file, std::ios::binary};
+  std::string bytes{std::istreambuf_iterator<char>{file}, {}};
+  const std::size_t place = bytes.find("\x00\x08\x06\x50"s);
+  ASSERT_NE(place, std::string::npos);
+  bytes[place + 2] = '\x16';
+  const test::Folder folder;
+  const test::Outcome outcome =
+      test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image", folder.write("image.elf", bytes)},
+                    {.working_folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("an access to 0x5016080"));
+  EXPECT_THAT(outcome.err, HasSubstr("hal::stm32f4::Entropy"));
 }
 
 TEST_F(FlashedImage, OneThatNeverComesToItsFirstTickIsNamedWithThePlaceWhereItIs) {

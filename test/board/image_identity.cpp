@@ -32,8 +32,7 @@ ImageIdentity identity_of(const Image& image, const Pace& pace) {
   if (line_ends() == std::string::npos || middle == std::string::npos) {
     throw text::Error{
         text::ErrorKind::bad_data,
-        fmt::format("{}: the image has not said what it is in {} s; it is at {}. It said: {}", image.file().string(),
-                    most_words_s, image.where(board.processor.program_counter()), board.console)};
+        fmt::format("{}: the image has not said what it is in {} s; {}", image.file().string(), most_words_s, board.state(image))};
   }
   const std::size_t hash = middle + between.size();
   return {.version = board.console.substr(begin + before.size(), middle - begin - before.size()),

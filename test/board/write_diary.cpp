@@ -43,6 +43,16 @@ void write_diary(BoardServer& server, const std::filesystem::path& folder) {
     write(folder / "board_pulses.csv", pulses_of(*board));
     write(folder / "board_can.log", traffic_of(server));
     write(folder / "board_console.txt", server.said());
+    std::string complaints;
+    for (const std::string& each : board->processor.complaints) {
+      complaints += each + '\n';
+    }
+    for (const std::string& each : board->violations()) {
+      complaints += each + '\n';
+    }
+    if (!complaints.empty()) {
+      write(folder / "board_complaints.txt", complaints);
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <string_view>
 #include <system_error>
@@ -108,6 +109,8 @@ std::vector<std::string> FlightComputerOption::keep_diary(const std::filesystem:
     std::filesystem::copy_file(entry.path(), folder / names.back(), std::filesystem::copy_options::overwrite_existing);
   }
   std::ranges::sort(names);
+  std::ifstream complaints{diary_ / "board_complaints.txt"};
+  std::getline(complaints, complaint_);
   return names;
 }
 

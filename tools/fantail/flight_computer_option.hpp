@@ -35,6 +35,9 @@ class FlightComputerOption {
   /// After the flight: what a virtual board has measured at its pins goes into this folder. Their names; none of
   /// others.
   std::vector<std::string> keep_diary(const std::filesystem::path& folder);
+  /// The first thing that the firmware did and its processor or a device does not allow; empty: none. Known after
+  /// keep_diary().
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }
   /// Where it was flown, and what was the matter; nothing about this process.
   [[nodiscard]] std::vector<std::string> notes() const;
 
@@ -42,6 +45,7 @@ class FlightComputerOption {
   std::string where_;
   std::filesystem::path diary_;     ///< a folder of this object; empty: no virtual board
   hil::Emulator* board_ = nullptr;  ///< of target_
+  std::string complaint_;
   std::optional<hil::Target> target_;
 };
 

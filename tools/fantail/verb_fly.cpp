@@ -80,14 +80,20 @@ std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& sce
 }
 
 /// Does this program make of what the board has recorded what the board has made of it?
-std::string replay_of(const flight::Flight& flown) {
+struct BoardReplay {
+  std::string note;
+  bool differs = false;
+};
+
+BoardReplay replay_of(const flight::Flight& flown) {
   if (flown.log.empty()) {
-    return "Nothing was recorded, so nothing of the flight could be repeated on this computer.";
+    return {.note = "Nothing was recorded, so nothing of the flight could be repeated on this computer."};
   }
   const flight_log::Flight recorded = flight_log::parse_log(flown.log, "flight.ftl").flights.at(0);
   const flight_log::Regeneration replayed =
       flight_log::replay(recorded, "flight.ftl", flight_log::plan_for_replay(recorded, "flight.ftl", {}));
-  return "The flash of the board, repeated on this computer: " + flight_log::replay_text(recorded, replayed) + ".";
+  return {.note = "The flash of the board, repeated on this computer: " + flight_log::replay_text(recorded, replayed) + ".",
+          .differs = replayed.differing > 0};
 }
 
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
@@ -182,8 +188,10 @@ void fly_and_report(const FlyOptions& options) {
   flight.changes = std::move(changes);
   flight.notes.insert(flight.notes.begin(), notes.begin(), notes.end());
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
+  BoardReplay replayed;
   if (options.computer.on == "board") {
-    flight.notes.push_back(replay_of(flight));
+    replayed = replay_of(flight);
+    flight.notes.push_back(replayed.note);
   }
   Chapters chapters{"report", 1, "computing the figures and writing files and page"};
   const report::Results results = report::results(flight, made_with(made_from, flight.seed, flight.changes));
@@ -210,6 +218,13 @@ void fly_and_report(const FlyOptions& options) {
   }
   lines.pop_back();
   deliver(results.document, {.json = options.json, .last_line = lines});
+  if (!computer.complaint().empty()) {
+    throw RequirementNotMet{fmt::format("The image did what its processor or a device does not allow: {}. All is in {}/{}",
+                                        computer.complaint(), where, "board_complaints.txt")};
+  }
+  if (replayed.differs) {
+    throw RequirementNotMet{replayed.note};
+  }
 }
 
 void fill(const Verb& verb) {
