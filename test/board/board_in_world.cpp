@@ -30,6 +30,9 @@ constexpr double idle_s = 0.2e-3;
 constexpr double standard_gravity_m_s2 = 9.80665;
 /// A servo that has heard none for so long is on its own: fifteen frames.
 constexpr double silence_s = 0.045;
+constexpr int counts_per_turn = hal::encoder_counts_per_turn;
+/// An encoder without noise at 0 is as a line that is held down.
+constexpr int least_counts = 1;
 constexpr const char* tick_function = "_ZN7fantail8avionics8Avionics4tickEv";
 
 // Read out of the memory of a 32-bit processor: no pointers in it, and every type as long there as here.
@@ -63,6 +66,11 @@ std::vector<std::byte> flash_with(const core::FlightPlan& plan) {
 BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan,
                            const sim::BoardPorts& ports)
     : BoardInWorld{image, pace, flash_with(plan), ports} {
+  for (std::size_t i = 0; i < hal::canards; ++i) {
+    const double turns = double{plan.canards.each[i].encoder_zero.radians()} / (2.0 * std::numbers::pi);
+    const auto counts = static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * counts_per_turn));
+    board_.encoders[i].angle = static_cast<std::uint16_t>(std::max(counts % counts_per_turn, least_counts));
+  }
   await_first_rate();
 }
 
@@ -77,7 +85,7 @@ BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std
   board_.processor.on_return_of(*tick, [this](std::uint32_t record) { take_record(record); });
   board_.barometer.noise_counts = 10.0;
   for (devices::FakeAs5047p& encoder : board_.encoders) {
-    encoder.angle = 1'000;  // a shaft without noise at 0 looks like a line that is held down
+    encoder.angle = least_counts;
   }
   board_.flash.cells = std::move(flash);
   board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};

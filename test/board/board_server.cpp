@@ -17,7 +17,7 @@ using protocol::HilReader;
 using protocol::HilType;
 using protocol::HilWriter;
 
-constexpr std::string_view name_of_image = "fantail-stm32f405 on a virtual board";
+constexpr std::string_view name_of_image = "fantail-stm32f405";
 
 }  // namespace
 
