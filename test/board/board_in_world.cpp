@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -199,7 +200,13 @@ void BoardInWorld::mirror(std::size_t address, std::size_t size) {
 }
 
 void BoardInWorld::take_record(std::uint32_t address) {
-  board_.processor.read_memory(address, std::as_writable_bytes(std::span{&record_, 1}));
+  core::TickRecord record;
+  try {
+    board_.processor.read_memory(address, std::as_writable_bytes(std::span{&record, 1}));
+  } catch (const std::out_of_range&) {
+    return;  // a bit of the register that leads there has flipped
+  }
+  record_ = record;
   has_record_ = true;
   last_tick_ended_s_ = board_.now_s();
 }

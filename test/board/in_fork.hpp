@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstddef>
+#include <cstdio>
 #include <optional>
 #include <type_traits>
 
@@ -47,7 +48,11 @@ std::optional<Found> in_fork(unsigned at_most_s, const FindOut& find_out) {
     had += static_cast<std::size_t>(got);
   }
   ::close(ends[0]);
-  ::waitpid(child, nullptr, 0);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (WIFSIGNALED(status)) {
+    std::fprintf(stderr, "a process that had to find out was ended by signal %d\n", WTERMSIG(status));
+  }
   return had == sizeof found ? std::optional{found} : std::nullopt;
 }
 
