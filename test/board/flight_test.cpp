@@ -33,8 +33,9 @@ class FlashedImage : public testing::Test {
 
 TEST_F(FlashedImage, FliesFromResetToLandingAndItsFlashRepeatsByteForByte) {
   const test::Folder folder;
-  const test::Outcome flown = test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file, "--out", "flown"},
-                                {.working_folder = folder.path()});
+  const test::Outcome flown =
+      test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file, "--out", "flown"},
+                    {.working_folder = folder.path()});
   EXPECT_EQ(flown.exit_code, 0) << flown.err;
   EXPECT_THAT(flown.out, HasSubstr("every output byte as recorded"));
   for (const char* file : {"board_pulses.csv", "board_can.log", "board_console.txt", "report.html", "flight.ftl"}) {
@@ -65,10 +66,10 @@ TEST_F(FlashedImage, HasPulsesAgainWithinTenMillisecondsOfAnyResetAndFortyWithou
 TEST_F(FlashedImage, WithoutTheAddressSpaceThatTheEmulatorWantsItSaysSo) {
   const test::Folder folder;
   const test::Outcome outcome = test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file},
-                                  {.working_folder = folder.path(), .prepare = [] {
-                                     const rlimit small{.rlim_cur = 700U << 20U, .rlim_max = 700U << 20U};
-                                     ::setrlimit(RLIMIT_AS, &small);
-                                   }});
+                                              {.working_folder = folder.path(), .prepare = [] {
+                                                 const rlimit small{.rlim_cur = 700U << 20U, .rlim_max = 700U << 20U};
+                                                 ::setrlimit(RLIMIT_AS, &small);
+                                               }});
   EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("the emulator wants 1 GiB of address space, of which it uses little: "));
 }
@@ -92,8 +93,8 @@ TEST_F(FlashedImage, OneThatReachesForAnAddressWithoutADeviceIsNamedWithAddressA
 TEST_F(FlashedImage, OneThatNeverComesToItsFirstTickIsNamedWithThePlaceWhereItIs) {
   const test::Folder folder;
   const test::Outcome outcome = test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image",
-                                   std::string{FANTAIL_TEST_SOURCE} + "/build/arm/fantail-count.elf"},
-                                  {.working_folder = folder.path()});
+                                               std::string{FANTAIL_TEST_SOURCE} + "/build/arm/fantail-count.elf"},
+                                              {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("fantail-count.elf: "));
 }

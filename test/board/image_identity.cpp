@@ -30,9 +30,8 @@ ImageIdentity identity_of(const Image& image, const Pace& pace) {
   const std::size_t begin = board.console.find(before);
   const std::size_t middle = board.console.find(between, begin);
   if (line_ends() == std::string::npos || middle == std::string::npos) {
-    throw text::Error{
-        text::ErrorKind::bad_data,
-        fmt::format("{}: the image has not said what it is in {} s; {}", image.file().string(), most_words_s, board.state(image))};
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: the image has not said what it is in {} s; {}",
+                                                             image.file().string(), most_words_s, board.state(image))};
   }
   const std::size_t hash = middle + between.size();
   return {.version = board.console.substr(begin + before.size(), middle - begin - before.size()),

@@ -101,7 +101,7 @@ TEST(Fly, HowManyRowsALaunchKeepsChangesNoFigure) {
 
 TEST(FlyOn, APlaceThatDoesNotExistIsRefused) {
   Refusal{
-      {}, {"fly", "--on", "moon"}, 64, {"\"moon\" is not a flight computer; allowed: host, emulator, serial:DEVICE"}};
+      {}, {"fly", "--on", "moon"}, 64, {"\"moon\" is not a flight computer; allowed: host, emulator, board, serial:DEVICE"}};
   Refusal{{}, {"fly", "--on", "serial:"}, 64, {"\"serial:\" is not a flight computer"}};
 }
 

@@ -92,8 +92,9 @@ BoardReplay replay_of(const flight::Flight& flown) {
   const flight_log::Flight recorded = flight_log::parse_log(flown.log, "flight.ftl").flights.at(0);
   const flight_log::Regeneration replayed =
       flight_log::replay(recorded, "flight.ftl", flight_log::plan_for_replay(recorded, "flight.ftl", {}));
-  return {.note = "The flash of the board, repeated on this computer: " + flight_log::replay_text(recorded, replayed) + ".",
-          .differs = replayed.differing > 0};
+  return {
+      .note = "The flash of the board, repeated on this computer: " + flight_log::replay_text(recorded, replayed) + ".",
+      .differs = replayed.differing > 0};
 }
 
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
@@ -219,11 +220,12 @@ void fly_and_report(const FlyOptions& options) {
   lines.pop_back();
   deliver(results.document, {.json = options.json, .last_line = lines});
   if (!computer.complaint().empty()) {
-    throw RequirementNotMet{fmt::format("The image did what its processor or a device does not allow: {}. All is in {}/{}",
-                                        computer.complaint(), where, "board_complaints.txt")};
+    throw hil::TargetError{
+        fmt::format("the image did what its processor or a device does not allow: {}. All is in {}/{}",
+                    computer.complaint(), where, "board_complaints.txt")};
   }
   if (replayed.differs) {
-    throw RequirementNotMet{replayed.note};
+    throw hil::TargetError{replayed.note};
   }
 }
 
