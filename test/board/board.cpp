@@ -15,7 +15,6 @@ constexpr double slot_s = 130e-6;  // of a frame of 8 bytes at 1 Mbit/s, with th
 constexpr double byte_s = 10.0 / 115'200;
 constexpr double battery_divider = 11.0;
 constexpr std::size_t battery_channel = 12;
-constexpr std::uint8_t flash_capacity = 0x17;  // W25Q64
 
 enum Interrupt : std::uint8_t { can1_tx = 19, can1_rx0 = 20, can1_sce = 22, usart1 = 37 };
 
@@ -31,7 +30,7 @@ Board::Board(const Image& image, const Pace& pace)
       second_imu{chip.clock},
       accelerometer{chip.clock},
       barometer{chip.clock},
-      flash{chip.clock, flash_capacity},
+      flash{chip.clock},
       follow_{timeline.add([this] { follow(); })},
       slot_{timeline.add([this] { pass_slot(); })},
       byte_{timeline.add([this] { pass_byte(); })},
@@ -139,11 +138,15 @@ void Board::pass_slot() {
   const bool sent = own_turn_ && can.slot();
   if (!sent && !arriving_.empty()) {
     (void)can.arrive(arriving_.front());
+    traffic.push_back({timeline.now_s(), arriving_.front()});
     arriving_.pop_front();
   } else if (!sent && !own_turn_) {
     (void)can.slot();
   }
-  sent_.insert(sent_.end(), can.wire.begin(), can.wire.end());
+  for (const hal::CanFrame& frame : can.wire) {
+    traffic.push_back({timeline.now_s(), frame});
+    sent_.push_back(frame);
+  }
   can.wire.clear();
   timeline.schedule(slot_, timeline.now_s() + slot_s);
 }

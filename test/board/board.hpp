@@ -52,6 +52,12 @@ class Board {
   void send(const hal::CanFrame& frame) { arriving_.push_back(frame); }
   /// What this node has sent since this was asked last.
   [[nodiscard]] std::vector<hal::CanFrame> take_sent();
+  struct Passed {
+    double time_s;
+    hal::CanFrame frame;
+  };
+  /// All that went over the bus, of both sides.
+  std::vector<Passed> traffic{};
 
   // ---- what it shows ----
   /// All that has left the console.

@@ -2,6 +2,7 @@
 #include "board_in_world.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -16,7 +17,6 @@
 #include "avionics/can_frame.hpp"
 #include "avionics/flash_access.hpp"
 #include "avionics/plan_store.hpp"
-#include "hal/sim/flash.hpp"
 #include "protocol/bus_codec.hpp"
 #include "protocol/plan_block.hpp"
 #include "text/error.hpp"
@@ -45,14 +45,12 @@ std::array<double, 3> times(const hal::Counts& counts, double scale) {
 
 constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-constexpr hal::FlashGeometry flash_geometry{.size = 8U << 20U, .sector_size = 4096, .page_size = 256};
-
 }  // namespace
 
-std::vector<std::byte> new_flash() { return std::vector<std::byte>(flash_geometry.size, std::byte{0xFF}); }
+std::vector<std::byte> new_flash() { return std::vector<std::byte>(hal::sim::flash_16_mib.size, std::byte{0xFF}); }
 
-std::vector<std::byte> flash_with(const core::FlightPlan& plan) {
-  hal::sim::Flash cells{flash_geometry};
+std::vector<std::byte> flash_with(const core::FlightPlan& plan, const hal::FlashGeometry& geometry) {
+  hal::sim::Flash cells{geometry};
   avionics::FlashAccess access{cells};
   avionics::PlanStore store{access};
   (void)store.load({});
@@ -66,7 +64,7 @@ std::vector<std::byte> flash_with(const core::FlightPlan& plan) {
 
 BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan,
                            const sim::BoardPorts& ports)
-    : BoardInWorld{image, pace, flash_with(plan), ports} {
+    : BoardInWorld{image, pace, flash_with(plan, ports.flash.geometry()), ports} {
   for (std::size_t i = 0; i < hal::canards; ++i) {
     const double turns = double{plan.canards.each[i].encoder_zero.radians()} / (2.0 * std::numbers::pi);
     const auto counts = static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * counts_per_turn));
@@ -88,6 +86,7 @@ BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std
   for (devices::FakeAs5047p& encoder : board_.encoders) {
     encoder.angle = least_counts;
   }
+  board_.flash.id[2] = static_cast<std::uint8_t>(std::bit_width(flash.size()) - 1);
   board_.flash.cells = std::move(flash);
   board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};
   board_.switch_on();
@@ -107,9 +106,7 @@ void BoardInWorld::await_first_rate() {
   until_s_ = last_tick_ended_s_ + idle_s;
   board_.run_until(until_s_);
   ports_.console.write(std::exchange(board_.console, {}));
-  if (ports_.flash.geometry().size == board_.flash.cells.size()) {
-    board_.flash.on_change = [this](std::size_t address, std::size_t size) { mirror(address, size); };
-  }
+  board_.flash.on_change = [this](std::size_t address, std::size_t size) { mirror(address, size); };
 }
 
 const core::TickRecord& BoardInWorld::tick() {

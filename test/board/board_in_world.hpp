@@ -9,6 +9,7 @@
 
 #include "board.hpp"
 #include "core/tick_record.hpp"
+#include "hal/sim/flash.hpp"
 #include "hal/sim/world_side.hpp"
 #include "protocol/bus_messages.hpp"
 #include "sim/flight_computer.hpp"
@@ -62,6 +63,7 @@ class BoardInWorld final : public sim::FlightComputer {
 
 /// The content of the flash of a new board; with a plan, of one that it was sent to.
 [[nodiscard]] std::vector<std::byte> new_flash();
-[[nodiscard]] std::vector<std::byte> flash_with(const core::FlightPlan& plan);
+[[nodiscard]] std::vector<std::byte> flash_with(const core::FlightPlan& plan,
+                                                const hal::FlashGeometry& geometry = hal::sim::flash_16_mib);
 
 }  // namespace fantail::board

@@ -40,7 +40,7 @@ void BoardServer::present() {
   const std::uint32_t layout = world_link::layout();
   writer(layout);
   writer.text(name_of_image);
-  writer.text(identity_.version);
+  writer.text(fmt::format("{} at {} cycles an instruction", identity_.version, pace_.cycles_per_instruction));
   writer.text(identity_.git_hash);
   writer(std::uint32_t{0});
   writer(std::uint32_t{0});
@@ -61,7 +61,6 @@ void BoardServer::begin(std::span<const std::byte> payload) {
     return;
   }
   flash_.set_geometry(geometry);
-  traffic_.clear();
   said_.clear();
   console_.clear();
   flown_ = std::make_unique<BoardInWorld>(
@@ -96,7 +95,6 @@ void BoardServer::tick(std::span<const std::byte> payload) {
   said_ += console_.text();
   console_.clear();
   while (const auto frame = worlds_node_.receive()) {
-    traffic_.push_back({flown_->board().now_s(), *frame});
     writer(true);
     world_link::visit_frame(*frame, writer);
   }
@@ -112,7 +110,6 @@ void BoardServer::exchange(HilReader& reader) {
   for (std::uint8_t i = 0; i < count && reader.within(); ++i) {
     hal::CanFrame frame;
     world_link::visit_frame(frame, reader);
-    traffic_.push_back({flown_->board().now_s(), frame});
     (void)worlds_node_.send(frame);
   }
 }

@@ -33,12 +33,6 @@ class BoardServer {
 
   /// Of the flight so far, empty before it has begun.
   [[nodiscard]] Board* board() { return flown_ ? &flown_->board() : nullptr; }
-  struct Frame {
-    double time_s;
-    hal::CanFrame frame;
-  };
-  /// All that went over its bus, with what the board has sent.
-  [[nodiscard]] const std::vector<Frame>& traffic() const { return traffic_; }
   /// All that its console has said.
   [[nodiscard]] const std::string& said() const { return said_; }
 
@@ -66,7 +60,6 @@ class BoardServer {
   hal::sim::CanBus boards_node_{wire_};
   hal::sim::CanBus worlds_node_{wire_};
   std::unique_ptr<BoardInWorld> flown_;
-  std::vector<Frame> traffic_;
   std::string said_;
 };
 

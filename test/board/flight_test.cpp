@@ -41,6 +41,13 @@ TEST_F(FlashedImage, FliesFromResetToLandingAndItsFlashRepeatsByteForByte) {
   for (const char* file : {"board_pulses.csv", "board_can.log", "board_console.txt", "report.html", "flight.ftl"}) {
     EXPECT_GT(std::filesystem::file_size(folder.path() / "flown" / file), 100U) << file;
   }
+  std::ifstream bus{folder.path() / "flown" / "board_can.log"};
+  double before_s = 0.0;
+  for (std::string line; std::getline(bus, line);) {
+    const double time_s = std::stod(line.substr(1));
+    ASSERT_GT(time_s - before_s, 47e-6) << line << ": a frame without data takes as long at 1 Mbit/s";
+    before_s = time_s;
+  }
 }
 
 // What its makers may rely on: docs/devices.md.

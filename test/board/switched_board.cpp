@@ -36,6 +36,7 @@ const core::TickRecord& SwitchedBoard::tick() {
   }
   powered_->hardware() = hardware_;
   record_ = powered_->tick();
+  powered_->board().traffic.clear();  // it may run for days
   hardware_.pulses = powered_->hardware().pulses;
   return record_;
 }

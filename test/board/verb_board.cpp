@@ -40,14 +40,14 @@ class ShownConsole final : public hal::Console {
   void write(std::string_view text) override { (void)show_live(std::string{text}); }
 };
 
-/// Tells once a second at most that the board falls behind the clock on the wall.
+/// Tells every ten seconds at most that the board falls behind the clock on the wall.
 class Lag {
  public:
   explicit Lag(const fly::Pace& pace) : pace_{pace} {}
 
   void tell() {
     const auto now = WorldInRealTime::Clock::now();
-    if (pace_.left_out() > told_ && now - told_at_ >= 1s) {
+    if (pace_.left_out() > told_ && now - told_at_ >= 10s) {
       say(fmt::format("this PC is too slow or too busy: the board stood still for {} ms more, {:.2f} s in all\n",
                       (pace_.left_out() - told_) / 1ms, std::chrono::duration<double>{pace_.left_out()}.count()));
       told_ = pace_.left_out();
@@ -136,7 +136,8 @@ void fill(const Verb& verb) {
   verb.option("--image", options->image, "The image [build/arm/fantail-stm32f405.elf of the sources]")
       .offers(files)
       .value_name("FILE");
-  verb.flag("--empty-flash", options->empty_flash, "As a new board [its flash holds the plan of the scenario]");
+  verb.flag("--empty-flash", options->empty_flash,
+            "As a new board [its flash holds the plan of the scenario]. What is written is lost when the program ends");
   add_end_option(verb, options->seconds);
   verb.examples(
       "Standard output shows the console of the board. Commands are read from standard input: help lists them.\n"

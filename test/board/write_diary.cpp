@@ -24,9 +24,9 @@ std::string pulses_of(const Board& board) {
   return text;
 }
 
-std::string traffic_of(const BoardServer& server) {
+std::string traffic_of(const Board& board) {
   std::string text;
-  for (const auto& [time_s, frame] : server.traffic()) {
+  for (const auto& [time_s, frame] : board.traffic) {
     text += fmt::format("({:.6f}) board {:03X}#", time_s, frame.id);
     for (std::size_t i = 0; i < frame.length; ++i) {
       text += fmt::format("{:02X}", frame.data[i]);
@@ -41,7 +41,7 @@ std::string traffic_of(const BoardServer& server) {
 void write_diary(BoardServer& server, const std::filesystem::path& folder) {
   if (const Board* board = server.board()) {
     write(folder / "board_pulses.csv", pulses_of(*board));
-    write(folder / "board_can.log", traffic_of(server));
+    write(folder / "board_can.log", traffic_of(*board));
     write(folder / "board_console.txt", server.said());
     std::string complaints;
     for (const std::string& each : board->processor.complaints) {

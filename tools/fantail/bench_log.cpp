@@ -39,8 +39,8 @@ void list(LogVisit& visit) {
   int number = 0;
   for (const link::ListedFlight& flight : list_flights(visit)) {
     number += 1;
-    visit.tell("  flight {}  {:.2f} MB  {}, power-up {}\n", number, flight.stretch.size / mega, flight.vehicle,
-               flight.power_up);
+    visit.tell("  flight {}  {:.2f} MB  {}, power-up {}\n", number, flight.stretch.size / mega,
+               flight.vehicle.empty() ? "vehicle not known" : flight.vehicle, flight.power_up);
     visit.json["flights"].push_back({{"flight", number},
                                      {"begin", flight.stretch.offset},
                                      {"bytes", flight.stretch.size},

@@ -130,7 +130,8 @@ std::vector<std::string> FlightComputerOption::notes() const {
   if (const std::uint32_t overruns = target_->times().overruns; overruns != 0) {
     notes.push_back(text::counted(overruns, "tick") + " took the flight computer longer than a millisecond.");
   }
-  if (const std::uint32_t again = target_->link().asked_again(); again != 0) {
+  // A virtual board is asked again only because it starts slowly: how often is the PC's matter.
+  if (const std::uint32_t again = target_->link().asked_again(); again != 0 && board_ == nullptr) {
     notes.push_back(text::counted(again, "message was", "messages were") +
                     " sent again, because no answer came in time.");
   }
