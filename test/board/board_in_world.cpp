@@ -142,6 +142,8 @@ void BoardInWorld::show_world() {
   };
   show(board_.imu, hardware_.imu, hardware_.imu_scale);
   board_.imu.frozen = std::exchange(imu_time_, hardware_.imu.time) == hardware_.imu.time;
+  board_.second_imu.stopped = !hardware_.second_imu_is_fitted;
+  board_.barometer.stuck_at = hardware_.barometer_is_fitted ? std::nullopt : std::optional<std::uint8_t>{0xFF};
   if (hardware_.second_imu_is_fitted) {
     show(board_.second_imu, hardware_.second_imu, hardware_.second_imu_scale);
     board_.second_imu.stopped = std::exchange(second_imu_time_, hardware_.second_imu.time) == hardware_.second_imu.time;

@@ -100,7 +100,7 @@ TEST_F(VirtualBoard, RefusesWhatItCannotRun) {
            {{"bench_helthy"}, 66, "unknown scenario \"bench_helthy\""},
            {{faulty}, 78, "faults.device = \"flash\" cannot be run on a virtual board"},
            {{"--image", folder / "none.elf"}, 66, "none.elf: no such file"},
-           {{"--image", folder / "."}, 66, "no such file, or it cannot be read"},
+           {{"--image", folder / "."}, 66, ": no regular file"},
            {{"--image", text}, 65, "image.elf: not an ELF file"},
            {{"--image", "/bin/sh"}, 65, "/bin/sh: built for machine"},
            {{"--image", images + "fantail-emulator.elf"}, 65, "fantail-emulator.elf: "}}) {

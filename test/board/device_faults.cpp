@@ -9,6 +9,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,9 @@ void work(const Image& image, const std::vector<DeviceFault>& faults, const std:
 int run(const Image& image, const std::string& device) {
   std::vector<DeviceFault> faults = device_faults();
   std::erase_if(faults, [&](const DeviceFault& fault) { return !fault.device.starts_with(device); });
+  if (faults.empty()) {
+    throw std::runtime_error{"no device of the board begins with " + device};
+  }
   std::vector<Row> rows =
       by_two_workers<Row>(faults.size(), "faults", [&](int worker, const std::function<void(const Row&)>& tell) {
         std::vector<std::size_t> mine;

@@ -20,8 +20,11 @@ namespace {
 class File {
  public:
   explicit File(const std::filesystem::path& path) : path_{path} {
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+      throw text::Error{text::ErrorKind::no_such_input, path.string() + ": no regular file"};  // a pipe would block
+    }
     std::ifstream file{path, std::ios::binary};
-    if (!file || !std::filesystem::is_regular_file(path)) {
+    if (!file) {
       throw text::Error{text::ErrorKind::no_such_input, path.string() + ": no such file, or it cannot be read"};
     }
     bytes_.assign(std::istreambuf_iterator<char>{file}, {});

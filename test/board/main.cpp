@@ -16,6 +16,7 @@
 
 #include "board_server.hpp"
 #include "fantail/run.hpp"
+#include "text/error.hpp"
 #include "write_diary.hpp"
 
 namespace {
@@ -73,6 +74,9 @@ int main(int argc, char** argv) {
   }
   try {
     return serve(argv[2], argv[3]);
+  } catch (const text::Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return error.kind() == text::ErrorKind::no_such_input ? 66 : 65;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fantail-board: %s\n", error.what());
     return 70;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "board_flight.hpp"
+
 namespace fantail::board {
 namespace {
 
@@ -44,6 +46,10 @@ void write_diary(BoardServer& server, const std::filesystem::path& folder) {
     write(folder / "board_can.log", traffic_of(*board));
     write(folder / "board_console.txt", server.said());
     std::string complaints;
+    for (const Board::Restart& each : board->restarts) {
+      complaints +=
+          each.kind == ResetKind::power_on ? "" : fmt::format("{:.6f} s: a reset: {}\n", each.time_s, name(each.kind));
+    }
     for (const std::string& each : board->processor.complaints) {
       complaints += each + '\n';
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/flight_computer_option.hpp"
 
-#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -20,6 +20,8 @@
 
 namespace fantail::tool {
 namespace {
+
+using namespace std::chrono_literals;
 
 constexpr std::string_view serial = "serial:";
 
@@ -45,13 +47,8 @@ hil::EmulatorOptions virtual_board(const FlightComputerOptions& options, const s
   return board;
 }
 
-std::filesystem::path new_folder() {
-  std::string name = std::filesystem::temp_directory_path() / "fantail-board-XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::system_error{errno, std::generic_category(), name};
-  }
-  return name;
-}
+constexpr const char* diary_names[] = {"board_can.log", "board_complaints.txt", "board_console.txt",
+                                       "board_pulses.csv"};
 
 }  // namespace
 
@@ -80,37 +77,49 @@ FlightComputerOption::FlightComputerOption(const FlightComputerOptions& options)
     wire = std::make_unique<hil::Emulator>(emulator(options));
   } else if (options.on == "board") {
     where_ = "a virtual board";
-    diary_ = new_folder();
-    auto board = std::make_unique<hil::Emulator>(virtual_board(options, diary_));
+    diary_.emplace();
+    auto board = std::make_unique<hil::Emulator>(virtual_board(options, diary_->folder));
     board_ = board.get();
     wire = std::move(board);
   } else {
     where_ = "the board at " + options.on.substr(serial.size());
     wire = std::make_unique<hil::SerialPort>(options.on.substr(serial.size()));
   }
-  target_.emplace(std::move(wire), give_up_if_interrupted);
+  // Between two processes nothing is lost, and a slow PC may take long for a start.
+  const hil::Timeouts timeouts = board_ != nullptr ? hil::Timeouts{.send_again = 60s, .give_up = 60s} : hil::Timeouts{};
+  target_.emplace(std::move(wire), give_up_if_interrupted, timeouts);
 }
 
-FlightComputerOption::~FlightComputerOption() {
+FlightComputerOption::Diary::Diary() {
+  std::string name = std::filesystem::temp_directory_path() / "fantail-board-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw std::system_error{errno, std::generic_category(), name};
+  }
+  folder = name;
+}
+
+FlightComputerOption::Diary::~Diary() {
   std::error_code ignored;
-  if (!diary_.empty()) {
-    std::filesystem::remove_all(diary_, ignored);
+  std::filesystem::remove_all(folder, ignored);
+}
+
+void FlightComputerOption::end() {
+  if (board_ != nullptr) {
+    board_->end();
+    std::ifstream complaints{diary_->folder / "board_complaints.txt"};
+    std::getline(complaints, complaint_);
   }
 }
 
-std::vector<std::string> FlightComputerOption::keep_diary(const std::filesystem::path& folder) {
+std::vector<std::string> FlightComputerOption::keep_diary(const std::filesystem::path& folder) const {
   std::vector<std::string> names;
-  if (board_ == nullptr) {
-    return names;
+  for (const char* name : diary_names) {
+    std::filesystem::remove(folder / name);
+    if (diary_ && std::filesystem::exists(diary_->folder / name)) {
+      std::filesystem::copy_file(diary_->folder / name, folder / name);
+      names.emplace_back(name);
+    }
   }
-  board_->end();
-  for (const auto& entry : std::filesystem::directory_iterator{diary_}) {
-    names.push_back(entry.path().filename());
-    std::filesystem::copy_file(entry.path(), folder / names.back(), std::filesystem::copy_options::overwrite_existing);
-  }
-  std::ranges::sort(names);
-  std::ifstream complaints{diary_ / "board_complaints.txt"};
-  std::getline(complaints, complaint_);
   return names;
 }
 
@@ -130,8 +139,10 @@ std::vector<std::string> FlightComputerOption::notes() const {
   if (const std::uint32_t overruns = target_->times().overruns; overruns != 0) {
     notes.push_back(text::counted(overruns, "tick") + " took the flight computer longer than a millisecond.");
   }
-  // A virtual board is asked again only because it starts slowly: how often is the PC's matter.
-  if (const std::uint32_t again = target_->link().asked_again(); again != 0 && board_ == nullptr) {
+  if (!complaint_.empty()) {
+    notes.push_back("Not all was well on the board: " + complaint_ + ".");
+  }
+  if (const std::uint32_t again = target_->link().asked_again(); again != 0) {
     notes.push_back(text::counted(again, "message was", "messages were") +
                     " sent again, because no answer came in time.");
   }

@@ -29,21 +29,29 @@ class FlightComputerOption {
 
   FlightComputerOption(const FlightComputerOption&) = delete;
   FlightComputerOption& operator=(const FlightComputerOption&) = delete;
-  ~FlightComputerOption();
 
   [[nodiscard]] sim::MakeFlightComputer maker();
-  /// After the flight: what a virtual board has measured at its pins goes into this folder. Their names; none of
-  /// others.
-  std::vector<std::string> keep_diary(const std::filesystem::path& folder);
-  /// The first thing that the firmware did and its processor or a device does not allow; empty: none. Known after
-  /// keep_diary().
+  /// Nobody will ask any more: a virtual board tells what was measured at its pins.
+  void end();
+  /// From then on: what a virtual board complains of first, a reset, or what its processor or a device does not allow;
+  /// empty: nothing.
   [[nodiscard]] const std::string& complaint() const { return complaint_; }
+  /// From then on: what was measured goes into this folder, instead of that of an earlier flight. Its names.
+  [[nodiscard]] std::vector<std::string> keep_diary(const std::filesystem::path& folder) const;
   /// Where it was flown, and what was the matter; nothing about this process.
   [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
   std::string where_;
-  std::filesystem::path diary_;     ///< a folder of this object; empty: no virtual board
+  /// For what was measured, until it is kept.
+  struct Diary {
+    Diary();
+    ~Diary();
+    Diary(const Diary&) = delete;
+    Diary& operator=(const Diary&) = delete;
+    std::filesystem::path folder;
+  };
+  std::optional<Diary> diary_;      ///< of a virtual board
   hil::Emulator* board_ = nullptr;  ///< of target_
   std::string complaint_;
   std::optional<hil::Target> target_;

@@ -43,7 +43,9 @@ std::string PadScript::help() const {
 }
 
 bool PadScript::obey() {
-  while (!is_over_ && (!awaited_ || awaited_())) {
+  // Who types without end does not keep the rocket from its time.
+  constexpr int most_lines = 8;
+  for (int line_number = 0; line_number < most_lines && !is_over_ && (!awaited_ || awaited_()); ++line_number) {
     awaited_ = nullptr;
     const auto line = input_.next();
     if (!line) {

@@ -12,8 +12,10 @@
 #include "fantail/offers.hpp"
 #include "fantail/standard_streams.hpp"
 #include "input/document.hpp"
+#include "input/fault_file.hpp"
 #include "input/scenario_file.hpp"
 #include "input/vehicle_file.hpp"
+#include "text/error.hpp"
 #include "text/number.hpp"
 
 namespace fantail::tool {
@@ -129,6 +131,16 @@ sim::Scenario load_in_six_dof(ScenarioOptions options) {
     options.changes.push_back("flight.motion=six_dof");
   }
   return load(options);
+}
+
+void refuse_faults(const sim::Scenario& scenario, std::initializer_list<sim::Device> devices, std::string_view where) {
+  for (const sim::Fault& fault : scenario.faults) {
+    if (std::ranges::find(devices, fault.device) != devices.end()) {
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        fmt::format("{}: faults.device = \"{}\" cannot be run {}; allowed: the other devices",
+                                    scenario.name, input::name(fault.device), where)};
+    }
+  }
 }
 
 }  // namespace fantail::tool

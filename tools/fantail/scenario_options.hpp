@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,5 +52,8 @@ void add_scenario_options(const Verb& verb, ScenarioOptions& options, const std:
 /// The same flight in six degrees of freedom, whatever the scenario says, so that what plays a part there alone may be
 /// changed, too. A scenario that cannot be flown so stays as it is.
 [[nodiscard]] sim::Scenario load_in_six_dof(ScenarioOptions options);
+
+/// Throws text::Error when the scenario has a fault of one of these devices; `where` completes "cannot be run".
+void refuse_faults(const sim::Scenario& scenario, std::initializer_list<sim::Device> devices, std::string_view where);
 
 }  // namespace fantail::tool

@@ -89,12 +89,15 @@ BoardReplay replay_of(const flight::Flight& flown) {
   if (flown.log.empty()) {
     return {.note = "Nothing was recorded, so nothing of the flight could be repeated on this computer."};
   }
-  const flight_log::Flight recorded = flight_log::parse_log(flown.log, "flight.ftl").flights.at(0);
-  const flight_log::Regeneration replayed =
-      flight_log::replay(recorded, "flight.ftl", flight_log::plan_for_replay(recorded, "flight.ftl", {}));
-  return {
-      .note = "The flash of the board, repeated on this computer: " + flight_log::replay_text(recorded, replayed) + ".",
-      .differs = replayed.differing > 0};
+  BoardReplay all{.note = "The flash of the board, repeated on this computer:"};
+  for (const flight_log::Flight& recorded : flight_log::parse_log(flown.log, "flight.ftl").flights) {
+    const flight_log::Regeneration replayed =
+        flight_log::replay(recorded, "flight.ftl", flight_log::plan_for_replay(recorded, "flight.ftl", {}));
+    all.note += fmt::format("{} {}", all.note.ends_with(':') ? "" : ";", flight_log::replay_text(recorded, replayed));
+    all.differs = all.differs || replayed.differing > 0;
+  }
+  all.note += '.';
+  return all;
 }
 
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
@@ -106,6 +109,19 @@ void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       fmt::format("{}: faults.device = \"memory\" cannot be flown with --on {}; allowed: --on host",
                                   scenario.name, options.computer.on)};
+  }
+  if (options.computer.on == "board") {
+    using sim::Device;
+    refuse_faults(scenario, {Device::flash, Device::supply, Device::processor, Device::barometer},
+                  "with --on board, which has its own flash, supply, processor and barometer");
+    for (const sim::Fault& fault : scenario.faults) {
+      if (std::holds_alternative<sim::Delayed>(fault.how) && fault.device != Device::servo) {
+        throw text::Error{text::ErrorKind::bad_configuration,
+                          fmt::format("{}: faults.behaviour = \"delayed\" cannot be flown with --on board, where a "
+                                      "sensor answers when it is asked; allowed: the others",
+                                      scenario.name)};
+      }
+    }
   }
   if (std::ranges::any_of(scenario.faults, resets)) {
     throw text::Error{text::ErrorKind::bad_configuration,
@@ -184,6 +200,7 @@ void fly_and_report(const FlyOptions& options) {
   FlightComputerOption computer{options.computer};
   page.wait_for_viewer();
   flight::Flight flight = fly_and_show(scenario, computer, lcm, page, options.realtime);
+  computer.end();
   flight.without_control = roll_without_control(scenario, flight);
   flight.command = options.computer.on == "host" ? command : fmt::format("{} --on {}", command, options.computer.on);
   flight.changes = std::move(changes);
@@ -220,9 +237,8 @@ void fly_and_report(const FlyOptions& options) {
   lines.pop_back();
   deliver(results.document, {.json = options.json, .last_line = lines});
   if (!computer.complaint().empty()) {
-    throw hil::TargetError{
-        fmt::format("the image did what its processor or a device does not allow: {}. All is in {}/{}",
-                    computer.complaint(), where, "board_complaints.txt")};
+    throw hil::TargetError{fmt::format("not all was well on the board: {}; all of it is in {}/board_complaints.txt",
+                                       computer.complaint(), where)};
   }
   if (replayed.differs) {
     throw hil::TargetError{replayed.note};

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fantail/world_in_real_time.hpp"
 
-#include <algorithm>
 #include <thread>
 
 #include <fmt/core.h>
 
 #include "fantail/progress.hpp"
-#include "input/fault_file.hpp"
-#include "text/error.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -58,16 +55,6 @@ std::string WorldInRealTime::summary(const hal::CanCounters& frames) const {
       "left out. Frames: {} sent, {} received, {} dropped\n",
       1e-3 * static_cast<double>(ticks_), pace_.late(), ticks_, std::chrono::duration<double>{pace_.left_out()}.count(),
       frames.sent, frames.received, frames.unsent);
-}
-
-void refuse_faults(const sim::Scenario& scenario, std::initializer_list<sim::Device> devices, std::string_view where) {
-  for (const sim::Fault& fault : scenario.faults) {
-    if (std::ranges::find(devices, fault.device) != devices.end()) {
-      throw text::Error{text::ErrorKind::bad_configuration,
-                        fmt::format("{}: faults.device = \"{}\" cannot be run {}; allowed: the other devices",
-                                    scenario.name, input::name(fault.device), where)};
-    }
-  }
 }
 
 }  // namespace fantail::tool

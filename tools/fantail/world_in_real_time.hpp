@@ -4,10 +4,8 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "fantail/pad_script.hpp"
@@ -44,8 +42,5 @@ class WorldInRealTime {
   fly::Pace pace_{Clock::now()};
   std::int64_t ticks_ = 0;
 };
-
-/// Throws text::Error when the scenario has a fault of one of these devices; `where` completes "cannot be run".
-void refuse_faults(const sim::Scenario& scenario, std::initializer_list<sim::Device> devices, std::string_view where);
 
 }  // namespace fantail::tool

@@ -196,6 +196,9 @@ void Emulator::fail(int status) const {
   while (!said.empty() && said.back() == '\n') {
     said.pop_back();
   }
+  if (options_.diary && WIFEXITED(status) && (WEXITSTATUS(status) == 65 || WEXITSTATUS(status) == 66)) {
+    throw text::Error{WEXITSTATUS(status) == 65 ? text::ErrorKind::bad_data : text::ErrorKind::no_such_input, said};
+  }
   throw TargetError{fmt::format("the emulated flight computer ended before the flight did: {}{}{}",
                                 how_it_ended(status), said.empty() ? "" : "; it printed: ", said)};
 }
