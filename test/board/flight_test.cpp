@@ -139,8 +139,8 @@ TEST_F(FlashedImage, FaultsThatAVirtualBoardCannotHaveAreRefused) {
   const std::string scenario{std::istreambuf_iterator<char>{shipped}, {}};
   for (const auto* fault : {"device = \"flash\"\nbehaviour = \"dead\"", "device = \"supply\"\nbehaviour = \"sagging\"",
                             "device = \"imu\"\nbehaviour = \"delayed\"\ndelay_s = 0.05"}) {
-    const std::string name =
-        folder.write("faulty.toml", scenario + "\n[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 9\n" + fault + "\n");
+    const std::string name = folder.write(
+        "faulty.toml", scenario + "\n[[faults]]\nkind = \"device\"\nfrom_s = 1\nuntil_s = 9\n" + fault + "\n");
     const test::Outcome outcome = test::fantail({"fly", name, "--on", "board", "--image", image_file});
     EXPECT_EQ(outcome.exit_code, 78) << fault << outcome.out;
     EXPECT_THAT(outcome.err, HasSubstr("--on board"));

@@ -100,8 +100,10 @@ TEST(Fly, HowManyRowsALaunchKeepsChangesNoFigure) {
 }
 
 TEST(FlyOn, APlaceThatDoesNotExistIsRefused) {
-  Refusal{
-      {}, {"fly", "--on", "moon"}, 64, {"\"moon\" is not a flight computer; allowed: host, emulator, board, serial:DEVICE"}};
+  Refusal{{},
+          {"fly", "--on", "moon"},
+          64,
+          {"\"moon\" is not a flight computer; allowed: host, emulator, board, serial:DEVICE"}};
   Refusal{{}, {"fly", "--on", "serial:"}, 64, {"\"serial:\" is not a flight computer"}};
 }
 
