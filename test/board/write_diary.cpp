@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "write_diary.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -45,16 +47,18 @@ void write_diary(BoardServer& server, const std::filesystem::path& folder) {
     write(folder / "board_pulses.csv", pulses_of(*board));
     write(folder / "board_can.log", traffic_of(*board));
     write(folder / "board_console.txt", server.said());
-    std::string complaints;
+    std::vector<std::string> in_time = board->processor.complaints;
     for (const Board::Restart& each : board->restarts) {
-      complaints +=
-          each.kind == ResetKind::power_on ? "" : fmt::format("{:.6f} s: a reset: {}\n", each.time_s, name(each.kind));
+      if (each.kind != ResetKind::power_on) {
+        in_time.push_back(fmt::format("{:.6f} s: a reset: {}", each.time_s, name(each.kind)));
+      }
     }
-    for (const std::string& each : board->processor.complaints) {
-      complaints += each + '\n';
-    }
-    for (const std::string& each : board->violations()) {
-      complaints += each + '\n';
+    std::ranges::stable_sort(in_time, {}, [](const std::string& complaint) { return std::stod(complaint); });
+    std::string complaints;
+    for (const std::vector<std::string>& some : {in_time, board->violations()}) {
+      for (const std::string& each : some) {
+        complaints += each + '\n';
+      }
     }
     if (!complaints.empty()) {
       write(folder / "board_complaints.txt", complaints);
