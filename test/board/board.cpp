@@ -162,7 +162,7 @@ std::vector<hal::CanFrame> Board::take_sent() { return std::exchange(sent_, {});
 
 std::string Board::state(const Image& image) const {
   return fmt::format("it is at {}. {}It said: {}", image.where(processor.program_counter()),
-                     processor.complaints.empty() ? "" : "First, at " + processor.complaints.front() + ". ", console);
+                     processor.complaints.empty() ? "" : "First " + processor.complaints.front().what + ". ", console);
 }
 
 std::vector<std::string> Board::violations() const {

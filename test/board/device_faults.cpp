@@ -6,15 +6,14 @@
 // DEVICE: only the rows whose device begins so. Two rows at a time.
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "device_trial.hpp"
 #include "input/scenario_file.hpp"
+#include "program.hpp"
 #include "two_workers.hpp"
 
 namespace {
@@ -88,7 +87,7 @@ int run(const Image& image, const std::string& device) {
   std::vector<DeviceFault> faults = device_faults();
   std::erase_if(faults, [&](const DeviceFault& fault) { return !fault.device.starts_with(device); });
   if (faults.empty()) {
-    throw std::runtime_error{"no device of the board begins with " + device};
+    throw fantail::text::Error{fantail::text::ErrorKind::usage, "no device of the board begins with " + device};
   }
   std::vector<Row> rows =
       by_two_workers<Row>(faults.size(), "faults", [&](int worker, const std::function<void(const Row&)>& tell) {
@@ -124,14 +123,6 @@ int run(const Image& image, const std::string& device) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::fputs("board_faults IMAGE [DEVICE]\n", stderr);
-    return 2;
-  }
-  try {
-    return run(Image{argv[1]}, argc > 2 ? argv[2] : "");
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return run_program(argc, argv, 1, 2, "board_faults IMAGE [DEVICE]",
+                     [&] { return run(Image{argv[1]}, argc > 2 ? argv[2] : ""); });
 }

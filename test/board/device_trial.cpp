@@ -89,7 +89,7 @@ void note_end(BoardFlight& flight, const TickMeter& meter, Names& names, DeviceT
   trial.longest_tick_us = 1e6 * meter.longest_s();
   put(names.all(), trial.named);
   if (const auto& complaints = flight.board().processor.complaints; !complaints.empty()) {
-    put(complaints.back(), trial.complaint);
+    put(complaints.back().what, trial.complaint);
   }
 }
 

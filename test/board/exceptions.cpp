@@ -24,8 +24,8 @@ constexpr std::uint64_t entry_cycles = 12;
 
 void Processor::fault(std::uint32_t configurable, std::uint32_t address, const std::string& what) {
   const std::uint32_t caller = get(UC_ARM_REG_LR);
-  complaints.push_back(fmt::format("{:.6f} s: {} by 0x{:08x}, {}, with LR in {}", timeline_.now_s(), what, pc_,
-                                   image_.where(pc_), image_.where(caller)));
+  complaints.push_back({timeline_.now_s(), fmt::format("{} by 0x{:08x}, {}, with LR in {}", what, pc_,
+                                                       image_.where(pc_), image_.where(caller))});
   if (system_.active() == SystemBlock::nmi || system_.active() == SystemBlock::hard_fault) {
     locked_ = true;
     return;
@@ -57,8 +57,7 @@ void Processor::take(std::uint32_t exception) {
   set(UC_ARM_REG_SP, sp);
   if (uc_mem_write(engine_, sp, frame.data(), 4 * words) != UC_ERR_OK) {
     // A stack that ran over: the handler runs all the same, on a stack that is none. (B1.5.15)
-    complaints.push_back(
-        fmt::format("{:.6f} s: no stack at 0x{:08x} for exception {}", timeline_.now_s(), sp, exception));
+    complaints.push_back({timeline_.now_s(), fmt::format("no stack at 0x{:08x} for exception {}", sp, exception)});
     exception = SystemBlock::hard_fault;
   }
   const bool from_program = system_.active() == 0;

@@ -93,7 +93,7 @@ class Flying {
     trial_.pins = watch.pins();
     trial_.outcome = outcome();
     if (!board.processor.complaints.empty()) {
-      put(board.processor.complaints.back(), trial_.complaint);
+      put(board.processor.complaints.back().what, trial_.complaint);
     }
     if (board.restarts.size() != restarts_before_) {
       put(board::name(board.restarts.back().kind), trial_.restart);

@@ -7,20 +7,18 @@
 // a time.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "flip_table.hpp"
 #include "input/scenario_file.hpp"
+#include "program.hpp"
 #include "two_workers.hpp"
 
 namespace {
@@ -85,21 +83,13 @@ void work(const Image& image, const fantail::sim::Scenario& scenario, const std:
   }
 }
 
-std::uint64_t number_of(const std::string& text, const char* of_what) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size() || number > INT32_MAX) {
-    throw std::runtime_error{std::string{of_what} + " is " + text + "; allowed: 0 to 2147483647"};
-  }
-  return number;
-}
-
 int run(int argc, char** argv) {
   const Image image{argv[1]};
-  const std::uint64_t seed = argc > 3 ? number_of(argv[3], "SEED") : 1;
+  const auto seed = static_cast<std::uint64_t>(argc > 3 ? whole_word(argv[3], "SEED", 0) : 1);
+  const int count = whole_word(argv[2], "COUNT", 1);
   const bool only_one = argc > 4;
-  const auto begin = static_cast<int>(only_one ? number_of(argv[4], "FLIP") : 0);
-  const auto end = only_one ? begin + 1 : static_cast<int>(number_of(argv[2], "COUNT"));
+  const int begin = only_one ? whole_word(argv[4], "FLIP", 0) : 0;
+  const int end = only_one ? begin + 1 : count;
   std::vector<Flip> flips;
   for (int i = begin; i < end; ++i) {
     flips.emplace_back(seed, i);
@@ -125,14 +115,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    std::fputs("board_flips IMAGE COUNT [SEED [FLIP]]\n", stderr);
-    return 2;
-  }
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return run_program(argc, argv, 2, 4, "board_flips IMAGE COUNT [SEED [FLIP]]", [&] { return run(argc, argv); });
 }

@@ -26,6 +26,12 @@ struct Pace {
   double cycles_per_access = 3.0;  ///< of a register on a peripheral bus
 };
 
+/// What a program did that its processor does not allow.
+struct Complaint {
+  double time_s;  ///< since power-up
+  std::string what;
+};
+
 /// A Cortex-M4F, by Unicorn: it runs the bytes of an image, takes exceptions, sleeps, and reaches its registers through
 /// an address space. What it does not do: enforce the memory protection unit, need the FPU to be switched on, stack an
 /// FPU context lazily.
@@ -60,7 +66,7 @@ class Processor {
 
   // ---- what was seen ----
   /// Accesses to nobody, instructions that are none: what, where, at what time. The firmware met a hard fault then.
-  std::vector<std::string> complaints{};
+  std::vector<Complaint> complaints{};
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
   /// A fault in the hard fault handler: only a reset ends it.
   [[nodiscard]] bool is_locked() const { return locked_; }

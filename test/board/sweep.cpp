@@ -4,17 +4,15 @@
 //
 //   board_sweep IMAGE INSTANTS [CYCLES_PER_INSTRUCTION]
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "board_flight.hpp"
 #include "input/scenario_file.hpp"
+#include "program.hpp"
 #include "resets.hpp"
-#include "text/error.hpp"
 
 namespace {
 
@@ -50,16 +48,6 @@ struct Row {
   }
 };
 
-template <typename T>
-T number(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0)) {
-    throw text::Error{text::ErrorKind::usage, fmt::format("{} is not a number above 0", text)};
-  }
-  return value;
-}
-
 int sweep(const Image& image, int instants, const Pace& pace) {
   const auto scenario = input::load_scenario("tasha3_launch2", {});
   BoardFlight flight{image, scenario, pace};
@@ -90,16 +78,7 @@ int sweep(const Image& image, int instants, const Pace& pace) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(stderr, "Usage: board_sweep IMAGE INSTANTS [CYCLES_PER_INSTRUCTION]\n");
-    return 64;
-  }
-  try {
-    Pace pace;
-    pace.cycles_per_instruction = argc > 3 ? number<double>(argv[3]) : pace.cycles_per_instruction;
-    return sweep(Image{argv[1]}, number<int>(argv[2]), pace);
-  } catch (const text::Error& error) {
-    fmt::print(stderr, "board_sweep: {}\n", error.what());
-    return 65;
-  }
+  return run_program(argc, argv, 2, 3, "board_sweep IMAGE INSTANTS [CYCLES_PER_INSTRUCTION]", [&] {
+    return sweep(Image{argv[1]}, whole_word(argv[2], "INSTANTS", 1), argc > 3 ? pace_word(argv[3]) : Pace{});
+  });
 }

@@ -5,10 +5,8 @@
 //   board_timing IMAGE [CYCLES_PER_INSTRUCTION ...]
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,7 +14,7 @@
 #include "board_flight.hpp"
 #include "in_fork.hpp"
 #include "input/scenario_file.hpp"
-#include "text/error.hpp"
+#include "program.hpp"
 #include "tick_meter.hpp"
 
 namespace {
@@ -75,9 +73,9 @@ struct Row {
   double least_s = 1e9, sum_s = 0.0, most_s = 0.0;
 };
 
-Row fly(const Image& image, const sim::Scenario& scenario, double cycles_per_instruction) {
+Row fly(const Image& image, const sim::Scenario& scenario, const Pace& pace) {
   std::optional<TickMeter> meter;
-  BoardFlight flight{image, scenario, Pace{.cycles_per_instruction = cycles_per_instruction}};
+  BoardFlight flight{image, scenario, pace};
   meter.emplace(image, flight.board());
   flight.step();
   meter->forget();  // the one that had begun before
@@ -103,36 +101,30 @@ Row fly(const Image& image, const sim::Scenario& scenario, double cycles_per_ins
   return row;
 }
 
-double number(std::string_view text) {
-  double value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 1.0 && value <= 20.0)) {
-    throw text::Error{text::ErrorKind::usage, fmt::format("{} is not a number from 1 to 20", text)};
-  }
-  return value;
-}
-
-int measure(const Image& image, std::vector<double> paces) {
+int measure(const Image& image, std::vector<Pace> paces) {
   const double believed = Pace{}.cycles_per_instruction;
   if (paces.empty()) {
-    paces = {1.0, believed, 2.5, 3.0, 3.5, 4.0};
+    for (const double cycles : {1.0, believed, 2.5, 3.0, 3.5, 4.0}) {
+      paces.push_back({.cycles_per_instruction = cycles});
+    }
   }
   const auto scenario = input::load_scenario("tasha3_launch2", {});
   fmt::print(
       "| cycles an instruction | longest tick, us | ticks lost | motion to pulse, ms | mean | answered |\n"
       "|---|---|---|---|---|---|\n");
   bool good = true;
-  for (const double pace : paces) {
+  for (const Pace& pace : paces) {
+    const double cycles = pace.cycles_per_instruction;
     const auto row = in_fork<Row>(most_seconds, [&] { return fly(image, scenario, pace); });
     if (!row || row->answered == 0) {
-      fmt::print("| {} | came to no end, or never under control |\n", pace);
-      good = good && pace > believed;
+      fmt::print("| {} | came to no end, or never under control |\n", cycles);
+      good = good && cycles > believed;
       continue;
     }
-    fmt::print("| {} | {:.0f} | {} | {:.2f} to {:.2f} | {:.3f} | {} of {} |\n", pace, row->longest_tick_us, row->lost,
+    fmt::print("| {} | {:.0f} | {} | {:.2f} to {:.2f} | {:.3f} | {} of {} |\n", cycles, row->longest_tick_us, row->lost,
                1e3 * row->least_s, 1e3 * row->most_s, 1e3 * row->sum_s / row->answered, row->answered, motions);
     std::fflush(stdout);
-    good = good && (pace > believed || (row->lost == 0 && row->answered == motions));
+    good = good && (cycles > believed || (row->lost == 0 && row->answered == motions));
   }
   return good ? 0 : 1;
 }
@@ -140,18 +132,11 @@ int measure(const Image& image, std::vector<double> paces) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    fmt::print(stderr, "Usage: board_timing IMAGE [CYCLES_PER_INSTRUCTION ...]\n");
-    return 64;
-  }
-  try {
-    std::vector<double> paces;
+  return run_program(argc, argv, 1, 20, "board_timing IMAGE [CYCLES_PER_INSTRUCTION ...]", [&] {
+    std::vector<Pace> paces;
     for (int i = 2; i < argc; ++i) {
-      paces.push_back(number(argv[i]));
+      paces.push_back(pace_word(argv[i]));
     }
     return measure(Image{argv[1]}, paces);
-  } catch (const text::Error& error) {
-    fmt::print(stderr, "board_timing: {}\n", error.what());
-    return 65;
-  }
+  });
 }

@@ -72,7 +72,8 @@ class Upsets : public testing::Test {
       found.restarts = board.restarts.size();
       found.last = board.restarts.back().kind;
       if (!board.processor.complaints.empty()) {
-        std::strncpy(found.complaint.data(), board.processor.complaints.back().c_str(), found.complaint.size() - 1);
+        std::strncpy(found.complaint.data(), board.processor.complaints.back().what.c_str(),
+                     found.complaint.size() - 1);
       }
       std::strncpy(found.said.data(), flight_->said().c_str() + said, found.said.size() - 1);
       return found;

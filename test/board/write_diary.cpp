@@ -47,18 +47,19 @@ void write_diary(BoardServer& server, const std::filesystem::path& folder) {
     write(folder / "board_pulses.csv", pulses_of(*board));
     write(folder / "board_can.log", traffic_of(*board));
     write(folder / "board_console.txt", server.said());
-    std::vector<std::string> in_time = board->processor.complaints;
+    std::vector<Complaint> in_time = board->processor.complaints;
     for (const Board::Restart& each : board->restarts) {
       if (each.kind != ResetKind::power_on) {
-        in_time.push_back(fmt::format("{:.6f} s: a reset: {}", each.time_s, name(each.kind)));
+        in_time.push_back({each.time_s, fmt::format("a reset: {}", name(each.kind))});
       }
     }
-    std::ranges::stable_sort(in_time, {}, [](const std::string& complaint) { return std::stod(complaint); });
+    std::ranges::stable_sort(in_time, {}, &Complaint::time_s);
     std::string complaints;
-    for (const std::vector<std::string>& some : {in_time, board->violations()}) {
-      for (const std::string& each : some) {
-        complaints += each + '\n';
-      }
+    for (const Complaint& each : in_time) {
+      complaints += fmt::format("{:.6f} s: {}\n", each.time_s, each.what);
+    }
+    for (const std::string& each : board->violations()) {
+      complaints += each + '\n';
     }
     if (!complaints.empty()) {
       write(folder / "board_complaints.txt", complaints);

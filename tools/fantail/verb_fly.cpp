@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
+#include "fantail/board_replay.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/flight_computer_option.hpp"
 #include "fantail/fly_page.hpp"
@@ -22,9 +23,6 @@
 #include "fantail/terminal.hpp"
 #include "fantail/wall_clock.hpp"
 #include "flight/fly_command.hpp"
-#include "flight_log/flight_log.hpp"
-#include "flight_log/integrity.hpp"
-#include "flight_log/regenerate.hpp"
 #include "fly/fly_scenario.hpp"
 #include "hil/wire.hpp"
 #include "report/results.hpp"
@@ -77,27 +75,6 @@ std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& sce
     give_up_if_interrupted();
     progress.show(simulated_s);
   });
-}
-
-/// Does this program make of what the board has recorded what the board has made of it?
-struct BoardReplay {
-  std::string note;
-  bool differs = false;
-};
-
-BoardReplay replay_of(const flight::Flight& flown) {
-  if (flown.log.empty()) {
-    return {.note = "Nothing was recorded, so nothing of the flight could be repeated on this computer."};
-  }
-  BoardReplay all{.note = "The flash of the board, repeated on this computer:"};
-  for (const flight_log::Flight& recorded : flight_log::parse_log(flown.log, "flight.ftl").flights) {
-    const flight_log::Regeneration replayed =
-        flight_log::replay(recorded, "flight.ftl", flight_log::plan_for_replay(recorded, "flight.ftl", {}));
-    all.note += fmt::format("{} {}", all.note.ends_with(':') ? "" : ";", flight_log::replay_text(recorded, replayed));
-    all.differs = all.differs || replayed.differing > 0;
-  }
-  all.note += '.';
-  return all;
 }
 
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
@@ -208,7 +185,7 @@ void fly_and_report(const FlyOptions& options) {
   std::ranges::copy(computer.notes(), std::back_inserter(flight.notes));
   BoardReplay replayed;
   if (options.computer.on == "board") {
-    replayed = replay_of(flight);
+    replayed = board_replay(flight.log);
     flight.notes.push_back(replayed.note);
   }
   Chapters chapters{"report", 1, "computing the figures and writing files and page"};
