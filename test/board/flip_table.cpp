@@ -18,9 +18,8 @@ long count(std::span<const Trial> trials, const Chosen& chosen) { return std::ra
 // What the safety case does not allow, or does not speak of.
 bool is_finding(const Trial& trial, core::Phase phase) {
   const bool lost = trial.outcome == Outcome::safe && core::is_flight(phase);
-  return is_beyond(trial) || lost || trial.outcome == Outcome::unnamed || trial.pins.beyond_plan > 0 ||
-         trial.outcome == Outcome::stands || trial.outcome == Outcome::no_end ||
-         trial.outcome == Outcome::ended_for_flight;
+  return is_beyond(trial) || lost || trial.outcome == Outcome::unnamed || trial.outcome == Outcome::stands ||
+         trial.outcome == Outcome::no_end || trial.outcome == Outcome::ended_for_flight;
 }
 
 std::string by_outcome(std::span<const Trial> trials, const std::vector<std::pair<std::string, Chosen>>& columns) {
@@ -117,7 +116,7 @@ std::string of_any_bit(std::span<const Trial> trials) {
 
 }  // namespace
 
-bool is_beyond(const Trial& trial) { return trial.pins.beyond_hard > 0; }
+bool is_beyond(const Trial& trial) { return trial.pins.beyond_plan > 0 || trial.pins.beyond_hard > 0; }
 
 std::string table_of(std::span<const Trial> trials, std::span<const Moment> moments) {
   std::vector<std::pair<std::string, Chosen>> by_region;

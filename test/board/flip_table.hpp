@@ -19,7 +19,7 @@ struct Moment {
 /// How many of each outcome, by region and by phase; what the pins did; and each that must not be, with its number.
 [[nodiscard]] std::string table_of(std::span<const Trial> trials, std::span<const Moment> moments);
 
-/// A whole pulse was beyond the hard limit.
+/// A whole pulse was beyond the plan's limit, or beyond the hard one.
 [[nodiscard]] bool is_beyond(const Trial& trial);
 
 }  // namespace fantail::board
