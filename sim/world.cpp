@@ -141,18 +141,21 @@ const core::TickRecord& World::tick() {
   if (down_until_) {
     follow_reset();
   }
-  if (is_down()) {
-    follow_events();
-    return *last_record_;
+  if (!is_held_down()) {
+    const bool had_tick_before = hardware_.had_tick;
+    last_record_ = &board_->tick();
+    if (!had_tick_before || !hardware_.had_tick) {
+      note_own_gap();
+    }
   }
-  const core::TickRecord& record = board_->tick();
-  phase_ = record.phase;
-  last_record_ = &record;
-  if (!gaps_.empty()) {
-    note_resume();
+  if (!is_down()) {
+    phase_ = last_record_->phase;
+    if (!gaps_.empty()) {
+      note_resume();
+    }
   }
   follow_events();
-  return record;
+  return *last_record_;
 }
 
 void World::advance() {

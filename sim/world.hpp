@@ -68,9 +68,7 @@ class World {
   const core::TickRecord& tick();
 
   /// Was there no avionics to have the last tick()?
-  [[nodiscard]] bool is_down() const {
-    return down_until_.has_value() || (faults_ && faults_->processor_stands() && last_record_ != nullptr);
-  }
+  [[nodiscard]] bool is_down() const { return is_held_down() || !hardware_.had_tick; }
 
   /// The truth that belongs to the last tick.
   [[nodiscard]] Truth truth() const;
@@ -140,8 +138,8 @@ class World {
   struct Gap {
     core::Microseconds from{};
     std::optional<core::Microseconds> to{};
-    hal::ResetCause cause{};
-    bool resumed = false;  ///< the flight went on after it
+    std::optional<hal::ResetCause> cause{};  ///< empty: ticks went missing without a reset
+    bool resumed = false;                    ///< the flight went on after it
   };
   [[nodiscard]] const std::vector<Gap>& gaps() const { return gaps_; }
 
@@ -151,6 +149,10 @@ class World {
   void follow_reset();
   void restart_board();
   void put_samples_on_clock_of_board(core::Microseconds ahead);
+  [[nodiscard]] bool is_held_down() const {
+    return down_until_.has_value() || (faults_ && faults_->processor_stands() && last_record_ != nullptr);
+  }
+  void note_own_gap();
   void note_resume();
   void spoil_hardware();
   void fill_hardware();

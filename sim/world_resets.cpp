@@ -54,6 +54,18 @@ void World::put_samples_on_clock_of_board(Microseconds ahead) {
   hardware_.encoders.time += ahead;
 }
 
+// Of an avionics that runs by itself, and of which only this is known.
+void World::note_own_gap() {
+  if (gaps_.empty() || gaps_.back().to) {
+    gaps_.push_back({.from = now_});
+  }
+  Gap& gap = gaps_.back();
+  gap.cause = hardware_.restarted_by ? hardware_.restarted_by : gap.cause;
+  if (hardware_.had_tick) {
+    gap.to = now_;
+  }
+}
+
 void World::note_resume() { gaps_.back().resumed = gaps_.back().resumed || flies(phase_); }
 
 }  // namespace fantail::sim

@@ -86,6 +86,8 @@ void visit_outputs(World& world, Visitor& visit) {
   visit(world.pulses);
   visit(world.shown);
   visit(world.watchdog_fed);
+  visit(world.had_tick);
+  visit(world.restarted_by);
 }
 
 template <typename Frame, typename Visitor>

@@ -33,6 +33,8 @@ struct WorldSide {
   std::array<std::optional<Pulse>, canards> pulses{};  ///< what the avionics wrote last
   Signal shown = Signal::safe;                         ///< by lamp and buzzer
   Microseconds watchdog_fed{};                         ///< when the avionics last completed a tick
+  bool had_tick = true;                      ///< false: an avionics that runs by itself had none in this millisecond
+  std::optional<ResetCause> restarted_by{};  ///< what began such a one anew since the tick before; empty: nothing did
 };
 
 }  // namespace fantail::hal::sim

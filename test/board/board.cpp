@@ -101,6 +101,9 @@ void Board::set_crystal(bool runs) {
 }
 
 void Board::run_until(double time_s) {
+  if (time_s <= timeline.now_s()) {
+    return;
+  }
   timeline.schedule(stop_, time_s);
   stopped_ = false;
   while (!stopped_ && timeline.now_s() < time_s) {

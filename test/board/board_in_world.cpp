@@ -34,6 +34,7 @@ constexpr double silence_s = 0.045;
 constexpr int counts_per_turn = hal::encoder_counts_per_turn;
 /// An encoder without noise at 0 is as a line that is held down.
 constexpr int least_counts = 1;
+constexpr const char* wait_function = "_ZN7fantail6boards9stm32f4058Hardware13wait_for_tickEv";
 constexpr const char* tick_function = "_ZN7fantail8avionics8Avionics4tickEv";
 
 // Read out of the memory of a 32-bit processor: no pointers in it, and every type as long there as here.
@@ -41,6 +42,26 @@ static_assert(std::is_trivially_copyable_v<core::TickRecord>);
 
 std::array<double, 3> times(const hal::Counts& counts, double scale) {
   return {counts[0] * scale, counts[1] * scale, counts[2] * scale};
+}
+
+hal::ResetCause cause_of(ResetKind kind) {
+  switch (kind) {
+    case ResetKind::power_on: return hal::ResetCause::power_on;
+    case ResetKind::brown_out: return hal::ResetCause::brown_out;
+    case ResetKind::pin: return hal::ResetCause::pin;
+    case ResetKind::software: return hal::ResetCause::software;
+    case ResetKind::watchdog: break;
+  }
+  return hal::ResetCause::watchdog;
+}
+
+std::uint32_t function_of(const Image& image, const char* name) {
+  const auto address = image.address_of(name);
+  if (!address) {
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: no avionics is in it: there is no function {}", image.file().string(), name)};
+  }
+  return *address;
 }
 
 constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
@@ -76,12 +97,9 @@ BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::Fli
 BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std::byte> flash,
                            const sim::BoardPorts& ports)
     : image_{image}, board_{image, pace}, ports_{ports} {
-  const auto tick = image.address_of(tick_function);
-  if (!tick) {
-    throw text::Error{text::ErrorKind::bad_data, fmt::format("{}: no avionics is in it: there is no function {}",
-                                                             image.file().string(), tick_function)};
-  }
-  board_.processor.on_return_of(*tick, [this](std::uint32_t record) { take_record(record); });
+  board_.processor.on_return_of(function_of(image, wait_function), [this](std::uint32_t) { has_begun_ = true; });
+  board_.processor.on_return_of(function_of(image, tick_function),
+                                [this](std::uint32_t record) { take_record(record); });
   board_.barometer.noise_counts = 10.0;
   for (devices::FakeAs5047p& encoder : board_.encoders) {
     encoder.angle = least_counts;
@@ -119,8 +137,9 @@ const core::TickRecord& BoardInWorld::tick() {
     board_.send(*frame);
   }
   until_s_ += tick_s;
-  has_record_ = false;
+  has_begun_ = has_record_ = false;
   board_.run_until(until_s_);
+  note_attendance();
   for (const hal::CanFrame& frame : board_.take_sent()) {
     (void)ports_.can_bus.send(frame);
     note_report(frame);
@@ -130,6 +149,23 @@ const core::TickRecord& BoardInWorld::tick() {
   }
   hear_pulses();
   return record_;
+}
+
+// A tick may end in the millisecond behind the one in which it began. The world's ticks follow those of a board that
+// has begun anew, which are at other instants.
+void BoardInWorld::note_attendance() {
+  const bool had_tick_before = hardware_.had_tick;
+  hardware_.had_tick = has_record_ || (had_tick_before && has_begun_);
+  if (had_tick_before) {
+    hardware_.restarted_by.reset();
+  }
+  for (; restarts_ < board_.restarts.size(); ++restarts_) {
+    hardware_.restarted_by = cause_of(board_.restarts[restarts_].kind);
+  }
+  if (has_record_ && !had_tick_before) {
+    until_s_ = last_tick_ended_s_ + idle_s;
+    board_.run_until(until_s_);
+  }
 }
 
 void BoardInWorld::show_world() {

@@ -35,13 +35,14 @@ class BoardInWorld final : public sim::FlightComputer {
 
   [[nodiscard]] Board& board() { return board_; }
   /// The avionics had a tick in the last one of the world.
-  [[nodiscard]] bool had_tick() const { return has_record_; }
+  [[nodiscard]] bool had_tick() const { return hardware_.had_tick; }
   /// What the board said of itself last, on its bus.
   [[nodiscard]] const std::optional<protocol::BoardReport>& report() const { return report_; }
 
  private:
   void await_first_rate();
   void show_world();
+  void note_attendance();
   void hear_pulses();
   void note_report(const hal::CanFrame& frame);
   void mirror(std::size_t address, std::size_t size);
@@ -52,11 +53,13 @@ class BoardInWorld final : public sim::FlightComputer {
   sim::BoardPorts ports_;
   hal::sim::WorldSide hardware_;
   core::TickRecord record_{};
-  bool has_record_ = false;
+  bool has_begun_ = false;   ///< a tick, in the last one of the world
+  bool has_record_ = false;  ///< one has ended in it
   std::optional<protocol::BoardReport> report_;
   double last_tick_ended_s_ = 0.0;
   double until_s_ = 0.0;
   std::size_t heard_ = 0;
+  std::size_t restarts_ = 1;                    ///< that were noted, its power-up among them
   std::array<double, hal::canards> heard_s_{};  ///< when the last pulse of each ended
   core::Microseconds imu_time_{-1}, second_imu_time_{-1}, accelerometer_time_{-1};
 };

@@ -26,6 +26,7 @@ void SwitchedBoard::switch_off() {
   powered_.reset();
   record_ = {};
   hardware_.pulses = {};
+  hardware_.had_tick = true;  // of the next one that is switched on
 }
 
 const core::TickRecord& SwitchedBoard::tick() {
@@ -38,6 +39,7 @@ const core::TickRecord& SwitchedBoard::tick() {
   record_ = powered_->tick();
   powered_->board().traffic.clear();  // it may run for days
   hardware_.pulses = powered_->hardware().pulses;
+  hardware_.had_tick = powered_->hardware().had_tick;
   return record_;
 }
 

@@ -88,7 +88,7 @@ void add_outages(flight::Flight& flight, const sim::World& world) {
   for (const sim::World::Gap& gap : world.gaps()) {
     all.push_back({.from_s = in_seconds(gap.from - sim::tick_time),
                    .to_s = in_seconds(gap.to),
-                   .cause = std::string{hal::name(gap.cause)},
+                   .cause = std::string{gap.cause ? hal::name(*gap.cause) : ""},
                    .resumed = gap.resumed});
   }
   std::ranges::stable_sort(all, {}, &flight::Outage::from_s);

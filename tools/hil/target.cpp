@@ -140,7 +140,8 @@ const core::TickRecord& RemoteBoard::tick() {
     world_link::visit_frame(frame, reader);
     (void)ports_.can_bus.send(frame);
   }
-  expect(reader.ok());
+  expect(reader.ok() &&
+         (!hardware_.restarted_by || static_cast<std::size_t>(*hardware_.restarted_by) < hal::reset_causes));
   return record_;
 }
 
