@@ -13,7 +13,7 @@ namespace fantail::board {
 namespace {
 
 /// Of a hundred flips.
-constexpr std::array<unsigned, regions> shares{50, 15, 5, 30};
+constexpr std::array<unsigned, regions> shares{45, 15, 5, 20, 15};
 /// All instants of a tick, of a frame of the servos, and of the time between two seals of the flight law.
 constexpr double longest_delay_s = 12e-3;
 
@@ -33,6 +33,7 @@ const char* name(Region region) {
     case Region::stack: return "stack in use";
     case Region::rest: return "rest of the RAM";
     case Region::registers: return "registers";
+    case Region::floats: return "of the FPU";
   }
   return "?";
 }
@@ -58,7 +59,8 @@ std::uint32_t MemoryMap::bytes(Region region) const {
     case Region::statics: return statics;
     case Region::stack: return stack;
     case Region::rest: return ram_end - ram_begin - statics - stack;
-    case Region::registers: break;
+    case Region::registers:
+    case Region::floats: break;
   }
   return 0;
 }
@@ -99,6 +101,12 @@ std::string Flip::happen(Board& board, const MemoryMap& map) const {
     const unsigned bit = which == 15 ? 1 + bit_ % 31 : bit_ % 32;
     board.processor.flip_register(which, bit);
     return fmt::format("r{} bit {}", which, bit);
+  }
+  if (region_ == Region::floats) {
+    const auto which = static_cast<unsigned>(place_ % Processor::float_registers);
+    board.processor.flip_float_register(which, bit_ % 32);
+    return which < Processor::float_status ? fmt::format("s{} bit {}", which, bit_ % 32)
+                                           : fmt::format("fpscr bit {}", bit_ % 32);
   }
   const std::uint32_t address = map.address(region_, static_cast<std::uint32_t>(place_ % map.bytes(region_)));
   std::byte value{};

@@ -16,8 +16,10 @@ enum class Region : std::uint8_t {
   stack,      ///< what of it was ever in use
   rest,       ///< all other RAM, where nobody looks
   registers,  ///< r0 to r15 of the core
+  floats,     ///< s0 to s31 and the status of its floating-point unit
 };
-inline constexpr std::size_t regions = 4;
+inline constexpr std::size_t regions = 5;
+[[nodiscard]] constexpr bool is_memory(Region region) { return region < Region::registers; }
 [[nodiscard]] const char* name(Region region);
 
 /// Which addresses are which, as the linker left them and as the firmware has used its stack up to now.
@@ -31,7 +33,7 @@ struct MemoryMap {
 
   /// Throws text::Error when the image does not say.
   MemoryMap(const Image& image, const Board& board);
-  [[nodiscard]] std::uint32_t bytes(Region region) const;  ///< of registers: none
+  [[nodiscard]] std::uint32_t bytes(Region region) const;  ///< of what is no memory: none
   /// The address of this byte of a region.
   [[nodiscard]] std::uint32_t address(Region region, std::uint32_t byte) const;
 };

@@ -118,9 +118,8 @@ class Flying {
       trial_.pc = board.processor.program_counter();
       const std::string place = flip_.happen(board, map_);
       put(place, trial_.place);
-      put(image_.where(flip_.region() == Region::registers
-                           ? trial_.pc
-                           : static_cast<std::uint32_t>(std::stoul(place, nullptr, 16))),
+      put(image_.where(!is_memory(flip_.region()) ? trial_.pc
+                                                  : static_cast<std::uint32_t>(std::stoul(place, nullptr, 16))),
           trial_.symbol);
     });
     board.timeline.schedule(event_, event_s);

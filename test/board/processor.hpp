@@ -62,6 +62,10 @@ class Processor {
   /// take place behind the instructions that run just now.
   void jump(std::uint32_t address, bool masked);
   void flip_register(unsigned number, unsigned bit);  ///< 0 to 15; of the program counter bit 0 is none
+  static constexpr unsigned float_status = 32;
+  static constexpr unsigned float_registers = 33;
+  void flip_float_register(unsigned number, unsigned bit);  ///< s0 to s31, and the unit's status
+  [[nodiscard]] std::uint32_t float_register(unsigned number) const;
   void move_stack(std::uint32_t address);
 
   // ---- what was seen ----

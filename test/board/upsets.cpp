@@ -7,6 +7,13 @@
 #include "processor.hpp"
 
 namespace fantail::board {
+namespace {
+
+int float_register_id(unsigned number) {
+  return number == Processor::float_status ? UC_ARM_REG_FPSCR : UC_ARM_REG_S0 + static_cast<int>(number);
+}
+
+}  // namespace
 
 void Processor::upset(std::function<void()> what) {
   upset_ = std::move(what);
@@ -32,6 +39,12 @@ void Processor::flip_register(unsigned number, unsigned bit) {
     set(which, get(which) ^ 1U << bit);
   });
 }
+
+void Processor::flip_float_register(unsigned number, unsigned bit) {
+  upset([=, this] { set(float_register_id(number), float_register(number) ^ 1U << bit); });
+}
+
+std::uint32_t Processor::float_register(unsigned number) const { return get(float_register_id(number)); }
 
 void Processor::move_stack(std::uint32_t address) {
   upset([=, this] { set(UC_ARM_REG_SP, address); });

@@ -126,6 +126,21 @@ TEST_F(Upsets, AStackPointerOutsideOfTheMemoryEndsInAReset) {
   EXPECT_NE(shown.complaint[0], '\0');
 }
 
+// Between two ticks, when nobody computes.
+TEST_F(Upsets, ABitOfTheFloatingPointUnitTurnsOverAlone) {
+  for (const unsigned number : {0U, 17U, Processor::float_status}) {
+    const auto changed = in_fork<std::uint32_t>(20, [number] {
+      Board& board = flight_->board();
+      const std::uint32_t before = board.processor.float_register(number);
+      board.timeline.schedule(board.timeline.add([&] { board.processor.flip_float_register(number, 23); }),
+                              board.now_s() + 50e-6);
+      board.run_until(board.now_s() + 100e-6);
+      return before ^ board.processor.float_register(number);
+    });
+    EXPECT_EQ(changed, 1U << 23U) << number;
+  }
+}
+
 // 9 deg of 10 us each is what this plan allows a canard, and 20 deg what is compiled in.
 TEST_F(Upsets, APulseBeyondThePlanAndBeyondTheHardLimitIsFound) {
   core::FlightPlan plan = scenario_->plan;
