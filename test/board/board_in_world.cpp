@@ -177,17 +177,22 @@ void BoardInWorld::show_world() {
     device.force_g = times(sample.specific_force, double{scale.specific_force_m_s2} / standard_gravity_m_s2);
   };
   show(board_.imu, hardware_.imu, hardware_.imu_scale);
-  board_.imu.frozen = std::exchange(imu_time_, hardware_.imu.time) == hardware_.imu.time;
+  // One that is dead has no time either, and the device here answers nothing at all.
+  const auto repeats = [](auto& device, const auto& sample, core::Microseconds& before) {
+    const bool dead = sample.status == hal::Status::no_reading && before.count() > 0;
+    device.stuck_at = dead ? std::optional<std::uint8_t>{0} : std::nullopt;
+    return !dead && std::exchange(before, sample.time) == sample.time;
+  };
+  board_.imu.frozen = repeats(board_.imu, hardware_.imu, imu_time_);
   board_.second_imu.stopped = !hardware_.second_imu_is_fitted;
   board_.barometer.stuck_at = hardware_.barometer_is_fitted ? std::nullopt : std::optional<std::uint8_t>{0xFF};
   if (hardware_.second_imu_is_fitted) {
     show(board_.second_imu, hardware_.second_imu, hardware_.second_imu_scale);
-    board_.second_imu.stopped = std::exchange(second_imu_time_, hardware_.second_imu.time) == hardware_.second_imu.time;
+    board_.second_imu.stopped = repeats(board_.second_imu, hardware_.second_imu, second_imu_time_);
   }
   board_.accelerometer.force_g =
       times(hardware_.accelerometer.specific_force, double{hardware_.accelerometer_scale_m_s2} / standard_gravity_m_s2);
-  board_.accelerometer.frozen =
-      std::exchange(accelerometer_time_, hardware_.accelerometer.time) == hardware_.accelerometer.time;
+  board_.accelerometer.frozen = repeats(board_.accelerometer, hardware_.accelerometer, accelerometer_time_);
   if (hardware_.barometer_is_fitted) {
     board_.barometer.pressure_pa = hardware_.barometer.pressure_pa;
   }

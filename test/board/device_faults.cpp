@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the flashed image does when a device fails: from power-up on, and in a flight under control.
 //
-//   board_faults IMAGE [DEVICE]
+//   board_faults IMAGE TABLE [DEVICE]
 //
-// DEVICE: only the rows whose device begins so. Two rows at a time.
+// TABLE: device_faults.txt, which says what is to come of each; DEVICE: only the rows whose device begins so. Two rows
+// at a time.
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -83,7 +85,37 @@ void work(const Image& image, const std::vector<DeviceFault>& faults, const std:
   }
 }
 
-int run(const Image& image, const std::string& device) {
+std::string with_names(const std::string& what, const DeviceTrial& trial) {
+  return what + (trial.named[0] == '\0' ? "" : std::string{": "} + trial.named.data());
+}
+
+// As TABLE has it: what hangs on the speed of the firmware is not in it.
+std::string line_of(const DeviceFault& fault, const Row& row) {
+  const DeviceTrial& boot = row.at_boot;
+  const DeviceTrial& flight = row.in_flight;
+  const bool goes_on = flight.phase == core::Phase::controlling;
+  const std::string reset = flight.restarts > 0 ? "reset, " : "";
+  return fmt::format(
+      "| {} | {} | {} | {} |", fault.device, fault.how,
+      with_names(boot.phase == core::Phase::armed ? "armed" : "not armed", boot),
+      with_names(reset + (goes_on ? "control goes on" : fmt::format("control ends ({})", core::name(flight.reason))),
+                 flight));
+}
+
+std::vector<std::string> lines_of(const std::string& table) {
+  std::ifstream file{table};
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) {
+    lines.push_back(line);
+  }
+  if (lines.empty()) {
+    throw fantail::text::Error{fantail::text::ErrorKind::bad_data, table + ": there is no table"};
+  }
+  return lines;
+}
+
+int run(const Image& image, const std::string& table, const std::string& device) {
+  const std::vector<std::string> expected = lines_of(table);
   std::vector<DeviceFault> faults = device_faults();
   std::erase_if(faults, [&](const DeviceFault& fault) { return !fault.device.starts_with(device); });
   if (faults.empty()) {
@@ -117,12 +149,19 @@ int run(const Image& image, const std::string& device) {
     print_flight(faults[row.fault], row.in_flight);
     bad = bad || is_bad(faults[row.fault], row.in_flight);
   }
+  for (const Row& row : rows) {
+    const std::string line = line_of(faults[row.fault], row);
+    if (std::ranges::find(expected, line) == expected.end()) {
+      fmt::print("not in {}:\n{}\n", table, line);
+      bad = true;
+    }
+  }
   return bad ? 1 : 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program(argc, argv, 1, 2, "board_faults IMAGE [DEVICE]",
-                     [&] { return run(Image{argv[1]}, argc > 2 ? argv[2] : ""); });
+  return run_program(argc, argv, 2, 3, "board_faults IMAGE TABLE [DEVICE]",
+                     [&] { return run(Image{argv[1]}, argv[2], argc > 3 ? argv[3] : ""); });
 }

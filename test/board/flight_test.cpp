@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
@@ -133,6 +134,23 @@ TEST_F(FlashedImage, OneThatCrashesInFlightHasFailedAndTheFirstThatWasWrongIsNam
   const std::string all{std::istreambuf_iterator<char>{complaints}, {}};
   EXPECT_THAT(all, HasSubstr(" s: a reset: software\n"));
   EXPECT_THAT(all, HasSubstr("an access to 0x60000000, where nothing is"));
+}
+
+TEST_F(FlashedImage, SensorsThatAreDeadInTheWorldDoNotAnswerOnTheBoard) {
+  const Image image{image_file};
+  const test::Folder folder;
+  std::ifstream shipped{std::string{FANTAIL_TEST_SOURCE} + "/sim/scenarios/tasha3_launch2.toml"};
+  std::string scenario{std::istreambuf_iterator<char>{shipped}, {}};
+  for (const auto* device : {"imu", "accelerometer"}) {
+    scenario += fmt::format(
+        "\n[[faults]]\nkind = \"device\"\ndevice = \"{}\"\nbehaviour = \"dead\"\nfrom_s = 1\nuntil_s = 9\n", device);
+  }
+  const auto faulty = input::load_scenario(folder.write("faulty.toml", scenario), {});
+  BoardFlight flight{image, faulty};
+  ASSERT_TRUE(flight.fly_to(core::Phase::controlling, 30.0));
+  flight.fly_for(1.3);
+  EXPECT_THAT(flight.faults(), HasSubstr("imu_silent"));
+  EXPECT_THAT(flight.faults(), HasSubstr("accelerometer_silent"));
 }
 
 TEST_F(FlashedImage, FaultsThatAVirtualBoardCannotHaveAreRefused) {

@@ -44,7 +44,7 @@ STEPS = [
         ("board_resets", "Every kind of reset of the flashed image, over a servo frame", "instants of each kind", 64,
          "board_sweep build/arm/fantail-stm32f405.elf {n}", []),
         ("board_devices", "Each device of the flashed image's board broken, at boot and under control", "campaign", 1,
-         "board_faults build/arm/fantail-stm32f405.elf", []),
+         "board_faults build/arm/fantail-stm32f405.elf test/board/device_faults.txt", []),
         ("board_timing", "Ticks of the flashed image, and its answers to a motion", "flight of each pace", 1,
          "board_timing build/arm/fantail-stm32f405.elf", [])]],
     ("proofs", "Every proof, with its seeded bugs", "run", 1,
