@@ -29,6 +29,9 @@ constexpr Microseconds support_time{100'000};
 
 constexpr Microseconds longest_bridge{1'000'000};  // far beyond what a reset takes; it bounds the work
 constexpr Microseconds bridge_step{1'000};
+/// All of them are in one tick, which has a millisecond: of a longer gap each is longer, up to 4 ms, and a rocket at
+/// the end of a gyro's range turns by 8 degrees in it.
+constexpr int most_bridge_steps = 251;
 
 Vector3f eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
 Vector3 plain(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }
@@ -120,10 +123,10 @@ void MotionEstimator::bridge(const Inputs& inputs) {
   gyro_gate_.skip_to(end);
 }
 
-// As many steps as there would have been ticks: a rotation in one is exact for small angles only.
+// As many steps as there would have been ticks, up to a bound: a rotation in one is exact for small angles only.
 void MotionEstimator::turn_evenly(Microseconds time, const Vector3& last_rate_rad_s) {
   const Microseconds gap = std::clamp(time, Microseconds{0}, longest_bridge);
-  const auto steps = static_cast<int>(gap / bridge_step + 1);
+  const int steps = std::min(static_cast<int>(gap / bridge_step + 1), most_bridge_steps);
   const Vector3 change = minus(last_rate_rad_s, rate_rad_s_);
   const auto rate_after = [&](int step) {
     const float share = static_cast<float>(step) / static_cast<float>(steps);

@@ -18,6 +18,7 @@
 #include "resets.hpp"
 #include "system/folder.hpp"
 #include "system/process.hpp"
+#include "tick_meter.hpp"
 
 namespace fantail::board {
 namespace {
@@ -136,21 +137,27 @@ TEST_F(FlashedImage, OneThatCrashesInFlightHasFailedAndTheFirstThatWasWrongIsNam
   EXPECT_THAT(all, HasSubstr("an access to 0x60000000, where nothing is"));
 }
 
-TEST_F(FlashedImage, SensorsThatAreDeadInTheWorldDoNotAnswerOnTheBoard) {
+// What a gyro has missed is made up for in the tick of its return.
+TEST_F(FlashedImage, SensorsThatAreDeadInTheWorldDoNotAnswerOnTheBoardAndNoTickIsLateWhenTheyReturn) {
   const Image image{image_file};
   const test::Folder folder;
   std::ifstream shipped{std::string{FANTAIL_TEST_SOURCE} + "/sim/scenarios/tasha3_launch2.toml"};
   std::string scenario{std::istreambuf_iterator<char>{shipped}, {}};
   for (const auto* device : {"imu", "accelerometer"}) {
     scenario += fmt::format(
-        "\n[[faults]]\nkind = \"device\"\ndevice = \"{}\"\nbehaviour = \"dead\"\nfrom_s = 1\nuntil_s = 9\n", device);
+        "\n[[faults]]\nkind = \"device\"\ndevice = \"{}\"\nbehaviour = \"dead\"\nfrom_s = 1\nuntil_s = 1.85\n", device);
   }
-  const auto faulty = input::load_scenario(folder.write("faulty.toml", scenario), {});
+  const std::vector<std::string> changes{"motion.longest_gyro_gap_s=1"};
+  const auto faulty = input::load_scenario(folder.write("faulty.toml", scenario), input::parse_overrides(changes));
   BoardFlight flight{image, faulty};
+  const TickMeter meter{image, flight.board()};
   ASSERT_TRUE(flight.fly_to(core::Phase::controlling, 30.0));
-  flight.fly_for(1.3);
+  flight.fly_for(1.2);
   EXPECT_THAT(flight.faults(), HasSubstr("imu_silent"));
   EXPECT_THAT(flight.faults(), HasSubstr("accelerometer_silent"));
+  flight.fly_for(0.8);
+  EXPECT_EQ(flight.record().phase, core::Phase::controlling);
+  EXPECT_LT(meter.longest_s(), 0.8e-3);
 }
 
 TEST_F(FlashedImage, FaultsThatAVirtualBoardCannotHaveAreRefused) {
