@@ -9,6 +9,14 @@ using protocol::ArmAction;
 using protocol::ArmReply;
 using protocol::SelfTestState;
 
+namespace {
+
+/// Sensors of a board test themselves for more than a second after its power-up.
+constexpr hal::Microseconds patience{1'000'000};
+constexpr hal::Microseconds between_tries{250'000};
+
+}  // namespace
+
 void PadCrew::act(hal::Microseconds now) {
   if (stage_ == Stage::done) {
     bus_.pass_over();
@@ -17,9 +25,12 @@ void PadCrew::act(hal::Microseconds now) {
   const std::optional<ArmReply> reply = newest_reply();
   const bool failed = stage_ == Stage::testing && reply && reply->self_test == SelfTestState::failed;
   const bool refused = reply && reply->refusal != protocol::ArmRefusal::none;
-  if (stage_ == Stage::waiting && now >= arm_time_) {
+  if (stage_ == Stage::waiting && now >= next_try_) {
     stage_ = Stage::testing;
     send(ArmAction::self_test);
+  } else if ((failed || refused) && stage_ == Stage::testing && now < arm_time_ + patience) {
+    stage_ = Stage::waiting;
+    next_try_ = now + between_tries;
   } else if (stage_ == Stage::testing && reply && reply->self_test == SelfTestState::passed) {
     stage_ = Stage::asking;
     send(ArmAction::begin);

@@ -11,7 +11,8 @@
 namespace fantail::sim {
 
 /// The people at the pad, as the avionics knows them: a hand on the arm switch, and a PC on the bus that asks for the
-/// self-test, then for a nonce, and confirms it. They give up on the first refusal.
+/// self-test, then for a nonce, and confirms it. A self-test that is refused or fails they ask for again, for a second;
+/// they give up on any other refusal.
 class PadCrew {
  public:
   PadCrew(hal::sim::CanWire& wire, hal::Microseconds arm_time) : bus_{wire}, arm_time_{arm_time} {}
@@ -19,7 +20,7 @@ class PadCrew {
   /// Once a tick, before the avionics has its own.
   void act(hal::Microseconds now);
 
-  [[nodiscard]] bool switch_closed() const { return stage_ != Stage::waiting; }
+  [[nodiscard]] bool switch_closed() const { return stage_ != Stage::waiting || next_try_ != arm_time_; }
 
   /// In the tunnel: ask for control to start. Says nothing when the avionics was never armed.
   void start_tunnel();
@@ -36,6 +37,7 @@ class PadCrew {
 
   hal::sim::CanBus bus_;
   hal::Microseconds arm_time_;
+  hal::Microseconds next_try_ = arm_time_;
   Stage stage_ = Stage::waiting;
   protocol::FrameCounter counter_;
   std::optional<std::uint32_t> nonce_;

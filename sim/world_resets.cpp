@@ -54,14 +54,17 @@ void World::put_samples_on_clock_of_board(Microseconds ahead) {
   hardware_.encoders.time += ahead;
 }
 
-// Of an avionics that runs by itself, and of which only this is known.
+// Of an avionics that runs by itself, and of which only this is known. Without a reset nothing was lost: it started, or
+// a tick was late.
 void World::note_own_gap() {
   if (gaps_.empty() || gaps_.back().to) {
     gaps_.push_back({.from = now_});
   }
   Gap& gap = gaps_.back();
   gap.cause = hardware_.restarted_by ? hardware_.restarted_by : gap.cause;
-  if (hardware_.had_tick) {
+  if (hardware_.had_tick && !gap.cause) {
+    gaps_.pop_back();
+  } else if (hardware_.had_tick) {
     gap.to = now_;
   }
 }

@@ -86,12 +86,7 @@ std::vector<std::byte> flash_with(const core::FlightPlan& plan, const hal::Flash
 BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, const core::FlightPlan& plan,
                            const sim::BoardPorts& ports)
     : BoardInWorld{image, pace, flash_with(plan, ports.flash.geometry()), ports} {
-  for (std::size_t i = 0; i < hal::canards; ++i) {
-    const double turns = double{plan.canards.each[i].encoder_zero.radians()} / (2.0 * std::numbers::pi);
-    const auto counts = static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * counts_per_turn));
-    board_.encoders[i].angle = static_cast<std::uint16_t>(std::max(counts % counts_per_turn, least_counts));
-  }
-  await_first_rate();
+  board_.flash.on_change = [this](std::size_t address, std::size_t size) { mirror(address, size); };
 }
 
 BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std::byte> flash,
@@ -108,23 +103,6 @@ BoardInWorld::BoardInWorld(const Image& image, const Pace& pace, std::vector<std
   board_.flash.cells = std::move(flash);
   board_.imu.force_g = board_.second_imu.force_g = board_.accelerometer.force_g = {1.0, 0.0, 0.0};
   board_.switch_on();
-}
-
-// At rest on the pad, until the self-test of the IMU is over and its first samples have come, a second or so later;
-// then to where the avionics waits for its next tick.
-void BoardInWorld::await_first_rate() {
-  const auto sees = [this] { return has_record_ && record_.motion.gyro == core::SensorState::fresh; };
-  while (!sees() && board_.now_s() < most_start_s) {
-    board_.run_until(board_.now_s() + 0.1 * tick_s);
-  }
-  if (!sees()) {
-    throw text::Error{text::ErrorKind::bad_data, fmt::format("the image has not come to its first rate in {} s; {}",
-                                                             most_start_s, board_.state(image_))};
-  }
-  until_s_ = last_tick_ended_s_ + idle_s;
-  board_.run_until(until_s_);
-  ports_.console.write(std::exchange(board_.console, {}));
-  board_.flash.on_change = [this](std::size_t address, std::size_t size) { mirror(address, size); };
 }
 
 const core::TickRecord& BoardInWorld::tick() {
@@ -151,8 +129,8 @@ const core::TickRecord& BoardInWorld::tick() {
   return record_;
 }
 
-// A tick may end in the millisecond behind the one in which it began. The world's ticks follow those of a board that
-// has begun anew, which are at other instants.
+// From its power-up on there are none for as long as it starts. A tick may end in the millisecond behind the one in
+// which it began. The world's ticks follow those of a board that has begun anew, which are at other instants.
 void BoardInWorld::note_attendance() {
   const bool had_tick_before = hardware_.had_tick;
   hardware_.had_tick = has_record_ || (had_tick_before && has_begun_);
@@ -162,6 +140,11 @@ void BoardInWorld::note_attendance() {
   for (; restarts_ < board_.restarts.size(); ++restarts_) {
     hardware_.restarted_by = cause_of(board_.restarts[restarts_].kind);
   }
+  if (!has_ever_ticked_ && !has_record_ && board_.now_s() > most_start_s) {
+    throw text::Error{text::ErrorKind::bad_data, fmt::format("the image has not come to its first tick in {} s; {}",
+                                                             most_start_s, board_.state(image_))};
+  }
+  has_ever_ticked_ = has_ever_ticked_ || has_record_;
   if (has_record_ && !had_tick_before) {
     until_s_ = last_tick_ended_s_ + idle_s;
     board_.run_until(until_s_);
@@ -179,7 +162,7 @@ void BoardInWorld::show_world() {
   show(board_.imu, hardware_.imu, hardware_.imu_scale);
   // One that is dead has no time either, and the device here answers nothing at all.
   const auto repeats = [](auto& device, const auto& sample, core::Microseconds& before) {
-    const bool dead = sample.status == hal::Status::no_reading && before.count() > 0;
+    const bool dead = sample.status == hal::Status::no_reading;
     device.stuck_at = dead ? std::optional<std::uint8_t>{0} : std::nullopt;
     return !dead && std::exchange(before, sample.time) == sample.time;
   };

@@ -19,8 +19,8 @@ namespace fantail::board {
 /// A virtual board in a simulated world: its sensors measure what the world says, and the world hears the pulses at its
 /// pins, reads its console, and has its bus and what it writes into its flash.
 ///
-/// The world's time begins with the first tick of the avionics, so that the board has been on for as long as a start
-/// takes. From then on a tick of the world is a millisecond of the board, and has one of the avionics.
+/// The world's time begins with its power-up. A tick of the world is a millisecond of the board, and has one of the
+/// avionics while that runs.
 class BoardInWorld final : public sim::FlightComputer {
  public:
   /// The image and the ports outlive it. `plan` goes into the flash before the board is switched on. Throws text::Error
@@ -40,7 +40,6 @@ class BoardInWorld final : public sim::FlightComputer {
   [[nodiscard]] const std::optional<protocol::BoardReport>& report() const { return report_; }
 
  private:
-  void await_first_rate();
   void show_world();
   void note_attendance();
   void hear_pulses();
@@ -55,6 +54,7 @@ class BoardInWorld final : public sim::FlightComputer {
   core::TickRecord record_{};
   bool has_begun_ = false;   ///< a tick, in the last one of the world
   bool has_record_ = false;  ///< one has ended in it
+  bool has_ever_ticked_ = false;
   std::optional<protocol::BoardReport> report_;
   double last_tick_ended_s_ = 0.0;
   double until_s_ = 0.0;
