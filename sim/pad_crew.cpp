@@ -18,11 +18,14 @@ constexpr hal::Microseconds between_tries{250'000};
 }  // namespace
 
 void PadCrew::act(hal::Microseconds now) {
-  if (stage_ == Stage::done) {
+  if (stage_ == Stage::done && !refusal_) {
     bus_.pass_over();
     return;
   }
   const std::optional<ArmReply> reply = newest_reply();
+  if (stage_ == Stage::done) {
+    return;  // and still hears which faults the board tells
+  }
   const bool failed = stage_ == Stage::testing && reply && reply->self_test == SelfTestState::failed;
   const bool refused = reply && reply->refusal != protocol::ArmRefusal::none;
   if (stage_ == Stage::waiting && now >= next_try_) {
@@ -58,12 +61,18 @@ std::optional<ArmReply> PadCrew::newest_reply() {
     return newest;
   }
   static const std::uint16_t arm_reply_id = encode(ArmReply{}).id;
+  static const std::uint16_t board_report_id = encode(protocol::BoardReport{}).id;
   while (const auto frame = bus_.receive()) {
-    if (frame->id != arm_reply_id) {
+    if (frame->id != arm_reply_id && frame->id != board_report_id) {
       continue;
     }
     const auto decoded = protocol::decode_from_avionics(avionics::bus_frame(*frame));
-    if (decoded.message) {
+    if (!decoded.message) {
+      continue;
+    }
+    if (const auto* board = std::get_if<protocol::BoardReport>(&*decoded.message)) {
+      board_faults_ |= board->faults;
+    } else {
       newest = std::get<ArmReply>(*decoded.message);
     }
   }

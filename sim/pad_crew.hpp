@@ -28,6 +28,9 @@ class PadCrew {
   /// What the avionics answered when it would not be armed.
   [[nodiscard]] const std::optional<protocol::ArmReply>& refusal() const { return refusal_; }
 
+  /// All faults that the board has told by then, as BoardReport has them.
+  [[nodiscard]] std::uint32_t board_faults() const { return board_faults_; }
+
  private:
   enum class Stage : std::uint8_t { waiting, testing, asking, confirming, done };
 
@@ -42,6 +45,7 @@ class PadCrew {
   protocol::FrameCounter counter_;
   std::optional<std::uint32_t> nonce_;
   std::optional<protocol::ArmReply> refusal_;
+  std::uint32_t board_faults_ = 0;
 };
 
 }  // namespace fantail::sim

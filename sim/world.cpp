@@ -269,6 +269,8 @@ void World::spoil_hardware() {
 
 std::optional<protocol::ArmReply> World::refusal_to_arm() const { return pad_ ? pad_->crew.refusal() : std::nullopt; }
 
+std::uint32_t World::faults_told_to_crew() const { return pad_ ? pad_->crew.board_faults() : 0; }
+
 std::span<const std::byte> World::recorded() const {
   const auto map = pad_ ? avionics::flash_map(pad_->flash.geometry()) : std::nullopt;
   if (!map) {

@@ -112,6 +112,8 @@ class World {
 
   /// What the avionics answered the world's own pad crew when it would not be armed.
   [[nodiscard]] std::optional<protocol::ArmReply> refusal_to_arm() const;
+  /// What it told them meanwhile of its board, a bit for each hal::BoardFault.
+  [[nodiscard]] std::uint32_t faults_told_to_crew() const;
 
   /// Past burn-out and apogee, or past the end of control in the tunnel, by the scenario's time.
   [[nodiscard]] bool over() const { return end_ && now_ >= *end_; }

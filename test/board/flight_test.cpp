@@ -129,7 +129,7 @@ TEST_F(FlashedImage, OneThatCrashesInFlightHasFailedAndTheFirstThatWasWrongIsNam
       {.working_folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 74) << outcome.out;
   EXPECT_THAT(outcome.err, ContainsRegex("not all was well on the board: .* s: an access to 0x60000000"));
-  EXPECT_THAT(outcome.out, HasSubstr("Not all was well on the board: "));
+  EXPECT_THAT(outcome.out, HasSubstr("Not all was well on the board, by the time since its power-up: "));
   EXPECT_THAT(outcome.out, HasSubstr("The processor was reset (software): no tick is on record from "));
   std::ifstream complaints{folder.path() / "flown" / "board_complaints.txt"};
   const std::string all{std::istreambuf_iterator<char>{complaints}, {}};

@@ -2,8 +2,10 @@
 #include "write_diary.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,10 +16,12 @@ namespace fantail::board {
 namespace {
 
 void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out;
-  out.exceptions(std::ios::failbit | std::ios::badbit);
-  out.open(file, std::ios::binary);
+  std::ofstream out{file, std::ios::binary};
   out << text;
+  out.close();
+  if (!out) {
+    throw std::system_error{errno, std::generic_category(), file.string()};
+  }
 }
 
 std::string pulses_of(const Board& board) {

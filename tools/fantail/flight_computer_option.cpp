@@ -17,6 +17,7 @@
 #include "fantail/progress.hpp"
 #include "hil/wire.hpp"
 #include "text/number.hpp"
+#include "text/output_folder.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -91,9 +92,11 @@ FlightComputerOption::FlightComputerOption(const FlightComputerOptions& options)
 }
 
 FlightComputerOption::Diary::Diary() {
-  std::string name = std::filesystem::temp_directory_path() / "fantail-board-XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::system_error{errno, std::generic_category(), name};
+  std::error_code failed;
+  std::string name = std::filesystem::temp_directory_path(failed) / "fantail-board-XXXXXX";
+  if (failed || ::mkdtemp(name.data()) == nullptr) {
+    throw text::OutputError{fmt::format("the folder for temporary files (TMPDIR): {}",
+                                        failed ? failed.message() : std::generic_category().message(errno))};
   }
   folder = name;
 }
@@ -140,7 +143,7 @@ std::vector<std::string> FlightComputerOption::notes() const {
     notes.push_back(text::counted(overruns, "tick") + " took the flight computer longer than a millisecond.");
   }
   if (!complaint_.empty()) {
-    notes.push_back("Not all was well on the board: " + complaint_ + ".");
+    notes.push_back("Not all was well on the board, by the time since its power-up: " + complaint_ + ".");
   }
   if (const std::uint32_t again = target_->link().asked_again(); again != 0) {
     notes.push_back(text::counted(again, "message was", "messages were") +

@@ -25,6 +25,7 @@
 #include "flight/fly_command.hpp"
 #include "fly/fly_scenario.hpp"
 #include "hil/wire.hpp"
+#include "input/fault_file.hpp"
 #include "report/results.hpp"
 #include "text/quoting.hpp"
 #include "trajectory/trajectory.hpp"
@@ -78,32 +79,38 @@ std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& sce
 }
 
 void check_faults(const FlyOptions& options, const sim::Scenario& scenario) {
-  const auto resets = [](const sim::Fault& fault) { return std::holds_alternative<sim::Reset>(fault.how); };
-  if (options.computer.on == "host") {
+  const std::string& on = options.computer.on;
+  if (on == "host") {
     return;
   }
-  if (std::ranges::find(scenario.faults, sim::Device::memory, &sim::Fault::device) != scenario.faults.end()) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("{}: faults.device = \"memory\" cannot be flown with --on {}; allowed: --on host",
-                                  scenario.name, options.computer.on)};
-  }
-  if (options.computer.on == "board") {
-    using sim::Device;
-    refuse_faults(scenario, {Device::flash, Device::supply, Device::processor, Device::barometer},
-                  "with --on board, which has its own flash, supply, processor and barometer");
-    for (const sim::Fault& fault : scenario.faults) {
-      if (std::holds_alternative<sim::Delayed>(fault.how) && fault.device != Device::servo) {
-        throw text::Error{text::ErrorKind::bad_configuration,
-                          fmt::format("{}: faults.behaviour = \"delayed\" cannot be flown with --on board, where a "
-                                      "sensor answers when it is asked; allowed: the others",
-                                      scenario.name)};
+  const auto refuse = [&](const std::string& fault, const std::string& why) {
+    throw text::Error{
+        text::ErrorKind::bad_configuration,
+        fmt::format("{}: {} cannot be flown with --on {}{}; allowed: --on host", scenario.name, fault, on, why)};
+  };
+  using sim::Device;
+  for (const sim::Fault& fault : scenario.faults) {
+    if (std::holds_alternative<sim::Reset>(fault.how)) {
+      refuse("faults.kind = \"reset\"", "");
+    }
+    const std::string device = fmt::format("faults.device = \"{}\"", input::name(fault.device));
+    if (fault.device == Device::memory) {
+      refuse(device, "");
+    }
+    if (on != "board") {
+      continue;
+    }
+    for (const Device own : {Device::flash, Device::supply, Device::processor, Device::barometer}) {
+      if (fault.device == own) {
+        refuse(device, ", which has its own");
       }
     }
-  }
-  if (std::ranges::any_of(scenario.faults, resets)) {
-    throw text::Error{text::ErrorKind::bad_configuration,
-                      fmt::format("{}: faults.kind = \"reset\" cannot be flown with --on {}; allowed: --on host",
-                                  scenario.name, options.computer.on)};
+    if (fault.device != Device::servo && std::holds_alternative<sim::Delayed>(fault.how)) {
+      refuse(device + " with faults.behaviour = \"delayed\"", ", where a sensor answers when it is asked");
+    }
+    if (fault.device == Device::encoder && sim::is(fault, sim::Behaviour::nan)) {
+      refuse(device + " with faults.behaviour = \"nan\"", ", whose encoders send no reading beyond a turn");
+    }
   }
 }
 
@@ -216,6 +223,9 @@ void fly_and_report(const FlyOptions& options) {
   if (!computer.complaint().empty()) {
     throw hil::TargetError{fmt::format("not all was well on the board: {}; all of it is in {}/board_complaints.txt",
                                        computer.complaint(), where)};
+  }
+  if (options.computer.on == "board" && !flight.outages.empty() && !flight.outages.back().to_s) {
+    throw hil::TargetError{"the processor of the board stopped, and nothing reset it"};
   }
   if (replayed.differs) {
     throw hil::TargetError{replayed.note};

@@ -98,6 +98,17 @@ void add_outages(flight::Flight& flight, const sim::World& world) {
   }
 }
 
+/// "imu_silent, flash_failed", of a bit for each.
+std::string named(std::uint32_t faults) {
+  std::string names;
+  for (std::size_t i = 0; i < hal::board_faults; ++i) {
+    if ((faults >> i & 1U) != 0) {
+      names += (names.empty() ? "" : ", ") + std::string{hal::name(static_cast<hal::BoardFault>(i))};
+    }
+  }
+  return names;
+}
+
 std::string why_not_armed(const sim::World& world, const sim::Scenario& scenario) {
   constexpr double self_test_s = 7.5;
   const auto refusal = world.refusal_to_arm();
@@ -108,6 +119,12 @@ std::string why_not_armed(const sim::World& world, const sim::Scenario& scenario
         "its self-test takes about seven seconds, and {:g} s after its start {} (timing.arm_time_s, timing.pad_time_s)",
         left_s,
         scenario.surroundings != sim::Surroundings::flight ? "the start command came" : "the motor was ignited");
+  }
+  const bool is_of_board =
+      refusal->refusal == protocol::ArmRefusal::board_fault ||
+      (refusal->refusal == protocol::ArmRefusal::none && refusal->failure == protocol::SelfTestFailure::board_fault);
+  if (const std::string faults = named(world.faults_told_to_crew()); is_of_board && !faults.empty()) {
+    return "the avionics refused to be armed: the board has a fault: " + faults;
   }
   return "the avionics refused to be armed: " + (refusal->refusal != protocol::ArmRefusal::none
                                                      ? replies::sentence(refusal->refusal)
