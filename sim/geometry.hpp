@@ -16,7 +16,7 @@ struct Geometry {
 
   /// Flat trapezoids, evenly spaced around the body, their root chord along it.
   struct FinSet {
-    int count = 4;              ///< 2 to 8; canards are four
+    int count = 4;              ///< 1 to 8; of the fins at least three, and four canards
     double position_m = 0.0;    ///< where the leading edge meets the body
     double root_chord_m = 0.0;  ///< above zero
     double tip_chord_m = 0.0;   ///< not negative
@@ -24,6 +24,13 @@ struct Geometry {
     double sweep_m = 0.0;       ///< how far behind the root's leading edge that of the tip is; negative: swept forward
     double thickness_m = 0.003;
     double cant_rad = 0.0;  ///< all turned alike: positive rolls the rocket as positive canards do
+  };
+
+  /// Fins beside the fins and the canards. One or two hold the rocket in one plane more than in the other.
+  struct MoreFins {
+    std::string name;
+    double first_angle_rad = 0.0;  ///< of the first one around the body, from anywhere that all sets count from
+    FinSet set;
   };
 
   /// A length over which the diameter changes; behind it the body goes on with the new one.
@@ -56,11 +63,12 @@ struct Geometry {
 
   NoseShape nose_shape = NoseShape::ogive;
   double nose_length_m = 0.0;
-  double diameter_m = 0.0;  ///< of nose and body: a calibre
-  double length_m = 0.0;    ///< of the whole rocket
-  std::optional<Transition> transition{};
+  double diameter_m = 0.0;                ///< of nose and body: a calibre
+  double length_m = 0.0;                  ///< of the whole rocket
+  std::vector<Transition> transitions{};  ///< from nose to tail, none within another
   std::optional<FinSet> fins{};
   std::optional<FinSet> canards{};
+  std::vector<MoreFins> more_fins{};
   std::optional<double> canard_hinge_m{};  ///< the shaft, behind the leading edge at the root
   std::vector<Mass> masses{};
   std::optional<Mass> propellant{};  ///< where it lies; its mass is the motor's

@@ -44,8 +44,9 @@ struct Vehicle {
   RollPlant roll_plant{};
   /// 95 % of what the reference area may truly be, from and to; empty: nothing is said of it. For predictions.
   std::vector<double> reference_area_range_m2;
-  ThrustCurve motor;                          ///< with the factor
+  ThrustCurve motor;                          ///< of all motors, with the factor
   double thrust_factor = 1.0;                 ///< over the curve of its file
+  int motor_count = 1;                        ///< of a cluster: all of one kind, lit at once
   std::optional<Airframe> airframe;           ///< empty: the rocket moves along straight lines only
   std::vector<std::string> airframe_assumed;  ///< of the airframe, a sentence each
   std::optional<Geometry> geometry;           ///< empty: nobody has described it

@@ -55,7 +55,7 @@ sim::Vehicle shipped() {
 
 TEST_F(NewRocketFiles, HaveTheShapeThatTheyWereMadeFromAndItsNumbers) {
   sim::Vehicle source = shipped();
-  source.geometry->transition = {.position_m = 1.1, .length_m = 0.1, .aft_diameter_m = 0.07};
+  source.geometry->transitions = {{.position_m = 1.1, .length_m = 0.1, .aft_diameter_m = 0.07}};
   source.geometry->fins->cant_rad = 0.02;
   source.geometry->nose_shape = sim::Geometry::NoseShape::haack;
   const sim::Vehicle made = made_from(source).vehicle;

@@ -28,9 +28,9 @@ TEST(Geometry, IsReadEachIntoItsOwnField) {
   EXPECT_DOUBLE_EQ(shape.diameter_m, 0.08);
   EXPECT_DOUBLE_EQ(shape.length_m, 1.51);
   EXPECT_DOUBLE_EQ(shape.nose_length_m, 0.24);
-  EXPECT_DOUBLE_EQ(shape.transition->position_m, 1.0);
-  EXPECT_DOUBLE_EQ(shape.transition->length_m, 0.1);
-  EXPECT_DOUBLE_EQ(shape.transition->aft_diameter_m, 0.06);
+  EXPECT_DOUBLE_EQ(shape.transitions.at(0).position_m, 1.0);
+  EXPECT_DOUBLE_EQ(shape.transitions.at(0).length_m, 0.1);
+  EXPECT_DOUBLE_EQ(shape.transitions.at(0).aft_diameter_m, 0.06);
   EXPECT_EQ(shape.fins->count, 3);
   EXPECT_DOUBLE_EQ(shape.fins->cant_rad, 2.0 * sim::radians_per_degree);
   EXPECT_DOUBLE_EQ(shape.fins->root_chord_m, 0.18);
@@ -101,13 +101,13 @@ TEST(Geometry, OfPartsOutsideTheRocketIsRefused) {
       << refusal({"canard_fins.position_m=1.4"});
   EXPECT_EQ(refusal({"canard_fins.hinge_m=0.04"}),
             "--set canard_fins.hinge_m=0.04: canard_fins.hinge_m = 0.04; allowed: at most root_chord_m, 0.035");
-  const std::string long_tube = refusal({"masses.lengths_m=[0.24, 0.4, 0.25, 1.4, 0.18, 0.3]"});
+  const std::string long_tube = refusal({"masses.lengths_m=[0.24, 0.4, 0.25, 1.5, 0.18, 0.3]"});
   EXPECT_EQ(long_tube.substr(long_tube.find("masses.")),
-            "masses.positions_m = 0.87 for \"body tube\", 1.4 m long, reaches out of the rocket; "
-            "allowed: a position that keeps it within 0 and shape.length_m = 1.51");
+            "masses.positions_m = 0.87 for \"body tube\", 1.5 m long, reaches out of the rocket; "
+            "allowed: a position that keeps it within 0 and 1.59, a diameter behind shape.length_m = 1.51");
   const std::string long_propellant = refusal({"masses.propellant_length_m=0.5"});
   EXPECT_NE(long_propellant.find("for the propellant, 0.5 m long, reaches out of the rocket; allowed: a position that "
-                                 "keeps it within 0 and shape.length_m = 1.51"),
+                                 "keeps it within 0 and 1.59, a diameter behind shape.length_m = 1.51"),
             std::string::npos)
       << long_propellant;
   EXPECT_EQ(refusal({"shape.diameter_m=1.6"}),
@@ -126,9 +126,46 @@ TEST(Geometry, OfATransitionNeedsAllOfIt) {
     changes.push_back(std::string{"shape.transition_position_m="} + position_m);
     return refusal(changes);
   };
-  EXPECT_NE(at("0.2").find("is on the nose"), std::string::npos);
+  EXPECT_NE(at("0.2").find("is too far forwards; allowed: at least shape.nose_length_m"), std::string::npos);
   EXPECT_NE(at("1.45").find("at most the distance to the tail"), std::string::npos);
-  EXPECT_NE(at("1.35").find("fins.position_m = 1.33 puts them on the transition"), std::string::npos);
+}
+
+TEST(Geometry, OfMoreTransitionsAndFinsIsInListsOfOneLength) {
+  const std::vector<std::string> first{"shape.transition_position_m=1", "shape.transition_length_m=0.1",
+                                       "shape.transition_diameter_m=0.06"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), first.begin(), first.end());
+    return more;
+  };
+  const std::vector<std::string> second{"more_transitions.positions_m=[1.2]", "more_transitions.lengths_m=[0.05]"};
+  const auto second_and = [&](const char* last) {
+    std::vector<std::string> all = second;
+    all.emplace_back(last);
+    return with(all);
+  };
+  const sim::Geometry shape = *vehicle(second_and("more_transitions.diameters_m=[0.07]")).geometry;
+  ASSERT_EQ(shape.transitions.size(), 2U);
+  EXPECT_DOUBLE_EQ(shape.transitions[1].position_m, 1.2);
+  EXPECT_DOUBLE_EQ(shape.transitions[1].aft_diameter_m, 0.07);
+  EXPECT_NE(refusal(second_and("more_transitions.diameters_m=[0.07, 0.08]"))
+                .find("diameters_m has 2 numbers; allowed: as many as positions_m, 1"),
+            std::string::npos);
+  EXPECT_NE(refusal(with({"more_transitions.positions_m=[1.05]", "more_transitions.lengths_m=[0.05]",
+                          "more_transitions.diameters_m=[0.07]"}))
+                .find("= 1.05 (number 1) is too far forwards; allowed: at least the end of the one before, 1.1"),
+            std::string::npos);
+  const std::vector<std::string> wings{"more_fins.names=[\"Wings\"]", "more_fins.positions_m=[0.9]",
+                                       "more_fins.root_chords_m=[0.1]", "more_fins.tip_chords_m=[0.05]",
+                                       "more_fins.spans_m=[0.2]"};
+  std::vector<std::string> two = wings;
+  two.emplace_back("more_fins.counts=[2]");
+  const sim::Geometry winged = *vehicle(two).geometry;
+  ASSERT_EQ(winged.more_fins.size(), 1U);
+  EXPECT_EQ(winged.more_fins[0].set.count, 2);
+  EXPECT_EQ(winged.more_fins[0].name, "Wings");
+  EXPECT_NE(refusal(wings).find("counts"), std::string::npos);
+  two.back() = "more_fins.counts=[2, 3]";
+  EXPECT_NE(refusal(two).find("counts has 2 numbers; allowed: as many as names, 1"), std::string::npos);
 }
 
 TEST(Geometry, OfADesignNeedsTheNameOfItsFile) {

@@ -22,12 +22,18 @@ using text::fixed;
 constexpr double mass_tolerance = 0.02;
 constexpr double tolerance_calibres = 0.2;
 
-/// At an angle of attack the lift of the body adds to that of nose and fins, at a place of its own.
-double centre_of_pressure_m(const model::BuildUp& b, const sim::Geometry& shape, double angle_rad) {
+/// At an angle of attack the lift of the body adds to that of nose and fins, at a place of its own. Where planes
+/// differ, a design does not say which one its own belongs to: any between the worst and the best does.
+double centre_of_pressure_m(const model::BuildUp& b, const sim::Geometry& shape, const Design& design) {
   const double cross_section_m2 = 0.25 * std::numbers::pi * shape.diameter_m * shape.diameter_m;
-  const double body = b.body_lift_area_m2 / cross_section_m2 * std::sin(angle_rad);
+  const double body = b.body_lift_area_m2 / cross_section_m2 * std::sin(design.angle_of_attack_rad);
   const double rest = b.normal_force_slope_per_rad.value;
-  return (rest * b.centre_of_pressure_m.value + body * b.body_lift_position_m) / (rest + body);
+  const double mean_m = (rest * b.centre_of_pressure_m.value + body * b.body_lift_position_m) / (rest + body);
+  if (!b.worst_centre_of_pressure_m || !design.centre_of_pressure_m) {
+    return mean_m;
+  }
+  const double apart_m = b.centre_of_pressure_m.value - b.worst_centre_of_pressure_m->value;
+  return std::clamp(*design.centre_of_pressure_m, mean_m - apart_m, mean_m + apart_m);
 }
 
 /// The centre of gravity at lift-off, and those that it may have under thrust.
@@ -48,7 +54,7 @@ Gravity gravity_of(const Summary& summary, const sim::Vehicle& vehicle) {
 class Comparison {
  public:
   Comparison(Summary& summary, const sim::Vehicle& vehicle)
-      : summary_{summary}, shape_{*vehicle.geometry}, calibre_m_{shape_.diameter_m} {}
+      : summary_{summary}, calibre_m_{model::largest_diameter_m(*vehicle.geometry)} {}
 
   void mass(std::optional<double> stored_kg, double ours_kg) {
     if (stored_kg) {
@@ -90,7 +96,6 @@ class Comparison {
   }
 
   Summary& summary_;
-  const sim::Geometry& shape_;
   double calibre_m_;
   std::size_t compared_ = 0;
 };
@@ -127,7 +132,7 @@ void compare_with_design(Summary& summary, const sim::Vehicle& vehicle) {
   comparison.mass(design.mass_kg, vehicle.mass_kg);
   comparison.centre("the centre of gravity at lift-off", design.centre_of_gravity_m, gravity.at_liftoff_m);
   comparison.centre("the centre of pressure", design.centre_of_pressure_m,
-                    centre_of_pressure_m(summary.build_up, *vehicle.geometry, design.angle_of_attack_rad));
+                    centre_of_pressure_m(summary.build_up, *vehicle.geometry, design));
   const bool has_centres = design.centre_of_gravity_m && design.centre_of_pressure_m;
   if (!has_centres) {
     comparison.margin(design.margin_calibres, gravity, pressure_m);

@@ -48,7 +48,8 @@ std::vector<result::Block> margin_over_time(const sim::Vehicle& vehicle, const S
         std::string{"Not shown over time: the centre of gravity is not known both at lift-off and after burn-out. It "
                     "follows from [masses] with the propellant's position, or from [airframe]."}};
   }
-  const model::Estimate& shape = summary.build_up.centre_of_pressure_m;
+  const model::Estimate& shape = model::least_centre_of_pressure_m(summary.build_up);
+  const double calibre_m = model::largest_diameter_m(*vehicle.geometry);
   page::Series by_shape{.name = "with the shape's centre of pressure", .role = Role::model};
   page::Area range{.name = "with the range of the shape", .role = Role::model};
   page::Series by_file{.name = "with the file's, as in flights", .role = Role::measured};
@@ -59,7 +60,7 @@ std::vector<result::Block> margin_over_time(const sim::Vehicle& vehicle, const S
         sim::burning_rocket(balance->airframe, {.mass_kg = balance->mass_kg, .propellant_kg = motor.propellant_kg()},
                             motor.impulse_until(time_s) / motor.impulse_n_s())
             .centre_of_gravity_m;
-    const auto margin = [&](double pressure_m) { return (pressure_m - gravity_m) / vehicle.geometry->diameter_m; };
+    const auto margin = [&](double pressure_m) { return (pressure_m - gravity_m) / calibre_m; };
     by_shape.x.push_back(time_s);
     by_shape.y.push_back(margin(shape.value));
     range.low.push_back(margin(shape.low));

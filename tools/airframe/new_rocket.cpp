@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <numbers>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -48,23 +48,55 @@ std::string fin_set(const char* section, const Geometry::FinSet& set) {
   return out;
 }
 
+/// "key = [1, 2]", one entry each.
+template <typename Thing, typename Text>
+std::string row(const char* key, std::span<const Thing> things, const Text& text_of) {
+  std::string line = fmt::format("{} = [", key);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    line += (i == 0 ? "" : ", ") + text_of(things[i]);
+  }
+  return line + "]\n";
+}
+
+std::string more_transitions(const Geometry& shape) {
+  if (shape.transitions.size() < 2) {
+    return "";
+  }
+  const auto more = std::span{shape.transitions}.subspan(1);
+  using Transition = Geometry::Transition;
+  return "\n[more_transitions]\n" + row("positions_m", more, [](const Transition& t) { return exact(t.position_m); }) +
+         row("lengths_m", more, [](const Transition& t) { return exact(t.length_m); }) +
+         row("diameters_m", more, [](const Transition& t) { return exact(t.aft_diameter_m); });
+}
+
+std::string more_fins(const Geometry& shape) {
+  if (shape.more_fins.empty()) {
+    return "";
+  }
+  const std::span<const Geometry::MoreFins> all = shape.more_fins;
+  using Fins = Geometry::MoreFins;
+  return "\n[more_fins]\n" + row("names", all, [](const Fins& f) { return text::toml_text(f.name); }) +
+         row("counts", all, [](const Fins& f) { return fmt::format("{}", f.set.count); }) +
+         row("first_angles_deg", all, [](const Fins& f) { return exact(text::degrees(f.first_angle_rad)); }) +
+         row("positions_m", all, [](const Fins& f) { return exact(f.set.position_m); }) +
+         row("root_chords_m", all, [](const Fins& f) { return exact(f.set.root_chord_m); }) +
+         row("tip_chords_m", all, [](const Fins& f) { return exact(f.set.tip_chord_m); }) +
+         row("spans_m", all, [](const Fins& f) { return exact(f.set.span_m); }) +
+         row("sweeps_m", all, [](const Fins& f) { return exact(f.set.sweep_m); }) +
+         row("cants_deg", all, [](const Fins& f) { return exact(text::degrees(f.set.cant_rad)); });
+}
+
 std::string masses(const Geometry& shape) {
   if (shape.masses.empty()) {
     return "";
   }
-  const auto row = [&](const char* key, const std::function<std::string(const Geometry::Mass&)>& value_of) {
-    std::string line = fmt::format("{} = [", key);
-    for (std::size_t i = 0; i < shape.masses.size(); ++i) {
-      line += (i == 0 ? "" : ", ") + value_of(shape.masses[i]);
-    }
-    return line + "]\n";
-  };
+  const std::span<const Geometry::Mass> all = shape.masses;
   std::string out = "\n[masses]\n";
-  out += row("names", [](const Geometry::Mass& m) { return text::toml_text(m.name); });
-  out += row("masses_kg", [](const Geometry::Mass& m) { return exact(m.mass_kg); });
-  out += row("positions_m", [](const Geometry::Mass& m) { return exact(m.position_m); });
-  out += row("lengths_m", [](const Geometry::Mass& m) { return exact(m.length_m); });
-  out += row("radii_of_gyration_m", [](const Geometry::Mass& m) { return exact(m.radius_of_gyration_m); });
+  out += row("names", all, [](const Geometry::Mass& m) { return text::toml_text(m.name); });
+  out += row("masses_kg", all, [](const Geometry::Mass& m) { return exact(m.mass_kg); });
+  out += row("positions_m", all, [](const Geometry::Mass& m) { return exact(m.position_m); });
+  out += row("lengths_m", all, [](const Geometry::Mass& m) { return exact(m.length_m); });
+  out += row("radii_of_gyration_m", all, [](const Geometry::Mass& m) { return exact(m.radius_of_gyration_m); });
   if (const auto& propellant = shape.propellant) {
     out += fmt::format("propellant_position_m = {}\npropellant_length_m = {}\npropellant_radius_of_gyration_m = {}\n",
                        exact(propellant->position_m), exact(propellant->length_m),
@@ -100,10 +132,12 @@ std::string shape_sections(const sim::Vehicle& vehicle) {
   out += fmt::format("diameter_m = {}\nlength_m = {}\nnose = \"{}\"\nnose_length_m = {}\n", exact(shape.diameter_m),
                      exact(shape.length_m), nose_names.at(static_cast<std::size_t>(shape.nose_shape)),
                      exact(shape.nose_length_m));
-  if (const auto& transition = shape.transition) {
+  if (!shape.transitions.empty()) {
+    const Geometry::Transition& first = shape.transitions.front();
     out += fmt::format("transition_position_m = {}\ntransition_length_m = {}\ntransition_diameter_m = {}\n",
-                       exact(transition->position_m), exact(transition->length_m), exact(transition->aft_diameter_m));
+                       exact(first.position_m), exact(first.length_m), exact(first.aft_diameter_m));
   }
+  out += more_transitions(shape);
   if (shape.canards) {
     out += fin_set("canard_fins", *shape.canards);
     out += shape.canard_hinge_m ? fmt::format("hinge_m = {}\n", exact(*shape.canard_hinge_m)) : "";
@@ -114,7 +148,7 @@ std::string shape_sections(const sim::Vehicle& vehicle) {
     out +=
         shape.fins->cant_rad != 0.0 ? fmt::format("cant_deg = {}\n", exact(text::degrees(shape.fins->cant_rad))) : "";
   }
-  return out + masses(shape) + (shape.design ? design_section(*shape.design) : "");
+  return out + more_fins(shape) + masses(shape) + (shape.design ? design_section(*shape.design) : "");
 }
 
 std::string airframe_section(const Geometry& shape, const model::BuildUp& b) {
@@ -221,7 +255,8 @@ std::string vehicle_file(const NewRocket& rocket, const model::BuildUp& b) {
   out += kept_in("aerodynamics", rocket);
   const std::string airframe = airframe_section(*v.geometry, b);
   out += airframe + (airframe.empty() ? "" : kept_in("airframe", rocket)) + shape_sections(v);
-  out += fmt::format("\n[motor]\nfile = {}\n{}", text::toml_text(rocket.motor_file), kept_in("motor", rocket));
+  out += fmt::format("\n[motor]\nfile = {}\n{}{}", text::toml_text(rocket.motor_file),
+                     v.motor_count > 1 ? fmt::format("count = {}\n", v.motor_count) : "", kept_in("motor", rocket));
   return out + kept_sections(rocket);
 }
 
@@ -233,7 +268,7 @@ NewFiles files_of(const NewRocket& rocket) {
   const std::string first_line = fmt::format("# {}. Made by fantail new.\n", rocket.name);
   core::FlightPlan usual = core::default_plan();
   usual.guide.minimum_speed_m_s = 17.0F;  // as in plan_text
-  const FinOffset offset = fin_offset(*rocket.vehicle.geometry, b);
+  const FinOffset offset = fin_offset(b);
   const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual, text::radians(offset.angle_deg));
   NewFiles made{.files = {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
                           {.name = "plan.toml", .content = first_line + plan_file(first, usual)},

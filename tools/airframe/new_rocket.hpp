@@ -70,7 +70,7 @@ struct FinOffset {
   double angle_deg;
   std::string sentence;
 };
-[[nodiscard]] FinOffset fin_offset(const sim::Geometry& shape, const model::BuildUp& computed);
+[[nodiscard]] FinOffset fin_offset(const model::BuildUp& computed);
 
 /// The scenario of a new rocket: in six degrees of freedom and wind, or along a straight line.
 [[nodiscard]] std::string scenario_file(const FinOffset& offset, bool in_six_dof);

@@ -45,10 +45,10 @@ constexpr std::string_view wind_spread =
 
 }  // namespace
 
-FinOffset fin_offset(const sim::Geometry& shape, const model::BuildUp& b) {
+FinOffset fin_offset(const model::BuildUp& b) {
   constexpr double usual_deg = 3.0;
   constexpr double most_deg = 45.0;  // of a scenario
-  const double cant_deg = b.cant_as_canards ? text::degrees(shape.fins->cant_rad * b.cant_as_canards->value) : 0.0;
+  const double cant_deg = b.roll_torque_m3 ? text::degrees(b.canted_torque_m3 / b.roll_torque_m3->value) : 0.0;
   if (cant_deg == 0.0) {
     return {usual_deg, "Fin offset: 3 deg, not measured."};
   }

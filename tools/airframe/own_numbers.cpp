@@ -54,6 +54,7 @@ void add_balance(std::vector<SaidTwice>& all, const model::MassSum& parts, const
 
 std::vector<SaidTwice> said_twice(const model::BuildUp& b, const sim::Vehicle& vehicle, bool parts_weigh_the_same) {
   const sim::Geometry& shape = *vehicle.geometry;
+  const double calibre_m = model::largest_diameter_m(shape);
   const auto& airframe = vehicle.airframe;
   std::vector<SaidTwice> all;
   if (airframe) {
@@ -63,10 +64,10 @@ std::vector<SaidTwice> said_twice(const model::BuildUp& b, const sim::Vehicle& v
     return all;
   }
   if (airframe && b.at_liftoff) {
-    add_balance(all, *b.at_liftoff, airframe->at_liftoff, shape.diameter_m, true);
+    add_balance(all, *b.at_liftoff, airframe->at_liftoff, calibre_m, true);
   }
   if (airframe && b.after_burnout) {
-    add_balance(all, *b.after_burnout, airframe->after_burnout, shape.diameter_m, false);
+    add_balance(all, *b.after_burnout, airframe->after_burnout, calibre_m, false);
   }
   if (b.at_liftoff) {
     all.push_back(inertia("the roll inertia at lift-off", vehicle.roll_plant.inertia_kg_m2, "[body]",

@@ -28,19 +28,26 @@ struct Scale {
 
 double widest_m(const sim::Geometry& shape) {
   double radius_m = 0.5 * shape.diameter_m;
-  if (shape.transition) {
-    radius_m = std::max(radius_m, 0.5 * shape.transition->aft_diameter_m);
+  for (const sim::Geometry::Transition& transition : shape.transitions) {
+    radius_m = std::max(radius_m, 0.5 * transition.aft_diameter_m);
   }
   double span_m = 0.0;
   for (const auto& set : {shape.fins, shape.canards}) {
     span_m = std::max(span_m, set ? set->span_m : 0.0);
   }
+  for (const sim::Geometry::MoreFins& more : shape.more_fins) {
+    span_m = std::max(span_m, more.set.span_m);
+  }
   return radius_m + span_m;
 }
 
 double longest_m(const sim::Geometry& shape) {
-  const auto& fins = shape.fins;
-  return std::max(shape.length_m, fins ? fins->position_m + fins->sweep_m + fins->tip_chord_m : 0.0);
+  const auto end_m = [](const sim::Geometry::FinSet& set) { return set.position_m + set.sweep_m + set.tip_chord_m; };
+  double end = std::max(shape.length_m, shape.fins ? end_m(*shape.fins) : 0.0);
+  for (const sim::Geometry::MoreFins& more : shape.more_fins) {
+    end = std::max(end, end_m(more.set));
+  }
+  return end;
 }
 
 std::string body(const sim::Geometry& shape, const Scale& scale) {
@@ -98,6 +105,9 @@ std::string side_view(const sim::Geometry& shape, const Summary& summary, double
   svg += body(shape, scale);
   if (shape.fins) {
     svg += fins(shape, *shape.fins, "measured", scale);
+  }
+  for (const sim::Geometry::MoreFins& more : shape.more_fins) {
+    svg += fins(shape, more.set, "measured", scale);
   }
   if (shape.canards) {
     svg += fins(shape, *shape.canards, "model", scale);

@@ -42,6 +42,9 @@ void add_body(Summary& summary, const sim::Vehicle& vehicle) {
                            file(&sim::Airframe::normal_force_slope_per_rad), 2});
   summary.lines.push_back(
       {"centre of pressure", "m", b.centre_of_pressure_m, file(&sim::Airframe::centre_of_pressure_m), 3});
+  if (b.worst_centre_of_pressure_m) {
+    summary.lines.push_back({"centre of pressure, worst plane", "m", b.worst_centre_of_pressure_m, {}, 3});
+  }
   summary.lines.push_back(
       {"spread of the parts", "m", exactly(b.parts_spread_m), file(&sim::Airframe::parts_spread_m), 3});
   summary.lines.push_back(
@@ -110,7 +113,8 @@ void add_roll(Summary& summary, const sim::Vehicle& vehicle) {
 
 void judge(Summary& summary, const sim::Vehicle& vehicle) {
   const model::BuildUp& b = summary.build_up;
-  const double calibre_m = vehicle.geometry->diameter_m;
+  const Estimate& pressure = model::least_centre_of_pressure_m(b);
+  const double calibre_m = model::largest_diameter_m(*vehicle.geometry);
   struct Case {
     const char* when;
     std::optional<double> gravity_m;
@@ -129,9 +133,9 @@ void judge(Summary& summary, const sim::Vehicle& vehicle) {
     if (!c.gravity_m) {
       continue;
     }
-    const Estimate margin{.value = (b.centre_of_pressure_m.value - *c.gravity_m) / calibre_m,
-                          .low = (b.centre_of_pressure_m.low - *c.gravity_m) / calibre_m,
-                          .high = (b.centre_of_pressure_m.high - *c.gravity_m) / calibre_m};
+    const Estimate margin{.value = (pressure.value - *c.gravity_m) / calibre_m,
+                          .low = (pressure.low - *c.gravity_m) / calibre_m,
+                          .high = (pressure.high - *c.gravity_m) / calibre_m};
     const std::optional<double> file =
         airframe ? std::optional{(airframe->centre_of_pressure_m - *c.gravity_m) / calibre_m} : std::nullopt;
     summary.lines.push_back({fmt::format("static margin {}{}", c.when, airframe ? ", file's centre of gravity" : ""),
@@ -147,7 +151,8 @@ void judge(Summary& summary, const sim::Vehicle& vehicle) {
         "from [airframe].";
     return;
   }
-  const std::string range = fmt::format("{} calibres {} ({} to {} by the method's error)", fixed(least->value, 2), when,
+  const std::string range = fmt::format("{} calibres {}{} ({} to {} by the method's error)", fixed(least->value, 2),
+                                        when, b.worst_centre_of_pressure_m ? ", in the worst plane" : "",
                                         fixed(least->low, 2), fixed(least->high, 2));
   if (least->high < 0.0) {
     summary.stability = Stability::unstable;
@@ -181,7 +186,7 @@ void judge_by_file(Summary& summary, const sim::Vehicle& vehicle) {
                            : shape_is_unstable || file_is_unstable ? "Unstable, and doubtful"
                                                                    : "Doubtful";
   const double gravity_m = file.centre_of_pressure_m - margin_m;
-  const double calibre_m = vehicle.geometry->diameter_m;
+  const double calibre_m = model::largest_diameter_m(*vehicle.geometry);
   summary.stability = shape_is_unstable || file_is_unstable ? Stability::unstable : Stability::doubtful;
   summary.sentence = fmt::format(
       "{}: the file's centre of pressure, which flights use, gives a static margin of {} calibres {}; the shape gives "

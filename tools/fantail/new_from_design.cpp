@@ -2,15 +2,21 @@
 #include "fantail/new_from_design.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "airframe/openrocket/solids.hpp"
 #include "input/messages.hpp"
+#include "input/vehicle_file.hpp"
+#include "text/error.hpp"
 
 namespace fantail::tool {
 namespace {
@@ -48,12 +54,12 @@ Case case_of(const openrocket::MotorPlace& place, const input::RaspMotor& motor,
 void add_motor(sim::Geometry& shape, const openrocket::MotorPlace& place, const input::RaspMotor& motor,
                std::vector<std::string>& assumed) {
   const Case size = case_of(place, motor, assumed);
-  sim::Geometry::Mass part{.name = "motor case",
-                           .mass_kg = motor.total_kg - motor.curve.propellant_kg(),
+  sim::Geometry::Mass part{.name = place.count > 1 ? "motor cases" : "motor case",
+                           .mass_kg = place.count * (motor.total_kg - motor.curve.propellant_kg()),
                            .position_m = place.end_m - 0.5 * size.length_m,
                            .length_m = size.length_m,
-                           .radius_of_gyration_m = 0.35 * size.diameter_m};
-  openrocket::shorten_to_rocket(part, shape.length_m);
+                           .radius_of_gyration_m = std::hypot(0.35 * size.diameter_m, place.ring_m)};
+  openrocket::shorten_to_rocket(part, shape.length_m + shape.diameter_m);
   shape.masses.push_back(part);
   shape.propellant = part;
   assumed.emplace_back("Propellant: taken to be as long as the motor case.");
@@ -78,13 +84,24 @@ sim::Geometry::Design stored(const openrocket::Design& design, const std::string
   result.centre_of_gravity_m = flown->centre_of_gravity_m;
   result.centre_of_pressure_m = flown->centre_of_pressure_m;
   result.angle_of_attack_rad = flown->angle_of_attack_rad;
-  if (!design.geometry.transition) {  // with one, a calibre may be another diameter
-    result.margin_calibres = flown->margin_calibres;
-  }
+  result.margin_calibres = flown->margin_calibres;
   return result;
 }
 
 }  // namespace
+
+bool is_openrocket(const std::string& file) {
+  std::string end = std::filesystem::path{file}.extension().string();
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const auto& [other, program] : {std::pair{".rkt", "RockSim"}, std::pair{".cdx1", "RASAero"}}) {
+    if (end == other) {
+      throw text::Error{text::ErrorKind::bad_data,
+                        fmt::format("{}: a design of {}, which is not read; open it in OpenRocket and save it as .ork",
+                                    file, program)};
+    }
+  }
+  return end == ".ork";
+}
 
 airframe::NewRocket rocket_of_design(const openrocket::Design& design, const std::string& file,
                                      const input::RaspMotor& motor) {
@@ -95,16 +112,21 @@ airframe::NewRocket rocket_of_design(const openrocket::Design& design, const std
                              .source = on_one_line(file + (design.name.empty() ? "" : ", \"" + design.name + '"')),
                              .assumed = design.assumed};
   sim::Vehicle& vehicle = rocket.vehicle;
-  vehicle.motor = motor.curve;
+  vehicle.motor_count = design.motor ? design.motor->count : 1;
+  vehicle.motor = input::motors(motor.curve, vehicle.motor_count, 1.0);
   vehicle.geometry = design.geometry;
   sim::Geometry& shape = *vehicle.geometry;
+  if (vehicle.motor_count > 1) {
+    rocket.assumed.push_back(fmt::format("Motors: {} of {}, as the design has them in its cluster, all lit at once.",
+                                         vehicle.motor_count, on_one_line(motor.name)));
+  }
   if (design.motor) {
     add_motor(shape, *design.motor, motor, rocket.assumed);
   } else {
     rocket.assumed.emplace_back("Motor: the design does not give its position, so balance and inertia are unknown.");
   }
   shape.design = stored(design, file, motor);
-  vehicle.mass_kg = motor.curve.propellant_kg();
+  vehicle.mass_kg = vehicle.motor.propellant_kg();
   for (const sim::Geometry::Mass& mass : shape.masses) {
     vehicle.mass_kg += mass.mass_kg;
   }

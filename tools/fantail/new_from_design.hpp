@@ -9,6 +9,9 @@
 
 namespace fantail::tool {
 
+/// By the end of its name. Throws text::Error (bad_data) for a design of another program.
+[[nodiscard]] bool is_openrocket(const std::string& file);
+
 /// The rocket of a design from a file of this name, with this motor in its mount. The numbers that the file has stored
 /// of a flight with it go along, for comparison.
 [[nodiscard]] airframe::NewRocket rocket_of_design(const airframe::openrocket::Design& design, const std::string& file,

@@ -36,6 +36,7 @@ struct NewOptions {
   std::string name;
   std::string from;
   std::optional<std::string> motor;
+  std::string canards;
 };
 
 /// A motor as the new vehicle can name it: a shipped name stays one, another file is copied beside the vehicle.
@@ -106,7 +107,8 @@ airframe::NewRocket from_vehicle(const NewOptions& options, const std::string& f
   rocket.motor = motor.copy();
   keep_equipment(document, same_motor, rocket);
   if (!same_motor) {
-    rocket.vehicle.motor = input::load_rasp(motor.file, motor.designation).curve;
+    rocket.vehicle.motor =
+        input::motors(input::load_rasp(motor.file, motor.designation).curve, rocket.vehicle.motor_count, 1.0);
     rocket.vehicle.mass_kg += rocket.vehicle.motor.propellant_kg() - own_propellant_kg;
     if (auto& design = rocket.vehicle.geometry->design) {
       design = sim::Geometry::Design{.file = design->file, .left_out = design->left_out};
@@ -123,7 +125,7 @@ airframe::NewRocket from_vehicle(const NewOptions& options, const std::string& f
 }
 
 airframe::NewRocket from_design(const NewOptions& options) {
-  const airframe::openrocket::Design design = airframe::openrocket::read_design(options.from);
+  const airframe::openrocket::Design design = airframe::openrocket::read_design(options.from, options.canards);
   if (!options.motor) {
     std::string motors;
     for (const auto& motor : design.motor ? design.motor->motors : std::vector<airframe::openrocket::NamedMotor>{}) {
@@ -210,7 +212,10 @@ std::filesystem::path new_folder(const std::string& name) {
 
 void make(const NewOptions& options) {
   const std::filesystem::path folder = new_folder(options.name);
-  const bool is_design = std::filesystem::path{options.from}.extension() == ".ork";
+  const bool is_design = is_openrocket(options.from);
+  if (!is_design && !options.canards.empty()) {
+    throw UsageError{"--canards chooses among the fins of an OpenRocket file; a vehicle says it by [canard_fins]"};
+  }
   const std::string source =
       is_design ? options.from : input::find_input(input::Shipped::vehicle, options.from).string();
   airframe::NewRocket rocket = is_design ? from_design(options) : from_vehicle(options, source);
@@ -264,6 +269,10 @@ void fill(const Verb& verb) {
               "Its motor, a RASP file [that of the vehicle; required for an OpenRocket file]")
       .offers(shipped(input::Shipped::motor))
       .value_name("NAME|FILE");
+  verb.option(
+          "--canards", options->canards,
+          "The fins of an OpenRocket file that are the canards, by their name [four ahead of the fins, and smaller]")
+      .value_name("NAME");
   verb.examples(
       "Examples:\n"
       "  fantail new my_rocket --from tasha3_launch2          vehicle, plan and scenario in my_rocket/, to be edited\n"

@@ -133,7 +133,7 @@ const Thing& made(const std::optional<Thing>& thing) {
   return thing ? *thing : usual;
 }
 
-/// The place of slot `i` of a list that grows as it is read.
+/// The place of slot `i` of a list that grows as it is read; the usual one where it has not grown so far.
 template <typename Value>
 Value& grown(std::vector<Value>& values, std::size_t i) {
   values.resize(std::max(values.size(), i + 1));
@@ -141,7 +141,8 @@ Value& grown(std::vector<Value>& values, std::size_t i) {
 }
 template <typename Value>
 const Value& grown(const std::vector<Value>& values, std::size_t i) {
-  return values[i];
+  static const Value usual{};
+  return i < values.size() ? values[i] : usual;
 }
 
 /// File values of a key that must be there; the place of a word for a choice. Throws text::Error.

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 5> nose_shapes{"cone", "ogive", "ellipsoi
 constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"body", "name", text(), must, AT(it.name), "Name of the rocket in reports."},
   {"body", "assumed", list(100, text()), may, AT(grown(it.assumed, i)), "Assumptions in this file that were not measured, one sentence each; reports repeat them."},
-  {"body", "mass_kg", number("kg", {0.1, 1000}), must, AT(it.mass_kg), "Mass at lift-off; more than the propellant of its motor."},
+  {"body", "mass_kg", number("kg", {0.02, 1000}), must, AT(it.mass_kg), "Mass at lift-off; more than the propellant of its motor."},
   {"body", "drag_area_m2", number("m2", {0, 1}), must, AT(it.drag_area_m2), "Drag coefficient times area."},
   {"body", "drag_mach", list(100, number("", {0, 10})), may, AT(grown(it.drag_over_mach.mach, i)), "Increasing Mach numbers for which `drag_factor` holds; straight lines between them."},
   {"body", "drag_factor", list(100, number("", {0.01, 20})), may, AT(grown(it.drag_over_mach.factor, i)), "Factor on `drag_area_m2` at each of these Mach numbers."},
@@ -64,10 +64,14 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"shape", "length_m", number("m", {0.1, 30}), must_in_its_section, AT(made(it.geometry).length_m), "From the tip of the nose to the tail."},
   {"shape", "nose", choice(nose_shapes), must_in_its_section, AT(made(it.geometry).nose_shape), "The shape of the nose cone."},
   {"shape", "nose_length_m", number("m", {0.005, 10}), must_in_its_section, AT(made(it.geometry).nose_length_m), "Length of the nose cone."},
-  {"shape", "transition_position_m", number("m", {0, 30}), may, AT(made(made(it.geometry).transition).position_m), "Where a change of diameter begins. A boat tail ends at the tail."},
-  {"shape", "transition_length_m", number("m", {0, 10}), may, AT(made(made(it.geometry).transition).length_m), "Length of the transition; above 0."},
-  {"shape", "transition_diameter_m", number("m", {0, 2}), may, AT(made(made(it.geometry).transition).aft_diameter_m), "The diameter behind it; above 0."},
+  {"shape", "transition_position_m", number("m", {0, 30}), may, AT(grown(made(it.geometry).transitions, 0).position_m), "Where a change of diameter begins. A boat tail ends at the tail."},
+  {"shape", "transition_length_m", number("m", {0, 10}), may, AT(grown(made(it.geometry).transitions, 0).length_m), "Length of the transition; above 0."},
+  {"shape", "transition_diameter_m", number("m", {0, 2}), may, AT(grown(made(it.geometry).transitions, 0).aft_diameter_m), "The diameter behind it; above 0."},
   {"shape", "assumed", list(100, text()), may, AT(grown(it.geometry_assumed, i)), "Assumptions in these sections that were not measured, one sentence each."},
+  {"more_transitions", "positions_m", list(20, number("m", {0, 30})), must_in_its_section, AT(grown(made(it.geometry).transitions, i + 1).position_m), "Where further changes of diameter begin, behind that of `shape`, from nose to tail."},
+  {"more_transitions", "lengths_m", list(20, number("m", {0, 10})), must_in_its_section, AT(grown(made(it.geometry).transitions, i + 1).length_m), "Length of each; above 0."},
+  {"more_transitions", "diameters_m", list(20, number("m", {0, 2})), must_in_its_section, AT(grown(made(it.geometry).transitions, i + 1).aft_diameter_m), "The diameter behind each; above 0."},
+
 // Fins and canards are described by the same words.
 // NOLINTBEGIN(bugprone-macro-parentheses): as in field.hpp
 #define FIN_SET(section, set) \
@@ -83,6 +87,16 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"fins", "cant_deg", number(deg, {-10, 10}), may, AT(made(made(it.geometry).fins).cant_rad), "Cant of all fins: positive rolls the rocket in the same direction as positive canards."},
   FIN_SET("canard_fins", canards),
   {"canard_fins", "hinge_m", number("m", {0, 5}), may, AT(made(it.geometry).canard_hinge_m), "Distance of the shaft behind the leading edge at the root."},
+
+  {"more_fins", "names", list(20, text()), must_in_its_section, AT(grown(made(it.geometry).more_fins, i).name), "Further sets of fins, for `fantail airframe`. One or two fins hold the rocket in one plane only: the margin is that of the worst plane."},
+  {"more_fins", "counts", list(20, integer({}, {1, 8})), must_in_its_section, AT(grown(made(it.geometry).more_fins, i).set.count), "Number of fins of each, evenly around the body; as many as `names`, like all lists of this section."},
+  {"more_fins", "first_angles_deg", list(20, number(deg, {-360, 360})), may, AT(grown(made(it.geometry).more_fins, i).first_angle_rad), "Where around the body the first of each is."},
+  {"more_fins", "positions_m", list(20, number("m", {0, 30})), must_in_its_section, AT(grown(made(it.geometry).more_fins, i).set.position_m), "Where the leading edge of each meets the body, from the tip of the nose."},
+  {"more_fins", "root_chords_m", list(20, number("m", {0.001, 5})), must_in_its_section, AT(grown(made(it.geometry).more_fins, i).set.root_chord_m), "Chord of each at the root."},
+  {"more_fins", "tip_chords_m", list(20, number("m", {0, 5})), must_in_its_section, AT(grown(made(it.geometry).more_fins, i).set.tip_chord_m), "Chord of each at the tip."},
+  {"more_fins", "spans_m", list(20, number("m", {0.001, 2})), must_in_its_section, AT(grown(made(it.geometry).more_fins, i).set.span_m), "Span of each, from the surface of the body to the tip."},
+  {"more_fins", "sweeps_m", list(20, number("m", {-2, 5})), may, AT(grown(made(it.geometry).more_fins, i).set.sweep_m), "How far the leading edge of the tip is behind that of the root."},
+  {"more_fins", "cants_deg", list(20, number(deg, {-45, 45})), may, AT(grown(made(it.geometry).more_fins, i).set.cant_rad), "Cant of each."},
 
   {"masses", "names", list(100, text()), may, AT(grown(made(it.geometry).masses, i).name), "The parts of the rocket without its propellant."},
   {"masses", "masses_kg", list(100, number("kg", {0, 1000})), may, AT(grown(made(it.geometry).masses, i).mass_kg), "Mass of each; as many as `names`, like all lists of this section."},
@@ -103,6 +117,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {"design", "left_out", list(100, text()), may, AT(grown(made(made(it.geometry).design).left_out, i)), "Parts of the design that were not read, or were read with changes."},
 
   {"motor", "file", file(), must, {}, "The motor: a RASP file (`.eng`). `motors.eng#K550`: the motor of that name in a file of several."},
+  {"motor", "count", integer({}, {1, 9}), may, AT(it.motor_count), "How many of these motors burn at once: a cluster. Thrust and propellant are those of all."},
   {"motor", "thrust_factor", number("", {0.5, 1.5}), may, AT(it.thrust_factor), "Factor on the thrust of the curve, with the same burn time and propellant mass."},
 
   {"servo", "lag_s", number("s", {0.0005, 1}), may, AT(it.servo.lag_s), "Time constant with which the gear follows the command."},

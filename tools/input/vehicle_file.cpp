@@ -20,17 +20,6 @@ namespace {
 constexpr double longest_burn_s = 600.0;
 constexpr double most_speed_m_s = 3000.0;
 
-sim::ThrustCurve with_factor(sim::ThrustCurve curve, double factor) {
-  if (factor == 1.0) {
-    return curve;
-  }
-  std::vector<sim::ThrustPoint> points = curve.points();
-  for (sim::ThrustPoint& point : points) {
-    point.thrust_n *= factor;
-  }
-  return {std::move(points), curve.propellant_kg()};
-}
-
 void read_motor(const Document& document, sim::Vehicle& vehicle) {
   Section motor{document, "motor"};
   // "motors.eng#K550": one of several motors in a file.
@@ -38,7 +27,7 @@ void read_motor(const Document& document, sim::Vehicle& vehicle) {
   const std::size_t mark = named.rfind('#');
   const auto name = mark == std::string::npos ? std::nullopt : std::optional{named.substr(mark + 1)};
   RaspMotor read = load_rasp(motor_file(document), name);
-  vehicle.motor = with_factor(std::move(read.curve), vehicle.thrust_factor);
+  vehicle.motor = motors(read.curve, vehicle.motor_count, vehicle.thrust_factor);
   if (read.warning) {
     vehicle.warnings.push_back(std::move(*read.warning));
   }
@@ -208,6 +197,17 @@ std::filesystem::path motor_file(const Document& document) {
   Section motor{document, "motor"};
   const std::string named = motor.text("file");
   return find_named_input(Shipped::motor, document, motor, "file", named.substr(0, named.rfind('#')));
+}
+
+sim::ThrustCurve motors(const sim::ThrustCurve& one, int count, double thrust_factor) {
+  if (count == 1 && thrust_factor == 1.0) {
+    return one;
+  }
+  std::vector<sim::ThrustPoint> points = one.points();
+  for (sim::ThrustPoint& point : points) {
+    point.thrust_n *= thrust_factor * count;
+  }
+  return {std::move(points), count * one.propellant_kg()};
 }
 
 sim::Vehicle read_vehicle(const Document& document) {

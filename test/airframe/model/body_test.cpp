@@ -41,11 +41,12 @@ TEST(BodyForces, OfAnOgiveAsLongAsWideIsAHalfSphere) {
 TEST(BodyForces, OfATransitionFollowBarrowmansFormula) {
   for (const double aft_m : {0.15, 0.06}) {
     sim::Geometry shape = rocket(Nose::cone);
-    shape.transition = {.position_m = 0.7, .length_m = 0.2, .aft_diameter_m = aft_m};
+    shape.transitions = {{.position_m = 0.7, .length_m = 0.2, .aft_diameter_m = aft_m}};
     const BodyForces forces = body_forces(shape);
     const double ratio = 0.1 / aft_m;
-    EXPECT_NEAR(forces.transition_position_m, 0.7 + 0.2 / 3.0 * (1.0 + (1.0 - ratio) / (1.0 - ratio * ratio)), 1e-5);
-    EXPECT_NEAR(forces.transition_slope_area_m2, 0.5 * std::numbers::pi * (aft_m * aft_m - 0.01), 1e-12);
+    EXPECT_NEAR(forces.transitions.at(0).position_m, 0.7 + 0.2 / 3.0 * (1.0 + (1.0 - ratio) / (1.0 - ratio * ratio)),
+                1e-5);
+    EXPECT_NEAR(forces.transitions.at(0).slope_area_m2, 0.5 * std::numbers::pi * (aft_m * aft_m - 0.01), 1e-12);
   }
 }
 

@@ -4,41 +4,14 @@
 #include <string>
 
 #include "airframe/model/body.hpp"
+#include "airframe/model/build_up.hpp"
 #include "airframe/openrocket/document.hpp"
 #include "design_files.hpp"
 #include "figures.hpp"
+#include "small_design.hpp"
 
 namespace fantail::airframe::openrocket {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-
-const std::string nose =
-    "<nosecone><name>Nose</name><material type='bulk' density='1000'>x</material><length>0.3</length>"
-    "<thickness>filled</thickness><shape>conical</shape><aftradius>auto 0.05</aftradius></nosecone>";
-
-std::string tube(const std::string& inside, const std::string& more = "") {
-  return "<bodytube><name>Tube</name><material type='bulk' density='800'>x</material><length>1.2</length>"
-         "<thickness>0.002</thickness><radius>0.05</radius>" +
-         more + "<subcomponents>" + inside + "</subcomponents></bodytube>";
-}
-
-std::string fins(const std::string& name, int count, const std::string& offset_m) {
-  return "<trapezoidfinset><name>" + name + "</name><instancecount>" + std::to_string(count) +
-         "</instancecount><axialoffset method='bottom'>" + offset_m +
-         "</axialoffset><material type='bulk' density='1000'>x</material><thickness>0.004</thickness><cant>1.5</cant>"
-         "<rootchord>0.1</rootchord><tipchord>0.1</tipchord><sweeplength>0.02</sweeplength><height>0.08</height>"
-         "</trapezoidfinset>";
-}
-
-const sim::Geometry::Mass& part(const Design& design, const std::string& name) {
-  for (const sim::Geometry::Mass& mass : design.geometry.masses) {
-    if (mass.name == name) {
-      return mass;
-    }
-  }
-  throw std::out_of_range{name};
-}
 
 using Read = DesignFiles;
 
@@ -56,14 +29,6 @@ TEST_F(Read, TheSameDesignPlainGzippedAndZipped) {
     EXPECT_NEAR(read.geometry.fins->cant_rad, 1.5 * pi / 180.0, 1e-12);
     EXPECT_TRUE(read.not_used.empty());
   }
-}
-
-// Half the number of fins is what a set of two lifts in the mean of all planes; along them none lifts.
-TEST_F(Read, TwoFinsHoldOnePlaneOnlyAndAreLeftOut) {
-  const Design read = read_design(plain(design(nose + tube(fins("Tail", 2, "0")))));
-  EXPECT_FALSE(read.geometry.fins);
-  ASSERT_EQ(read.left_out.size(), 1U);
-  EXPECT_TRUE(read.left_out[0].is_force && says(read.left_out[0].what, "Tail")) << read.left_out[0].what;
 }
 
 TEST_F(Read, LettersThatAreNotUtf8AreLatin1AndThatIsSaid) {
@@ -127,24 +92,44 @@ TEST_F(Read, OverridesReplaceMassAndCentreAloneOrWithChildren) {
               1.0 / (800.0 * pi * (0.05 * 0.05 - 0.048 * 0.048) * 1.2), 1e-4);
 }
 
-TEST_F(Read, FourFinsInFrontAreCanardsAndOthersAreSaidToBeLeftOut) {
-  const Design read = read_design(
-      plain(design(nose + tube(fins("Tail", 4, "0") + fins("Front", 4, "-1.0") + fins("Middle", 3, "-0.4")))));
-  ASSERT_TRUE(read.geometry.canards);
-  EXPECT_NEAR(read.geometry.canards->position_m, 0.4, 1e-12);
-  ASSERT_EQ(read.not_used.size(), 1U);
-  EXPECT_TRUE(says(read.not_used[0], "\"Middle\"") && says(read.not_used[0], "forces")) << read.not_used[0];
-  ASSERT_EQ(read.assumed.size(), 1U);
-  EXPECT_TRUE(says(read.assumed[0], "\"Front\"") && says(read.assumed[0], "canards")) << read.assumed[0];
+TEST_F(Read, EveryElementIsReadKnownOrNamed) {
+  const Design known = read_design(plain(design(
+      nose + tube(fins("Tail", 3, "0"), "<appearance/><comment>mine</comment><preset/><finish>normal</finish>"))));
+  EXPECT_TRUE(known.left_out.empty());
+  const Design unknown = read_design(plain(design(nose + tube(fins("Tail", 3, "0"), "<bend>0.1</bend>"))));
+  ASSERT_EQ(unknown.left_out.size(), 1U);
+  EXPECT_TRUE(says(unknown.left_out[0].what, "bodytube \"Tube\": <bend>")) << unknown.left_out[0].what;
+  EXPECT_TRUE(unknown.left_out[0].is_force);
 }
 
-TEST_F(Read, SingleFinsOfOneShapeAreASetAndALoneOneIsLeftOut) {
-  const Design read = read_design(plain(
-      design(nose + tube(fins("A", 1, "0") + fins("B", 1, "0") + fins("C", 1, "0") + fins("Rudder", 1, "-0.4")))));
-  ASSERT_TRUE(read.geometry.fins);
-  EXPECT_EQ(read.geometry.fins->count, 3);
-  ASSERT_EQ(read.not_used.size(), 1U);
-  EXPECT_TRUE(says(read.not_used[0], "\"Rudder\"") && says(read.not_used[0], "force")) << read.not_used[0];
+TEST_F(Read, AFirstStageThatIsALoadOnALaterMotorIsRefused) {
+  const std::string mount = "<motormount><motor configid='a'><designation>I1</designation></motor></motormount>";
+  std::string xml = design(nose + tube(""));
+  xml.insert(xml.find("</stage>") + 8, "<stage><name>Booster</name><subcomponents>" +
+                                           tube(fins("Tail", 3, "0"), mount) + "</subcomponents></stage>");
+  EXPECT_TRUE(
+      says(refusal(plain(xml)), "its first stage \"Sustainer\" has no motor mount, and the stage \"Booster\" has"))
+      << refusal(plain(xml));
+}
+
+TEST_F(Read, EveryChangeOfDiameterIsThereAndTheWidestIsTheCalibre) {
+  const std::string wider =
+      "<transition><name>T</name><material type='bulk' density='1000'>x</material><length>0.1</length>"
+      "<thickness>0.002</thickness><shape>conical</shape><foreradius>0.05</foreradius><aftradius>0.08</aftradius>"
+      "</transition><bodytube><name>Wide</name><length>0.3</length><thickness>0.002</thickness><radius>0.08</radius>"
+      "</bodytube><bodytube><name>Narrow</name><length>0.2</length><thickness>0.002</thickness><radius>0.06</radius>"
+      "</bodytube>";
+  const Design read = read_design(plain(design(nose + tube("") + wider)));
+  ASSERT_EQ(read.geometry.transitions.size(), 2U);
+  EXPECT_DOUBLE_EQ(read.geometry.transitions[0].aft_diameter_m, 0.16);
+  EXPECT_NEAR(read.geometry.transitions[1].position_m, 1.9, 1e-12);
+  EXPECT_DOUBLE_EQ(model::largest_diameter_m(read.geometry), 0.16);
+  EXPECT_NEAR(model::radius_m(read.geometry, 1.8), 0.08, 1e-12);
+  EXPECT_NEAR(model::radius_m(read.geometry, 2.0), 0.06, 1e-12);
+  const model::BodyForces forces = model::body_forces(read.geometry);
+  ASSERT_EQ(forces.transitions.size(), 2U);
+  EXPECT_NEAR(forces.transitions[1].slope_area_m2, 2.0 * pi * (0.06 * 0.06 - 0.08 * 0.08), 1e-12);
+  EXPECT_TRUE(says(read.assumed.at(0), "\"Narrow\"") && says(read.assumed.at(0), "the step")) << read.assumed.at(0);
 }
 
 TEST_F(Read, EllipticalAndFreeformFinsKeepAreaSpanAndMiddle) {

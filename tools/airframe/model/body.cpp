@@ -83,12 +83,27 @@ double radius_m(const Geometry& shape, double position_m) {
   if (position_m < shape.nose_length_m) {
     return radius_m * nose_profile(shape.nose_shape, position_m / shape.nose_length_m, shape.nose_length_m / radius_m);
   }
-  if (!shape.transition || position_m <= shape.transition->position_m) {
-    return radius_m;
+  double here_m = radius_m;
+  for (const Geometry::Transition& transition : shape.transitions) {
+    if (position_m <= transition.position_m) {
+      break;
+    }
+    const double aft_m = 0.5 * transition.aft_diameter_m;
+    const double along = (position_m - transition.position_m) / transition.length_m;
+    if (along < 1.0) {
+      return here_m + along * (aft_m - here_m);
+    }
+    here_m = aft_m;
   }
-  const double aft_m = 0.5 * shape.transition->aft_diameter_m;
-  const double along = (position_m - shape.transition->position_m) / shape.transition->length_m;
-  return along >= 1.0 ? aft_m : radius_m + along * (aft_m - radius_m);
+  return here_m;
+}
+
+double largest_diameter_m(const Geometry& shape) {
+  double largest_m = shape.diameter_m;
+  for (const Geometry::Transition& transition : shape.transitions) {
+    largest_m = std::max(largest_m, transition.aft_diameter_m);
+  }
+  return largest_m;
 }
 
 BodyForces body_forces(const Geometry& shape) {
@@ -97,12 +112,16 @@ BodyForces body_forces(const Geometry& shape) {
   const Slices nose = slices(shape, 0.0, shape.nose_length_m);
   forces.nose_slope_area_m2 = 2.0 * front_m2;
   forces.nose_position_m = position_m(shape.nose_length_m, shape.nose_length_m, nose.volume_m3, 0.0, front_m2);
-  if (shape.transition && shape.transition->aft_diameter_m != shape.diameter_m) {
-    const auto& [begin_m, length_m, aft_diameter_m] = *shape.transition;
+  double ahead_m2 = front_m2;
+  for (const auto& [begin_m, length_m, aft_diameter_m] : shape.transitions) {
     const double back_m2 = 0.25 * pi * aft_diameter_m * aft_diameter_m;
-    forces.transition_slope_area_m2 = 2.0 * (back_m2 - front_m2);
-    forces.transition_position_m = position_m(begin_m + length_m, length_m,
-                                              slices(shape, begin_m, begin_m + length_m).volume_m3, front_m2, back_m2);
+    if (back_m2 != ahead_m2) {
+      const double volume_m3 = slices(shape, begin_m, begin_m + length_m).volume_m3;
+      forces.transitions.push_back(
+          {.slope_area_m2 = 2.0 * (back_m2 - ahead_m2),
+           .position_m = position_m(begin_m + length_m, length_m, volume_m3, ahead_m2, back_m2)});
+    }
+    ahead_m2 = back_m2;
   }
   const Slices whole = slices(shape, 0.0, shape.length_m);
   forces.side_area_m2 = whole.side_area_m2;

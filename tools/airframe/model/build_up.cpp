@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "airframe/model/body.hpp"
 
@@ -44,6 +45,38 @@ void sum_parts(BuildUp& result) {
   result.normal_force_slope_per_rad = within_share(slope, slope_error);
   result.centre_of_pressure_m = within_share(centre_m, position_error);
   result.parts_spread_m = std::sqrt(std::max(0.0, spread_m2));
+}
+
+/// Of a set over its mean, in a plane at this angle: a fin that lies in the plane of the flow's angle feels nothing of
+/// it. Three or more, evenly around, are the same in all planes.
+double share_in_plane(const sim::Geometry::MoreFins& more, double plane_rad) {
+  if (more.set.count >= 3) {
+    return 1.0;
+  }
+  const double across = std::sin(plane_rad - more.first_angle_rad);
+  return 2.0 * across * across;  // two lie opposite to each other
+}
+
+void find_worst_plane(BuildUp& result, const sim::Geometry& shape) {
+  const auto is_alike = [](const sim::Geometry::MoreFins& more) { return more.set.count >= 3; };
+  if (std::ranges::all_of(shape.more_fins, is_alike)) {
+    return;
+  }
+  constexpr int planes = 360;  // of half a turn
+  double worst_m = std::numeric_limits<double>::infinity();
+  const std::size_t first = result.parts.size() - shape.more_fins.size();
+  for (int i = 0; i < planes; ++i) {
+    double slope = 0.0;
+    double moment_m = 0.0;
+    for (std::size_t part = 0; part < result.parts.size(); ++part) {
+      const double share =
+          part < first ? 1.0 : share_in_plane(shape.more_fins[part - first], std::numbers::pi * i / planes);
+      slope += share * result.parts[part].slope_per_rad;
+      moment_m += share * result.parts[part].slope_per_rad * result.parts[part].position_m;
+    }
+    worst_m = std::min(worst_m, moment_m / slope);
+  }
+  result.worst_centre_of_pressure_m = within_share(worst_m, position_error);
 }
 
 void add_canards(BuildUp& result, const sim::Geometry& shape, const FinForces& canards,
@@ -93,23 +126,30 @@ BuildUp build_up(const sim::Vehicle& vehicle) {
   const BodyForces body = body_forces(shape);
   BuildUp result;
   result.parts.push_back({"nose", body.nose_slope_area_m2 / cross_section_m2, body.nose_position_m});
-  if (body.transition_slope_area_m2 != 0.0) {
-    result.parts.push_back(
-        {"transition", body.transition_slope_area_m2 / cross_section_m2, body.transition_position_m});
+  for (std::size_t i = 0; i < body.transitions.size(); ++i) {
+    const auto& [slope_area_m2, position_m] = body.transitions[i];
+    const std::string number = body.transitions.size() > 1 ? " " + std::to_string(i + 1) : "";
+    result.parts.push_back({"transition" + number, slope_area_m2 / cross_section_m2, position_m});
   }
   double damping_m4 = 0.0;
-  const auto add = [&](const char* name, const std::optional<sim::Geometry::FinSet>& set) -> std::optional<FinForces> {
+  const auto add = [&](const std::string& name,
+                       const std::optional<sim::Geometry::FinSet>& set) -> std::optional<FinForces> {
     if (!set) {
       return {};
     }
     const FinForces forces = fin_forces(*set, radius_m(shape, set->position_m + 0.5 * set->root_chord_m));
     result.parts.push_back({name, forces.slope_area_m2 / cross_section_m2, forces.position_m});
     damping_m4 += forces.roll_damping_m4;
+    result.canted_torque_m3 += set->cant_rad * forces.roll_torque_m3;
     return forces;
   };
   const std::optional<FinForces> canards = add("canards", shape.canards);
   const std::optional<FinForces> fins = add("fins", shape.fins);
+  for (const sim::Geometry::MoreFins& more : shape.more_fins) {
+    (void)add(more.name, more.set);
+  }
   sum_parts(result);
+  find_worst_plane(result, shape);
   result.body_lift_area_m2 = body_lift_coefficient * body.side_area_m2;
   result.body_lift_position_m = body.side_area_position_m;
   result.roll_damping_m4 = within_factor(damping_m4, roll_factor);

@@ -38,6 +38,9 @@ struct BuildUp {
   std::vector<Part> parts;
   Estimate normal_force_slope_per_rad;
   Estimate centre_of_pressure_m;
+  /// Of the plane through the long axis in which the rocket holds its direction least, where fins are one or two;
+  /// centre_of_pressure_m is the mean over all planes then.
+  std::optional<Estimate> worst_centre_of_pressure_m;
   double parts_spread_m = 0.0;
   double body_lift_area_m2 = 0.0;
   double body_lift_position_m = 0.0;
@@ -46,9 +49,15 @@ struct BuildUp {
   std::optional<double> canard_arm_m;       ///< from the long axis to where a canard lifts
   std::optional<Estimate> hinge_moment_m3;  ///< one canard: 1/2 rho v^2 times this times its angle, positive: closes
   std::optional<Estimate> cant_as_canards;  ///< canard angle that rolls as one radian of fin cant does
+  double canted_torque_m3 = 0.0;            ///< of all fins' cants: torque 1/2 rho v^2 times this
   std::optional<MassSum> after_burnout;     ///< empty without masses
   std::optional<MassSum> at_liftoff;        ///< empty too where the place of the propellant is not known
 };
+
+/// That of the worst plane, where planes differ.
+[[nodiscard]] inline const Estimate& least_centre_of_pressure_m(const BuildUp& b) {
+  return b.worst_centre_of_pressure_m ? *b.worst_centre_of_pressure_m : b.centre_of_pressure_m;
+}
 
 /// The vehicle has a geometry.
 [[nodiscard]] BuildUp build_up(const sim::Vehicle& vehicle);

@@ -54,8 +54,8 @@ std::optional<bool> Component::flag(const char* key) const {
   return word == "true";
 }
 
-double Component::density() const {
-  const pugi::xml_attribute density = node_.child("material").attribute("density");
+double Component::density(const char* material) const {
+  const pugi::xml_attribute density = node_.child(material).attribute("density");
   return density ? checked("material density", density.value(), 0.0, 1e5) : 0.0;
 }
 

@@ -26,7 +26,7 @@ class Component {
   [[nodiscard]] std::optional<double> number_or_auto(const char* key, double least, double most) const;
   [[nodiscard]] double number_or(const char* key, double least, double most, double other) const;
   /// Of the material, kg/m3, kg/m2 or kg/m by its kind; 0 where it has none.
-  [[nodiscard]] double density() const;
+  [[nodiscard]] double density(const char* material = "material") const;
   /// Empty where it is missing. Throws as number() does for another word than true and false.
   [[nodiscard]] std::optional<bool> flag(const char* key) const;
 

@@ -13,7 +13,8 @@ namespace fantail::airframe::openrocket {
 struct FoundFins {
   std::string name;
   sim::Geometry::FinSet set;  ///< its position is still missing: it counts from the parent's front
-  sim::Geometry::Mass mass;   ///< likewise
+  double first_angle_rad = 0.0;
+  sim::Geometry::Mass mass;  ///< likewise
 };
 
 [[nodiscard]] bool is_fin_set(const Component& component);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is inside or on the body: masses, fins, the motor's place.
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -42,6 +43,61 @@ bool is_packed(const std::string& kind) {
 bool is_ring(const std::string& kind) {
   return kind == "innertube" || kind == "tubecoupler" || kind == "engineblock" || kind == "centeringring" ||
          kind == "bulkhead" || kind == "launchlug";
+}
+
+/// Several of one kind in a row, each this far behind the one before; the first is the one that was read.
+Geometry::Mass in_a_row(const Component& c, const Geometry::Mass& one) {
+  const double count = c.number_or("instancecount", 1.0, 100.0, 1.0);
+  if (count == 1.0) {
+    return one;
+  }
+  const double apart_m = c.number_or("instanceseparation", -longest_m, longest_m, 0.0);
+  Geometry::Mass all = one;
+  all.mass_kg *= count;
+  all.position_m += 0.5 * (count - 1.0) * apart_m;
+  all.length_m = std::sqrt(one.length_m * one.length_m + (count * count - 1.0) * apart_m * apart_m);
+  return all;
+}
+
+/// Its own radius of gyration, about an axis that is not its own.
+Geometry::Mass off_axis(Geometry::Mass mass, double away_m) {
+  mass.radius_of_gyration_m = std::hypot(mass.radius_of_gyration_m, away_m);
+  return mass;
+}
+
+double away_m(const Component& c) { return std::abs(c.number_or("radialposition", -widest_m, widest_m, 0.0)); }
+
+/// A ring whose inner radius is "auto" sits on the inner tubes beside it: the radius of the largest that it overlaps.
+double radius_of_tubes_m(const std::filesystem::path& file, const Component& ring, const Place& parent,
+                         double length_m) {
+  const double front_m = front_of(ring, parent, length_m);
+  double largest_m = 0.0;
+  for (const pugi::xml_node sibling : ring.xml().parent().children("innertube")) {
+    const Component tube{file, sibling};
+    const double tube_m = tube.number("length", 0.0, longest_m);
+    const double tube_front_m = front_of(tube, parent, tube_m);
+    if (tube_front_m < front_m + length_m && front_m < tube_front_m + tube_m) {
+      largest_m = std::max(largest_m, tube.number_or_auto("outerradius", 0.0, widest_m).value_or(parent.inner_m));
+    }
+  }
+  return largest_m;
+}
+
+/// Two discs and a neck between them, and a screw's head, half a sphere or flatter.
+Geometry::Mass rail_button(const Component& c, double begin_m, double body_radius_m) {
+  const double outer_m = 0.5 * c.number("outerdiameter", 0.0, widest_m);
+  const double inner_m = 0.5 * c.number("innerdiameter", 0.0, widest_m);
+  const double height_m = c.number("height", 0.0, widest_m);
+  const double base_m = c.number_or("baseheight", 0.0, widest_m, 0.0);
+  const double flange_m = c.number_or("flangeheight", 0.0, widest_m, 0.0);
+  const double screw_m = c.number_or("screwheight", 0.0, widest_m, 0.0);
+  const double neck_m = std::max(0.0, height_m - base_m - flange_m - screw_m);
+  const double volume_m3 =
+      std::numbers::pi * (outer_m * outer_m * (base_m + flange_m + 2.0 / 3.0 * screw_m) + inner_m * inner_m * neck_m);
+  return {.name = {},
+          .mass_kg = volume_m3 * c.density(),
+          .position_m = begin_m,
+          .radius_of_gyration_m = body_radius_m + 0.5 * height_m};
 }
 
 /// What is packed weighs by its own rules.
@@ -88,6 +144,7 @@ void Reader::add_with_children(const Component& c, const Place& place, Geometry:
 
 void Reader::add_child(const Component& c, const Place& parent, Masses& into) {
   const std::string kind = c.kind();
+  note_unknown(c);
   if (is_fin_set(c)) {
     add_fins(c, parent, into);
   } else if (is_packed(kind)) {
@@ -100,17 +157,21 @@ void Reader::add_child(const Component& c, const Place& parent, Masses& into) {
     const double radius_m = c.number_or_auto("packedradius", 0.0, widest_m).value_or(parent.inner_m);
     const Place place{.begin_m = front_of(c, parent, length_m), .length_m = length_m};
     add_with_children(c, place,
-                      {.name = {},
-                       .mass_kg = packed_kg(c),
-                       .position_m = place.begin_m + 0.5 * length_m,
-                       .length_m = length_m,
-                       .radius_of_gyration_m = of_a_full_rod * radius_m},
+                      off_axis({.name = {},
+                                .mass_kg = packed_kg(c),
+                                .position_m = place.begin_m + 0.5 * length_m,
+                                .length_m = length_m,
+                                .radius_of_gyration_m = of_a_full_rod * radius_m},
+                               away_m(c)),
                       into);
   } else if (is_ring(kind)) {
     const double length_m = c.number("length", 0.0, longest_m);
     const char* outer = c.has("outerradius") ? "outerradius" : "radius";
     const double outer_m = c.number_or_auto(outer, 0.0, widest_m).value_or(parent.inner_m);
-    double inner_m = kind == "bulkhead" ? 0.0 : c.number_or_auto("innerradius", 0.0, widest_m).value_or(0.0);
+    double inner_m = kind == "bulkhead"
+                         ? 0.0
+                         : c.number_or_auto("innerradius", 0.0, widest_m)
+                               .value_or(std::min(outer_m, radius_of_tubes_m(file_, c, parent, length_m)));
     if (c.has("thickness")) {
       inner_m = std::max(0.0, outer_m - c.number("thickness", 0.0, widest_m));
     }
@@ -121,17 +182,25 @@ void Reader::add_child(const Component& c, const Place& parent, Masses& into) {
                                   .radius_m = [=](double) { return outer_m; },
                                   .wall_m = outer_m - inner_m,
                                   .density_kg_m3 = c.density()});
-    own.mass_kg *= c.number_or("instancecount", 1, 100, 1);
-    if (const std::string cluster = c.text("clusterconfiguration"); !cluster.empty() && cluster != "single") {
-      design_.left_out.push_back(
-          {.what = fmt::format("{} \"{}\": a cluster ({}), read as one tube with one motor", kind, c.name(), cluster),
-           .is_force = true});
+    own = in_a_row(c, own);
+    if (kind == "launchlug") {
+      add_with_children(c, place, off_axis(own, parent.outer_m), into);
+      return;
     }
-    note_motor(c, place);
-    add_with_children(c, place, own, into);
+    const Cluster cluster = cluster_of(c, outer_m);
+    note_motor(c, place, cluster);
+    Masses inside;
+    add_with_children(c, place, own, inside);
+    for (Geometry::Mass& mass : inside) {
+      mass.mass_kg *= cluster.count;
+      into.push_back(off_axis(mass, std::hypot(cluster.ring_m, away_m(c))));
+    }
+  } else if (kind == "railbutton") {
+    const double begin_m = front_of(c, parent, 0.0);
+    add_with_children(c, {.begin_m = begin_m}, in_a_row(c, rail_button(c, begin_m, parent.outer_m)), into);
   } else {
     design_.not_used.push_back(fmt::format("{} \"{}\": the whole part.", kind, c.name()));
-    design_.left_out.push_back({.what = fmt::format("{} \"{}\": not read", kind, c.name()), .is_force = true});
+    leave_out(c, "not read", true);
   }
 }
 
@@ -140,42 +209,11 @@ void Reader::add_fins(const Component& c, const Place& parent, Masses& into) {
   const double front_m = front_of(c, parent, found.set.root_chord_m);
   found.set.position_m = front_m;
   found.mass.position_m += front_m;
-  fins_.emplace_back(found.name, found.set);
-  const Place place{.begin_m = front_m, .length_m = found.set.root_chord_m};
-  if (c.number_or("filletradius", 0.0, widest_m, 0.0) > 0.0) {
-    design_.not_used.push_back(fmt::format("Fins \"{}\": their fillets.", found.name));
-    design_.left_out.push_back({.what = fmt::format("fins \"{}\": the mass of their fillets", found.name)});
+  fins_.push_back({.name = found.name, .first_angle_rad = found.first_angle_rad, .set = found.set});
+  if (c.number_or("radiusoffset", -widest_m, widest_m, 0.0) != 0.0) {
+    leave_out(c, "its distance from the body (radiusoffset)", true);
   }
-  if (c.number_or("tabheight", 0.0, widest_m, 0.0) > 0.0 && c.number_or("tablength", 0.0, longest_m, 0.0) > 0.0) {
-    design_.not_used.push_back(fmt::format("Fins \"{}\": their tabs.", found.name));
-    design_.left_out.push_back({.what = fmt::format("fins \"{}\": the mass of their tabs", found.name)});
-  }
-  add_with_children(c, place, found.mass, into);
-}
-
-void Reader::note_motor(const Component& c, const Place& place) {
-  const pugi::xml_node mount = c.xml().child("motormount");
-  if (!mount) {
-    return;
-  }
-  if (design_.motor) {
-    design_.not_used.push_back(fmt::format("Motor mount \"{}\": a second one.", c.name()));
-    design_.left_out.push_back({.what = fmt::format("motor mount \"{}\": a second one", c.name()), .is_force = true});
-    return;
-  }
-  const Component mounted{file_, mount};
-  MotorPlace motor{.end_m = place.begin_m + place.length_m + mounted.number_or("overhang", -5.0, 5.0, 0.0),
-                   .motors = {}};
-  for (const pugi::xml_node node : mount.children("motor")) {
-    const Component one{file_, node};
-    motor.motors.push_back({.configuration = node.attribute("configid").as_string(),
-                            .designation = one.text("designation"),
-                            .length_m = one.number_or("length", 0.0, 10.0, 0.0),
-                            .diameter_m = one.number_or("diameter", 0.0, 1.0, 0.0)});
-  }
-  if (!motor.motors.empty()) {
-    design_.motor = motor;
-  }
+  add_with_children(c, {.begin_m = front_m, .length_m = found.set.root_chord_m}, found.mass, into);
 }
 
 }  // namespace fantail::airframe::openrocket

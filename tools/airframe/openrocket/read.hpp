@@ -20,8 +20,10 @@ struct NamedMotor {
 
 /// Where a design holds its motor.
 struct MotorPlace {
-  double end_m = 0.0;  ///< of the nozzle, from the tip of the nose
-  std::vector<NamedMotor> motors;
+  double end_m = 0.0;   ///< of the nozzle, from the tip of the nose
+  int count = 1;        ///< of a cluster: all of one kind, lit at once
+  double ring_m = 0.0;  ///< root mean square of their distances from the long axis
+  std::vector<NamedMotor> motors{};
 
   /// Those that a file of thrust calls by this name: by their class and mean thrust, as "I150" of "1115-I150WH-14A".
   [[nodiscard]] std::vector<NamedMotor> called(const std::string& name) const;
@@ -58,9 +60,11 @@ struct Design {
 /// Reads the first stage of a design of OpenRocket (.ork; document versions 1.0 to 1.10, and later ones of major
 /// version 1 with a word in `not_used`). Masses follow from materials and sizes as OpenRocket has them, and from its
 /// overrides. An override that its versions read differently is refused, and so is a part whose centre of gravity is
-/// outside of the rocket. The rearmost set of fins are the fins; a set of four in the front half are canards. Throws
-/// text::Error: no_such_input; bad_data for what is no design, and for numbers that are missing or out of range, by
-/// component.
-[[nodiscard]] Design read_design(const std::filesystem::path& file);
+/// outside of the rocket, and a first stage without a motor when a later one has one. The rearmost set of three fins or
+/// more are the fins. `canards` is the name of those that are the canards; empty: four that are ahead of the fins, and
+/// in the front half or smaller. All others are further fins. What is in a component that is neither read nor known to
+/// change nothing is left out by name. Throws text::Error: no_such_input; bad_data for what is no design, and for
+/// numbers that are missing or out of range, by component.
+[[nodiscard]] Design read_design(const std::filesystem::path& file, const std::string& canards = {});
 
 }  // namespace fantail::airframe::openrocket

@@ -37,10 +37,21 @@ struct Overrides {
 /// The component begins at `begin_m`.
 [[nodiscard]] Overrides overrides_of(const Component& c, double begin_m);
 
+/// Tubes side by side, all alike.
+struct Cluster {
+  int count = 1;
+  double ring_m = 0.0;  ///< root mean square of their distances from the middle of all
+};
+
+/// Of an inner tube of this radius. Throws text::Error for one that no version has.
+[[nodiscard]] Cluster cluster_of(const Component& c, double outer_m);
+
 /// Walks through the components of one stage from nose to tail and adds them to a design.
 class Reader {
  public:
-  Reader(std::filesystem::path file, Design& design) : file_{std::move(file)}, design_{design} {}
+  /// `canards`: the name of the fins that are the canards; empty: they are chosen.
+  Reader(std::filesystem::path file, std::string canards, Design& design)
+      : file_{std::move(file)}, canards_{std::move(canards)}, design_{design} {}
 
   /// The first stage of a rocket.
   void read(pugi::xml_node rocket);
@@ -52,10 +63,13 @@ class Reader {
   void add_nose(const Component& c);
   void add_tube(const Component& c);
   void add_transition(const Component& c, pugi::xml_node behind);
+  void step_to(const Component& c, double radius_m);
   [[nodiscard]] double radius_behind(const Component& c, pugi::xml_node behind) const;
   void check_places();
   void join_single_fins();
   void choose_fins();
+  void choose_canards();
+  void leave_out(const Component& c, const std::string& what, bool is_force);
 
   void weigh_whole(const Component& c);
   void apply_overrides(const Component& c, const Overrides& o, sim::Geometry::Mass& own, Masses& children);
@@ -65,13 +79,16 @@ class Reader {
   void add_with_children(const Component& c, const Place& place, sim::Geometry::Mass own, Masses& into);
   void add_child(const Component& c, const Place& parent, Masses& into);
   void add_fins(const Component& c, const Place& parent, Masses& into);
-  void note_motor(const Component& c, const Place& place);
+  void note_motor(const Component& c, const Place& place, const Cluster& cluster);
+  /// What of an element nobody knows what it does to the rocket.
+  void note_unknown(const Component& c);
 
   std::filesystem::path file_;
+  std::string canards_;
   Design& design_;
   double end_m_ = 0.0;     ///< of what has been read
   double radius_m_ = 0.0;  ///< there
-  std::vector<std::pair<std::string, sim::Geometry::FinSet>> fins_{};
+  std::vector<sim::Geometry::MoreFins> fins_{};
 };
 
 }  // namespace fantail::airframe::openrocket

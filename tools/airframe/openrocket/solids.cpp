@@ -29,7 +29,10 @@ Geometry::Mass mass_of(const Solid& solid) {
   for (int i = 0; i < slices; ++i) {
     const double along_m = (static_cast<double>(i) + 0.5) * step_m;
     const double outer_m = solid.radius_m(along_m);
-    const double inner_m = std::max(0.0, outer_m - solid.wall_m);
+    const double slope =
+        (solid.radius_m(static_cast<double>(i + 1) * step_m) - solid.radius_m(static_cast<double>(i) * step_m)) /
+        step_m;
+    const double inner_m = std::max(0.0, outer_m - solid.wall_m * std::hypot(1.0, slope));
     const double slice_kg = solid.density_kg_m3 * std::numbers::pi * (square(outer_m) - square(inner_m)) * step_m;
     mass_kg += slice_kg;
     moment_kg_m += slice_kg * along_m;

@@ -7,8 +7,8 @@
 
 namespace fantail::airframe::openrocket {
 
-/// A round body along the axis: from where to where, its outer radius there, and how thick its wall is (measured across
-/// the axis; at least the radius: it is full).
+/// A round body along the axis: from where to where, its outer radius there, and how thick its wall is (measured square
+/// to its surface; at least the radius: it is full).
 struct Solid {
   double begin_m = 0.0;
   double length_m = 0.0;

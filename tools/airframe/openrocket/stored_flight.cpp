@@ -16,6 +16,7 @@
 
 #include <fmt/core.h>
 
+#include "airframe/openrocket/stored_columns.hpp"
 #include "text/number.hpp"
 
 namespace fantail::airframe::openrocket {
@@ -24,19 +25,6 @@ namespace {
 constexpr double slow_mach = 0.5;
 constexpr double small_angle_rad = 5.0 * std::numbers::pi / 180.0;
 constexpr double falling_m_s = -1.0;
-
-enum Quantity : std::uint8_t { mass, gravity, pressure, margin, angle, mach, climb, quantities };
-
-/// As its columns are called in files, up to now by name and later by key.
-constexpr std::array<std::pair<std::string_view, std::string_view>, quantities> column_names{{
-    {"Mass", "mass"},
-    {"CG location", "cg_location"},
-    {"CP location", "cp_location"},
-    {"Stability margin calibers", "stability"},
-    {"Angle of attack", "aoa"},
-    {"Mach number", "mach_number"},
-    {"Vertical velocity", "velocity_z"},
-}};
 
 using Row = std::array<std::optional<double>, quantities>;
 
@@ -56,8 +44,10 @@ std::array<std::optional<std::size_t>, quantities> columns_of(std::string_view t
   std::array<std::optional<std::size_t>, quantities> places{};
   const std::vector<std::string_view> names = cells(types);
   for (std::size_t q = 0; q < quantities; ++q) {
-    const auto found = std::ranges::find_if(
-        names, [&](std::string_view name) { return name == column_names[q].first || name == column_names[q].second; });
+    const auto found = std::ranges::find_if(names, [&](std::string_view name) {
+      const auto known = stored_columns()[q];
+      return std::ranges::find(known, name) != known.end();
+    });
     if (found != names.end()) {
       places[q] = static_cast<std::size_t>(found - names.begin());
     }
@@ -81,6 +71,9 @@ StoredFlight flight_of(pugi::xml_node branch) {
     }
     flight.mass_kg = flight.mass_kg ? flight.mass_kg : row[mass];
     flight.centre_of_gravity_m = flight.centre_of_gravity_m ? flight.centre_of_gravity_m : row[gravity];
+    if (row[pressure].value_or(1.0) == 0.0) {  // without an angle of attack there is no force, and so no place of it
+      row[pressure] = row[margin] = std::nullopt;
+    }
     const double angle_rad = std::abs(row[angle].value_or(0.0));
     if ((row[pressure] || row[margin]) && row[mach].value_or(0.0) <= slow_mach && angle_rad <= small_angle_rad &&
         angle_rad < least_rad) {
