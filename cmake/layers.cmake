@@ -25,7 +25,7 @@ set(FANTAIL_LAYERS
   "tools/linear||Eigen/"
   "tools/page|text json|fmt/"
   "tools/result|text json page|fmt/"
-  "tools/input|core sim text|fmt/"
+  "tools/input|core sim text|fmt/ pugixml\\.hpp"
   "tools/flight|core text input|fmt/"
   "tools/files|text json input flight|fmt/"
   "tools/trajectory|sim text files input flight|fmt/"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -11,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "input/file_text.hpp"
 #include "input/messages.hpp"
+#include "input/motor_text.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 
@@ -31,7 +30,32 @@ struct Block {
   std::vector<Line> points;
 
   [[nodiscard]] const std::string& name() const { return header.words.front(); }
+  [[nodiscard]] std::string maker() const { return header.words.size() < header_words ? "" : header.words.back(); }
 };
+
+/// "0,5" is 0.5 to those who write a comma, and a word has no other use for one.
+std::optional<double> decimal(std::string word) {
+  std::ranges::replace(word, ',', '.');
+  return text::decimal(word);
+}
+
+/// Words of a name that has spaces become one. A header is known by its numbers: size, delays, masses.
+void join_name(std::vector<std::string>& words) {
+  const auto is_number = [&](std::size_t i) { return decimal(words[i]).has_value(); };
+  for (std::size_t i = 1; i + 4 < words.size(); ++i) {
+    if (is_number(i) && is_number(i + 1) && is_number(i + 3) && is_number(i + 4)) {
+      for (std::size_t word = 1; word < i; ++word) {
+        words[0] += "_" + words[word];
+      }
+      words.erase(words.begin() + 1, words.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+  }
+  while (words.size() > header_words) {  // of the maker's
+    words[header_words - 1] += " " + words[header_words];
+    words.erase(words.begin() + header_words);
+  }
+}
 
 class RaspReader {
  public:
@@ -57,6 +81,10 @@ class RaspReader {
     motor.diameter_m = 0.001 * number(block.header.words[1], "diameter");
     motor.length_m = 0.001 * number(block.header.words[2], "length");
     motor.curve = checked_curve(std::move(points), propellant_kg, block.header.number);
+    if (const std::string odd = odd_units(motor); !odd.empty()) {
+      motor.warning =
+          (motor.warning ? *motor.warning + " " : "") + name_ + ":" + std::to_string(block.header.number) + ": " + odd;
+    }
     return motor;
   }
 
@@ -67,6 +95,7 @@ class RaspReader {
     std::vector<Block> blocks;
     while (auto words = next_words()) {
       if (blocks.empty() || (words->size() >= header_words && !blocks.back().points.empty())) {
+        join_name(*words);
         blocks.push_back({.header = {line_, std::move(*words)}, .points = {}});
       } else {
         blocks.back().points.push_back({line_, std::move(*words)});
@@ -78,34 +107,56 @@ class RaspReader {
     return blocks;
   }
 
+  // "K550", or of several of that name "K550:AeroTech" or "K550:2".
   const Block& chosen(const std::vector<Block>& blocks, const std::optional<std::string>& wanted) {
     if (!wanted && blocks.size() == 1) {
       return blocks.front();
     }
     std::vector<std::string> names;
-    std::string list;
     for (const Block& block : blocks) {
       names.push_back(block.name());
-      list += (list.empty() ? "" : ", ") + block.name();
     }
     if (!wanted) {
       line_ = blocks[1].header.number;
-      refuse("a second motor begins here; choose one of " + list + ", as in file = \"" +
+      refuse("a second motor begins here; choose one of " + some_of(names) + ", as in file = \"" +
              name_.substr(name_.rfind('/') + 1) + "#" + names.front() + "\"");
     }
-    const auto found = std::ranges::find(blocks, *wanted, &Block::name);
-    if (found == blocks.end()) {
+    const std::size_t colon = wanted->rfind(':');
+    const std::string name = wanted->substr(0, colon);
+    const std::string which = colon == std::string::npos ? "" : wanted->substr(colon + 1);
+    std::vector<const Block*> same;
+    for (const Block& block : blocks) {
+      if (block.name() == name || block.name() == *wanted) {
+        same.push_back(&block);
+      }
+    }
+    if (same.empty()) {
       line_ = blocks.front().header.number;
-      const auto meant = suggestion(*wanted, names);
-      refuse("no motor \"" + *wanted + "\" in this file; " + (meant ? "did you mean " + *meant + "? " : "") +
-             "allowed: " + list);
+      const auto meant = suggestion(name, names);
+      refuse("no motor \"" + name + "\" in this file; " + (meant ? "did you mean " + *meant + "? " : "") +
+             "allowed: " + some_of(names));
     }
-    if (const auto second = std::ranges::find(std::next(found), blocks.end(), *wanted, &Block::name);
-        second != blocks.end()) {
-      line_ = second->header.number;
-      refuse("a second motor called \"" + *wanted + "\"; allowed: one of each name to choose from");
+    std::vector<std::string> choices;
+    for (std::size_t i = 0; i < same.size(); ++i) {
+      const std::string number = std::to_string(i + 1);
+      const bool is_only = std::ranges::count(same, same[i]->maker(), &Block::maker) == 1;
+      if (same.size() == 1 || which == number || (is_only && which == same[i]->maker())) {
+        return *same[i];
+      }
+      choices.push_back(name + ":" + (is_only && !same[i]->maker().empty() ? same[i]->maker() : number));
     }
-    return *found;
+    line_ = same[1]->header.number;
+    refuse("a second motor called \"" + name + "\"; choose " + some_of(choices));
+  }
+
+  // A person reads a dozen; there are files of hundreds.
+  static std::string some_of(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 12;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+      list += (i == 0 ? "" : ", ") + names[i];
+    }
+    return names.size() > most ? list + " and " + std::to_string(names.size() - most) + " more" : list;
   }
 
   // Most published files end with the last measured thrust. Ends the curve and says so.
@@ -134,10 +185,7 @@ class RaspReader {
     std::string text;
     while (std::getline(stream_, text)) {
       ++line_;
-      if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) {
-        text.erase(0, 3);  // editors on Windows mark UTF-8 with these bytes
-      }
-      std::istringstream rest{text.substr(0, text.find(';'))};
+      std::istringstream rest{text.starts_with('#') ? "" : text.substr(0, text.find(';'))};
       std::vector<std::string> words;
       for (std::string word; rest >> word;) {
         words.push_back(word);
@@ -151,7 +199,7 @@ class RaspReader {
 
   // Not std::stod, which reads a decimal comma in some locales and stops silently at garbage.
   double number(const std::string& word, const std::string& what) const {
-    const std::optional<double> value = text::decimal(word);
+    const std::optional<double> value = decimal(word);
     if (!value || !std::isfinite(*value)) {
       refuse(what + " \"" + word + "\"; allowed: a finite number with a decimal point");
     }
@@ -160,7 +208,7 @@ class RaspReader {
 
   // Returns the propellant mass. Size and delays play no part in the flight; they must only be where they belong.
   double read_header(const std::vector<std::string>& words) const {
-    if (words.size() < header_words) {
+    if (words.size() < header_words - 1) {  // the maker may be missing
       refuse("header with " + std::to_string(words.size()) +
              " words; allowed: name diameter_mm length_mm delays propellant_kg total_kg maker");
     }
@@ -198,7 +246,14 @@ class RaspReader {
       refuse("thrust point with " + std::to_string(words.size()) + " words, first \"" + words.front() +
              "\"; allowed: seconds newtons");
     }
-    const sim::ThrustPoint point{.time_s = number(words[0], "time"), .thrust_n = number(words[1], "thrust")};
+    sim::ThrustPoint point{.time_s = number(words[0], "time"), .thrust_n = number(words[1], "thrust")};
+    if (!points.empty() && point.time_s == points.back().time_s) {  // a step, or a point that is there twice
+      if (point.thrust_n == points.back().thrust_n) {
+        return;
+      }
+      constexpr double as_good_as_upright_s = 1e-4;
+      point.time_s += as_good_as_upright_s;
+    }
     if (const auto fault = sim::ThrustCurve::fault(points.empty() ? nullptr : &points.back(), point)) {
       refuse_point(*fault, points, point);
     }
@@ -226,7 +281,7 @@ class RaspReader {
 }  // namespace
 
 RaspMotor load_rasp(const std::filesystem::path& file, const std::optional<std::string>& motor) {
-  const std::optional<std::string> text = file_text(file.string());
+  const std::optional<std::string> text = motor_text(file.string());
   if (!text) {
     throw text::Error{text::ErrorKind::no_such_input, file.string() + ": no such motor file"};
   }

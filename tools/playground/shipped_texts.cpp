@@ -12,6 +12,7 @@
 #include "input/file_checks.hpp"
 #include "input/file_text.hpp"
 #include "input/messages.hpp"
+#include "input/motor_text.hpp"
 #include "input/shipped.hpp"
 #include "text/error.hpp"
 
@@ -61,6 +62,8 @@ std::optional<std::string> file_text(const std::string& file) {
   const bool is_scenario = file.starts_with(folder_of(Shipped::scenario));
   return std::string{found->text} + (is_scenario ? playground::behind_scenarios() : std::string{});
 }
+
+std::optional<std::string> motor_text(const std::string& file) { return file_text(file); }
 
 std::vector<std::string> shipped_names(Shipped kind) {
   const std::string folder = folder_of(kind);
