@@ -22,7 +22,7 @@ TEST(Units, AreThoseOfTheTables) {
   EXPECT_DOUBLE_EQ(find_unit("g")->si, 9.80665);
   EXPECT_DOUBLE_EQ(59.0 * find_unit("degF")->si + find_unit("degF")->offset, 288.15);
   EXPECT_EQ(find_unit("furlong"), nullptr);
-  EXPECT_EQ(unit_names(Dimension::time), "s, ms, us, min");
+  EXPECT_EQ(unit_names(Dimension::time), "s, ms, us, ns, min, h");
   EXPECT_EQ(plainly_spelt("kg/m\u00b3"), "kg/m3");
   EXPECT_EQ(plainly_spelt("\xB0"), "deg") << "Latin-1";
 }
@@ -97,6 +97,20 @@ TEST(Loggers, OfCatsTurnTheSensorsAxesTogether) {
         std::pair{Quantity::lateral_z, Quantity::yaw_rate}}) {
     EXPECT_EQ(of(force), of(rate));
     EXPECT_EQ(sign(force), sign(rate));
+  }
+}
+
+// AltosUI writes the same names for a computer without an accelerometer; without a radio there is no callsign.
+TEST(Loggers, OfAltOsWithoutAnAccelerometerAreKnownByTheirColumns) {
+  const std::vector<std::string> mini{"version", "serial", "flight", "time", "acceleration", "height"};
+  ASSERT_NE(logger_of(mini), nullptr);
+  EXPECT_EQ(logger_of(mini)->name, "easymini");
+  EXPECT_NE(logger_of(mini)->doubt, "");
+  for (const char* more : {"call", "accel_x"}) {
+    std::vector<std::string> other = mini;
+    other.emplace_back(more);
+    EXPECT_EQ(logger_of(other)->name, "altos") << more;
+    EXPECT_EQ(logger_of(other)->doubt, "");
   }
 }
 

@@ -42,6 +42,39 @@ TEST(Rows, MayHaveANumberThatMeansNone) {
   EXPECT_TRUE(std::isnan(read("0,2147483647.00\n", {}, found).values[1][0]));
 }
 
+TEST(Rows, HaveNoNumberWhereALoggerWritesOneThatMeansNone) {
+  const std::vector<Found> metres{{.column = 0, .needed = true}, {.column = 1}};
+  for (const char* mark : {"2147483647", "-2147483648.00", "4294967295", "-999", "-9999.0"}) {
+    const Rows rows = read("0,1.5\n1," + std::string{mark} + "\n2,-3\n", {}, metres);
+    EXPECT_TRUE(std::isnan(rows.values[1][1])) << mark;
+    EXPECT_EQ(rows.values[1][2], -3.0) << mark;
+    EXPECT_EQ(rows.lost[1].words, 0U) << mark;
+  }
+  EXPECT_EQ(read("0,-990\n1,-999\n2,-1010\n", {}, metres).values[1][1], -999.0) << "a number among its like";
+  EXPECT_EQ(read("0,1\n1,-999\n", {}, metres).notes, std::vector<std::string>{"a has -999 where it has no number."});
+}
+
+TEST(Rows, MayHaveTheTimeOfAClockOrOfACalendar) {
+  const std::vector<Found> seconds{{.column = 0, .needed = true}, {.column = 1}};
+  const auto times = [&](const std::string& text) { return read(text, {}, seconds).values[0]; };
+  EXPECT_EQ(times("12:59:59.5,1\n13:00:00.0,1\n"), (Values{0.0, 0.5}));
+  EXPECT_EQ(times("23:59:59,1\n00:00:01,1\n"), (Values{0.0, 2.0}));
+  EXPECT_EQ(times("2024-02-28T23:59:59Z,1\n2024-02-29 00:00:00.25,1\n"), (Values{0.0, 1.25})) << "a leap year";
+  expect_refused(ErrorKind::bad_data, {"required column", "25:00:00"}, [&] { (void)times("25:00:00,1\n"); });
+  EXPECT_EQ(read("0:0:1,1\n0:0:2,1\n", {}, seconds).notes.size(), 1U);
+}
+
+TEST(Rows, CountOnWhereACounterOfTheTimeBeginsAgain) {
+  const std::vector<Found> of_us{{.column = 0, .factor = 1e-6, .needed = true}, {.column = 1}};
+  const Rows rows = read("4294966000,1\n4294966500,1\n4294967000,1\n204,1\n704,1\n", {}, of_us);
+  ASSERT_EQ(rows.values[0].size(), 5U);
+  EXPECT_NEAR(rows.values[0][4] - rows.values[0][3], 500e-6, 1e-9);
+  EXPECT_NEAR(rows.values[0][3] - rows.values[0][2], 500e-6, 1e-9);
+  EXPECT_EQ(rows.notes, std::vector<std::string>{"t begins again once; it is counted on."});
+  expect_refused(ErrorKind::bad_data, {"time must increase"},
+                 [&] { (void)read("60000,1\n60010,1\n0,1\n10,1\n", {}, of_us); });
+}
+
 TEST(Rows, WithoutANeededNumberAreLeftOutUpToOneInAHundred) {
   std::string text;
   for (int i = 0; i < 100; ++i) {

@@ -66,7 +66,7 @@ TEST(Sources, AreRefusedWithWhatIsAllowed) {
   refused("roll_rate=p", {"--columns roll_rate=p", "unit is missing", "allowed: deg/s, rad/s"});
   refused("axial=a:rad/s", {"\"rad/s\" is not a unit of axial", "m/s2, g"});
   refused("roll_rate=p:rad", {"\"rad\" is not a unit of roll_rate", "deg/s, rad/s, mdeg/s, rpm, turn/s"});
-  refused("time=t:h", {"\"h\"", "allowed: s, ms, us"});
+  refused("time=t:d", {"\"d\"", "allowed: s, ms, us"});
   refused("time=t:s,axial", {"expected QUANTITY=COLUMN:UNIT"});
   refused("time=t:s,", {"expected QUANTITY=COLUMN:UNIT"});
   refused("axial=x*a:g", {"\"x\" is not a scale", "0.5*a"});

@@ -49,7 +49,7 @@ files::Sources parse(const std::string& text) {
 }
 
 void read_csv(std::string bytes_of_file) {
-  const files::Loaded file = files::parse(std::move(bytes_of_file), "x.csv", files::Writer::logger);
+  const files::Loaded file = files::parse(std::move(bytes_of_file), "x.csv");
   const files::Logger* const logger = files::logger_of(file.table.columns());
   const files::Sources sources =
       logger != nullptr ? files::sources_of(*logger, listen::heard_quantities) : parse("time=t:s,axial=a:m/s2");

@@ -48,7 +48,7 @@ std::string names_of_maps() {
 }
 
 // What the person says goes before what the map says.
-files::Sources sources(const ListenOptions& o, const flight::Table& table, std::string& from) {
+files::Sources sources(const ListenOptions& o, const flight::Table& table, std::string& from, std::string& doubt) {
   files::Sources typed;
   if (!o.columns.empty()) {
     typed = files::parse_columns(o.columns, "--columns", listen::heard_quantities);
@@ -65,6 +65,7 @@ files::Sources sources(const ListenOptions& o, const flight::Table& table, std::
                                   "time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
                                   table.name(), flight::missing_column("known", table.columns()))};
   }
+  doubt = logger->doubt;
   const files::Sources of_map = files::sources_of(*logger, listen::heard_quantities);
   const bool uses_map = std::ranges::any_of(of_map, [&](const files::Source& source) {
     return files::find(typed, source.quantity) == nullptr && table.find(source.column);
@@ -76,11 +77,13 @@ files::Sources sources(const ListenOptions& o, const flight::Table& table, std::
 }
 
 listen::ImuLog read(const ListenOptions& o) {
-  const files::Loaded file = files::load(o.log, files::Writer::logger);
+  const files::Loaded file = files::load(o.log, files::Beside::nothing);
   std::string from;
-  const files::Sources what = sources(o, file.table, from);
+  std::string doubt;
+  const files::Sources what = sources(o, file.table, from, doubt);
   listen::ImuLog log = listen::imu_log(file, what);
   log.columns_from = from;
+  log.doubt = doubt;
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
   if (!o.barometer.empty()) {
     const files::Sources what_else =
@@ -88,7 +91,7 @@ listen::ImuLog read(const ListenOptions& o) {
     if (files::find(what_else, files::Quantity::height) == nullptr) {
       throw UsageError{"--barometer-columns: the height is missing, as in time=ts:s,height=h:m"};
     }
-    listen::add_barometer(log, files::load(o.barometer, files::Writer::logger).table, what_else);
+    listen::add_barometer(log, files::load(o.barometer, files::Beside::nothing).table, what_else);
   }
   return log;
 }

@@ -12,11 +12,10 @@
 
 namespace fantail::files {
 
-/// Who wrote a CSV file, and so how it is read.
-enum class Writer : std::uint8_t {
-  ours,      ///< or one with our layout: as it stands
-  logger,    ///< the header may stand behind a '#', as AltosUI writes it, where no other stands before the first row
-  simulator  ///< likewise, the last comment with a cell "Time", as OpenRocket and RocketPy write it
+/// What its reader can read beside tables, for messages.
+enum class Beside : std::uint8_t {
+  ftl,     ///< flight logs of Fantail: whoever asks has looked for one before
+  nothing  ///< tables alone
 };
 
 struct Loaded {
@@ -32,18 +31,15 @@ struct Loaded {
   Read::Pairs not_columns{};  ///< a name, and what stands under it instead of a column
 };
 
-/// The text of a CSV file, which messages call `name`. Of others' files the cells may be separated by semicolons or
-/// tabs, a name that comes again is NAME.1, NAME.2, and a last line that is cut off is left out, with a note; each row
-/// stays on its line. The decimal point is a point.
+/// The text of a CSV file, which messages call `name`, as files::tidied() makes a table of it.
 ///
-/// Throws text::Error (bad_data) as flight::Table::parse() does, for a semicolon or tab beside commas, and for what
-/// RocketPy exports when no variable is named: its header then lacks three columns, and it is unknown which number is
-/// which.
-[[nodiscard]] Loaded parse(std::string text, const std::string& name, Writer writer);
+/// Throws text::Error (bad_data) as flight::Table::parse() does, and for what RocketPy exports when no variable is
+/// named: its header then lacks three columns, and it is unknown which number is which.
+[[nodiscard]] Loaded parse(std::string text, const std::string& name);
 
 /// The table in a file: of the kinds that other programs write (files/convert.hpp) their columns, of every other a CSV
 /// file's. Throws as parse() and read() do, and text::Error (bad_data) for exports that are not read, by the ends of
 /// their names.
-[[nodiscard]] Loaded load(const std::filesystem::path& file, Writer writer);
+[[nodiscard]] Loaded load(const std::filesystem::path& file, Beside beside);
 
 }  // namespace fantail::files

@@ -63,6 +63,12 @@ constexpr std::array all_quantities{
 // TeleMega or EasyMega gives the rest. CATS: the Vega upright with its y axis down. PX4: the x axis of the autopilot to
 // the nose.
 constexpr std::array known_loggers{
+    Logger{
+        "easymini", "CSV export of AltosUI of a computer without accelerometer or radio (EasyMini)",
+        "time=time:s,axial_from_rest=acceleration:m/s2,height=height:m,speed=speed:m/s",
+        "version,serial,flight,time,acceleration", 2147483647.0, "call,accel_x",
+        "This computer has no accelerometer: its acceleration is made from the barometer, and is late and smooth. What "
+        "a launch detector would have done with it says nothing of one with an accelerometer."},
     Logger{"altos", "CSV export of AltosUI (TeleMetrum, TeleMega, EasyMega)",
            "time=time:s,axial_from_rest=acceleration:m/s2,lateral_y=accel_y:m/s2,lateral_z=accel_z:m/s2,"
            "roll_rate=gyro_roll:deg/s,pitch_rate=gyro_pitch:deg/s,yaw_rate=gyro_yaw:deg/s,height=height:m,"
@@ -110,6 +116,17 @@ constexpr std::array known_exports{
     ExportedColumn{"Axial Acceleration", Q::acceleration_along_the_axis, "RocketPy, \"axial_acceleration\""},
 };
 
+bool has_any(std::span<const std::string> columns, std::string_view names) {
+  while (!names.empty()) {
+    const std::size_t comma = std::min(names.find(','), names.size());
+    if (std::ranges::find(columns, names.substr(0, comma)) != columns.end()) {
+      return true;
+    }
+    names.remove_prefix(std::min(comma + 1, names.size()));
+  }
+  return false;
+}
+
 bool has_all(std::span<const std::string> columns, std::string_view names) {
   while (!names.empty()) {
     const std::size_t comma = std::min(names.find(','), names.size());
@@ -148,8 +165,9 @@ const Logger* find_logger(std::string_view name) {
 }
 
 const Logger* logger_of(std::span<const std::string> columns) {
-  const auto found =
-      std::ranges::find_if(known_loggers, [&](const Logger& logger) { return has_all(columns, logger.known_by); });
+  const auto found = std::ranges::find_if(known_loggers, [&](const Logger& logger) {
+    return has_all(columns, logger.known_by) && !has_any(columns, logger.lacks);
+  });
   return found == known_loggers.end() ? nullptr : &*found;
 }
 

@@ -126,6 +126,8 @@ struct Logger {
   /// A log whose columns include all of these, with commas between, is one of these where nobody says otherwise.
   std::string_view known_by;
   std::optional<double> no_value{};  ///< what it writes where it has no number
+  std::string_view lacks{};          ///< columns that another has with the same names, with commas between
+  std::string_view doubt{};          ///< what a reader must not take for measured, a sentence
 };
 [[nodiscard]] std::span<const Logger> loggers();
 [[nodiscard]] const Logger* find_logger(std::string_view name);

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "files/clock_time.hpp"
 #include "input/messages.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
@@ -24,6 +25,7 @@ class Reader {
   }
 
   Rows read() {
+    find_marks();
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       if (rule_.only_where && text::flag(table_.cell(row, *rule_.only_where)) == false) {
         ++result_.not_used;
@@ -55,14 +57,14 @@ class Reader {
     return true;
   }
 
-  [[nodiscard]] double value(std::size_t row, std::size_t i) const {
+  [[nodiscard]] double value(std::size_t row, std::size_t i) {
     const Found& column = columns_[i];
     if (column.is_flag) {
       const auto flag = text::flag(cell(row, i));
       return flag ? (*flag ? 1.0 : 0.0) : unknown;
     }
-    const auto number = table_.number(row, column.column);
-    if (!number || number == column.no_value) {
+    const auto number = i == 0 ? time_at(row) : table_.number(row, column.column);
+    if (!number || number == column.no_value || is_mark(*number, i)) {
       return unknown;
     }
     const double value = *number * column.factor + column.offset;
@@ -74,12 +76,66 @@ class Reader {
     return value;
   }
 
+  /// Numbers that loggers write where they have none.
+  [[nodiscard]] bool is_mark(double number, std::size_t i) const {
+    constexpr double largest = 2147483647.0;
+    return number == largest || number == -largest - 1.0 || number == 2.0 * largest + 1.0 ||
+           (marks_[i] && number == *marks_[i]);
+  }
+
+  void find_marks() {
+    marks_.resize(columns_.size());
+    for (std::size_t i = 1; i < columns_.size(); ++i) {
+      for (const double mark : {-999.0, -9999.0, -99999.0}) {
+        bool occurs = false;
+        bool is_apart = true;
+        for (std::size_t row = 0; row < table_.rows() && is_apart; ++row) {
+          const double number = table_.number(row, columns_[i].column).value_or(0.0);
+          occurs = occurs || number == mark;
+          is_apart = number == mark || std::abs(number) < std::abs(mark) * 2.0 / 3.0;
+        }
+        if (occurs && is_apart) {
+          marks_[i] = mark;
+        }
+      }
+    }
+  }
+
+  // As the cell has it, without what a clock or a counter began with and has wrapped around since.
+  [[nodiscard]] std::optional<double> time_at(std::size_t row) {
+    std::optional<double> number = table_.number(row, columns_[0].column);
+    if (!number) {
+      const auto clock_s = clock_time_s(cell(row, 0));
+      if (!clock_s) {
+        return std::nullopt;
+      }
+      constexpr double day_s = 86'400.0;
+      const double from_s = clock_begin_s_.value_or(*clock_s);
+      clock_begin_s_ = from_s;
+      const double since_s = *clock_s - from_s;
+      return (since_s < -0.5 * day_s ? since_s + day_s : since_s) / columns_[0].factor;
+    }
+    constexpr double steps = 4.0;  // it may have missed a few around its end
+    for (const double size : {65'536.0, 16'777'216.0, 4'294'967'296.0}) {
+      if (*number < last_count_ && last_count_ < size && last_count_ + steps * last_step_ >= size &&
+          *number <= steps * last_step_ && *number >= 0.0) {
+        wrapped_ += size;
+        ++wraps_;
+      }
+    }
+    last_step_ = *number > last_count_ ? *number - last_count_ : last_step_;
+    last_count_ = *number;
+    return *number + wrapped_;
+  }
+
   void count_lost(std::size_t row) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       Rows::Lost& lost = result_.lost[i];
       if (std::isnan(cells_[i])) {
         lost.first_row = lost.empty + lost.words == 0 ? row : lost.first_row;
-        ++(cell(row, i).empty() ? lost.empty : lost.words);
+        const bool is_number = !columns_[i].is_flag && table_.number(row, columns_[i].column).has_value();
+        const bool is_word = !cell(row, i).empty() && !is_number;
+        ++(is_word ? lost.words : lost.empty);
       }
     }
     ++result_.read;
@@ -138,6 +194,18 @@ class Reader {
       }
       result_.notes.push_back(said + "; they are left out.");
     }
+    for (std::size_t i = 1; i < marks_.size(); ++i) {
+      if (marks_[i]) {
+        result_.notes.push_back(fmt::format("{} has {:g} where it has no number.", name(i), *marks_[i]));
+      }
+    }
+    if (wraps_ > 0) {
+      result_.notes.push_back(fmt::format("{} begins again {}; it is counted on.", name(0),
+                                          wraps_ == 1 ? "once" : fmt::format("{} times", wraps_)));
+    }
+    if (clock_begin_s_) {
+      result_.notes.push_back(fmt::format("{} is the time of a clock; it counts from the first row on.", name(0)));
+    }
     if (repeated_ == 0) {
       return;
     }
@@ -160,6 +228,12 @@ class Reader {
   std::size_t last_ = 0;       ///< the row that was read last
   std::size_t left_out_ = 0;
   std::string first_left_out_;
+  std::vector<std::optional<double>> marks_;  ///< -999 and the like, where a column has one
+  std::optional<double> clock_begin_s_;
+  double last_count_ = 0.0;  ///< of the time, as the file has it
+  double last_step_ = 0.0;
+  double wrapped_ = 0.0;
+  std::size_t wraps_ = 0;
   std::size_t repeated_ = 0;
   std::size_t first_repeated_ = 0;
   Rows result_;

@@ -13,7 +13,9 @@
 #include "flight/table.hpp"
 
 /// Which rows of a table count: the one place where times that repeat or go back, and cells that hold no number, are
-/// dealt with.
+/// dealt with. No number are: an empty cell, words, the largest and smallest whole numbers of 32 bits, and -999, -9999
+/// and so on in a column whose other numbers are all smaller by a third at least. A time may also be that of a clock or
+/// calendar (clock_time_s), which counts from the first row on, and a counter of 16, 24 or 32 bits that begins again.
 namespace fantail::files {
 
 /// A column of a table that is read. The numbers become cell * factor + offset.

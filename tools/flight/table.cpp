@@ -59,15 +59,15 @@ std::string missing_column(std::string_view wanted, std::span<const std::string>
   return there.size() > most_names ? message + "..." : message.substr(0, message.size() - 2);
 }
 
-Table Table::parse(std::string text, std::string name, Rows rows) {
+Table Table::parse(std::string text, std::string name, Rows rows, std::size_t first_line) {
   Table table{std::move(text), std::move(name), rows};
-  table.read_all();
+  table.read_all(first_line);
   return table;
 }
 
 Table Table::load(const std::string& path) { return parse(text::read_input(path), path); }
 
-void Table::read_all() {
+void Table::read_all(std::size_t first_line) {
   // Half an hour at 1 kHz.
   if (constexpr std::size_t most = text::most_bytes(text::InputKind::data); text_.size() > most) {
     throw Error{ErrorKind::bad_data, fmt::format("{}: has more than {} MiB as text", name_, most >> 20U)};
@@ -76,7 +76,7 @@ void Table::read_all() {
     throw Error{ErrorKind::bad_data, name_ + ": contains zero bytes, so it is not CSV text in UTF-8"};
   }
   std::size_t begin = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  for (std::size_t line = 1; begin < text_.size(); ++line) {
+  for (std::size_t line = first_line; begin < text_.size(); ++line) {
     const std::size_t end = std::min(text_.find('\n', begin), text_.size());
     if (!says_nothing(std::string_view{text_}.substr(begin, end - begin))) {
       read_line(begin, end, line);

@@ -21,7 +21,9 @@ class Table {
 
   /// `text` is the content, `name` what messages call it. Throws text::Error (bad_data): no header, a name that
   /// stands twice, a row with another number of cells than the header (naming the line), more bytes than of any file.
-  [[nodiscard]] static Table parse(std::string text, std::string name, Rows rows = Rows::by_line);
+  /// `first_line`: what messages call the first line of the text.
+  [[nodiscard]] static Table parse(std::string text, std::string name, Rows rows = Rows::by_line,
+                                   std::size_t first_line = 1);
   /// Throws also as text::read_input() does.
   [[nodiscard]] static Table load(const std::string& path);
 
@@ -50,7 +52,7 @@ class Table {
 
   Table(std::string text, std::string name, Rows rows)
       : name_{std::move(name)}, text_{std::move(text)}, row_names_{rows} {}
-  void read_all();
+  void read_all(std::size_t first_line);
   void read_header(std::size_t line);
   void read_line(std::size_t begin, std::size_t end, std::size_t line);
   std::size_t read_quoted(std::size_t begin, std::size_t end, std::size_t line);

@@ -220,7 +220,8 @@ std::string interval_doubt(const Heard& heard) {
 }  // namespace
 
 std::vector<std::string> doubts_of(const Heard& heard) {
-  std::vector<std::string> doubts{axial_doubt(heard, heard.log.axial, "the axial force", "axial"),
+  std::vector<std::string> doubts{heard.log.doubt,
+                                  axial_doubt(heard, heard.log.axial, "the axial force", "axial"),
                                   axial_doubt(heard, heard.log.second_axial, "the second axial force", "second_axial"),
                                   disagreement_doubt(heard),
                                   begin_doubt(heard),

@@ -45,6 +45,7 @@ struct ImuLog {
   Signal speed{};
   double interval_s = 0.0;           ///< the usual one of `axial`; of a log that was flown the one around lift-off
   std::string columns_from{};        ///< "columns of the map altos"; where all are the person's own, empty
+  std::string doubt{};               ///< of the logger itself, a sentence; empty: none
   std::vector<std::string> notes{};  ///< a sentence each: what was left out, assumed, doubtful
 
   [[nodiscard]] double begin_s() const { return axial.time_s.front(); }

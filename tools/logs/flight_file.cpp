@@ -48,7 +48,7 @@ std::optional<flight_log::LogFile> log_of(const std::filesystem::path& path) {
 flight::Flight read_rows(const std::filesystem::path& file, Reading reading) {
   const std::string kept = follow_kept_sources(file, reading);
   flight::Flight flight =
-      read_flight_csv(files::load(file, files::Writer::ours), reading, {.roll_angle = false, .roll_rate = false});
+      read_flight_csv(files::load(file, files::Beside::ftl), reading, {.roll_angle = false, .roll_rate = false});
   if (!kept.empty()) {
     flight.notes.insert(flight.notes.begin(), kept);
   }

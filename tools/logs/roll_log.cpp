@@ -176,7 +176,7 @@ RollLog read_roll_log(const std::filesystem::path& path, const Reading& reading,
   }
   Reading mapped = reading;
   const std::string said = follow_kept_sources(file, mapped);
-  const files::Loaded table = files::load(file, files::Writer::ours);
+  const files::Loaded table = files::load(file, files::Beside::ftl);
   Needs present = needs;
   present.roll_angle = needs.roll_angle && (!needs.roll_rate || may_have_roll_angle(table.table, mapped));
   flight::Flight flight = read_flight_csv(table, mapped, present);

@@ -183,7 +183,7 @@ Trajectory parse_trajectory(std::string text, const std::string& name, const sim
         fmt::format("{}: a trajectory is flown in a flight, and environment.surroundings is \"{}\"", scenario.name,
                     scenario.surroundings == sim::Surroundings::tunnel ? "tunnel" : "gimbal")};
   }
-  const files::Loaded file = files::parse(std::move(text), name, files::Writer::simulator);
+  const files::Loaded file = files::parse(std::move(text), name);
   const flight::Table& table = file.table;
   const Columns columns{table};
   const Series series = read_series(table, columns);

@@ -80,7 +80,7 @@ SwingLog of_flight_log(const std::filesystem::path& path) {
 }
 
 SwingLog of_table(const std::filesystem::path& path) {
-  const flight::Table table = files::load(path, files::Writer::ours).table;
+  const flight::Table table = files::load(path, files::Beside::ftl).table;
   const bool is_rate = table.find(files::known(files::Quantity::pitch_rate).column).has_value();
   if (!is_rate && !table.find(files::known(files::Quantity::pitch).column)) {
     text::refuse(fmt::format("{}: neither a column pitch_rate_deg_s nor pitch_deg", path.string()));

@@ -29,7 +29,7 @@ TunnelLog read_tunnel_log(const std::filesystem::path& path, const files::Source
       throw Error{ErrorKind::no_such_input, path.string() + ": this folder contains no tunnel.csv"};
     }
   }
-  const flight::Table table = files::load(file, files::Writer::ours).table;
+  const flight::Table table = files::load(file, files::Beside::ftl).table;
   std::vector<files::Found> found;
   for (const files::Quantity quantity : tunnel_quantities) {
     found.push_back(files::find_column(table, columns, quantity, ""));

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "files/file_kind.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace fantail::files {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Beginning {
+  std::string_view begin;
+  std::string_view said;
+};
+
+constexpr std::array kinds{
+    Beginning{"\xA3\x95\x80\x80"sv,
+              "an ArduPilot DataFlash log; pymavlink makes a table of it: mavlogdump.py --format csv --types IMU FILE"},
+    Beginning{"H Product:Blackbox"sv, "a Betaflight black box; blackbox_decode or orangebox makes a table of it"},
+    Beginning{"ULog\x01\x12\x35"sv, "a ULog of PX4; let its name end in .ulg"},
+    Beginning{"PAR1"sv, "a Parquet file; let its name end in .parquet"},
+    Beginning{"ARROW1"sv, "a Feather file; let its name end in .feather"},
+    Beginning{"\x89HDF\r\n"sv, "an HDF5 file; let its name end in .h5"},
+    Beginning{"MATLAB 5.0"sv, "a MAT-file; let its name end in .mat"},
+    Beginning{"\x89MCAP0"sv, "an MCAP file; let its name end in .mcap"},
+    Beginning{"\x1F\x8B"sv, "packed by gzip; let its name end in .gz"},
+    Beginning{"PK\x03\x04"sv, "a zip archive; unpack it, or let the name of a workbook end in .xlsx"},
+    Beginning{"SQLite format 3"sv, "an SQLite database; export a table of it as CSV"},
+    Beginning{"%PDF"sv, "a PDF"},
+    Beginning{"\x7F"
+              "ELF"sv,
+              "a program"},
+    Beginning{"<?xml"sv, "XML; export the flight as CSV"},
+    Beginning{"VERSION "sv, "a telemetry file of AltOS; AltosUI makes a table of it: File, Export data"},
+    Beginning{"TELEM "sv, "a telemetry file of AltOS; AltosUI makes a table of it: File, Export data"},
+};
+
+}  // namespace
+
+std::string kind_that_is_no_table(std::string_view bytes) {
+  const auto found = std::ranges::find_if(kinds, [&](const Beginning& one) { return bytes.starts_with(one.begin); });
+  if (found != kinds.end()) {
+    return std::string{found->said};
+  }
+  // AltOS writes what the computer's flash holds behind its settings.
+  constexpr std::size_t looked_at = 4096;
+  const std::string_view first = bytes.substr(0, looked_at);
+  return first.starts_with('{') && first.find("\"log_format\"") != std::string_view::npos
+             ? "a flash image of AltOS (.eeprom); AltosUI makes a table of it: File, Export data"
+             : "";
+}
+
+}  // namespace fantail::files
