@@ -97,8 +97,8 @@ TEST_F(Designs, WithMotorsOfSeveralLengthsHoldTheOneThatIsFlown) {
   }
 }
 
-// The second set, 0.3 m wide, is farther out than [fins] and the body together.
-TEST_F(Designs, WithASecondSetOfWiderFinsAreReadWithItsMass) {
+// The second set, 0.3 m wide, is farther out than [fins] and the body together. Two hold one plane more than the other.
+TEST_F(Designs, WithASecondSetOfWiderFinsAreReadWithItsForcesAndJudgedInTheWorstPlane) {
   std::string xml = design("", k9, "");
   const std::string wings =
       "<trapezoidfinset><name>Wings</name><fincount>2</fincount><material type='bulk' density='600'>m</material>"
@@ -106,7 +106,8 @@ TEST_F(Designs, WithASecondSetOfWiderFinsAreReadWithItsMass) {
       "<tipchord>0.08</tipchord><sweeplength>0.07</sweeplength><height>0.3</height></trapezoidfinset>";
   xml.insert(xml.find("<trapezoidfinset>"), wings);
   const auto [made, later] = said(xml);
-  expect_said(made, {"Not used: Fins \"Wings\": their forces; their mass is used."});
+  expect_said(made, {"calibres at lift-off, in the worst plane ("});
+  EXPECT_EQ(made.find("Not used"), std::string::npos) << made;
 }
 
 TEST_F(Designs, AreNotComparedWithAFlightOnAnotherMotor) {
