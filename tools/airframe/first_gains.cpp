@@ -11,6 +11,7 @@
 #include "sim/ascent.hpp"
 #include "sim/scenario.hpp"
 #include "sim/units.hpp"
+#include "stability/margins_asked.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -18,13 +19,12 @@
 namespace fantail::airframe {
 namespace {
 
-/// What a prediction asks for in 95 % of its runs. With more at every corner of such wide ranges the roll would settle
-/// far from its reference.
-constexpr double phase_margin_rad = text::radians(30.0);
+/// At every corner of the ranges. With more there the roll would settle far from its reference.
+constexpr double phase_margin_rad = stability::least_phase_margin_rad;
 constexpr int speeds = 12;
 
-/// Over the computed model alone: `plan check` warns of less, at the speeds of a flight in wind, too.
-constexpr double computed_phase_margin_rad = text::radians(46.0);
+/// Over the computed model alone, with a degree for the speeds of a flight in wind.
+constexpr double computed_phase_margin_rad = stability::comfortable_phase_margin_rad + text::radians(1.0);
 constexpr double slower_in_wind = 0.93;
 
 /// The largest that leaves the margin is taken: it ends an offset soonest.

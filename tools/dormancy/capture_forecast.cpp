@@ -7,6 +7,7 @@
 
 #include "dormancy/opening.hpp"
 #include "sim/units.hpp"
+#include "stability/margins_asked.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 
@@ -60,7 +61,7 @@ double path_for_m(const RollAtEntry& e, double angle_rad) {
 /// From the angle at which the law takes the canards off their limit to the last degrees, in the air of this speed: the
 /// slower pole of the linear loop, and no faster than its phase margin lets a swing die. Empty: it may not settle.
 std::optional<double> last_degrees_s(const RollAtEntry& e, double speed_m_s) {
-  constexpr double least_margin_rad = text::radians(30.0);
+  constexpr double least_margin_rad = stability::least_phase_margin_rad;
   const double a = damping_rate_per_s(e, speed_m_s);
   const double b = authority_per_s2(e, speed_m_s);
   double rate_per_s = 0.5 * (a + b * e.derivative_gain_s);

@@ -24,6 +24,7 @@
 #include "json/value.hpp"
 #include "protocol/plan_block.hpp"
 #include "stability/canard_sense.hpp"
+#include "stability/margins_asked.hpp"
 #include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -32,7 +33,7 @@
 namespace fantail::tool {
 namespace {
 
-constexpr double comfortable_rad = text::radians(45.0);
+constexpr double comfortable_rad = stability::comfortable_phase_margin_rad;
 
 bool is_shipped(input::Shipped kind, const std::string& name) {
   const std::vector<std::string> all = input::shipped_names(kind);

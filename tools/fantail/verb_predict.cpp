@@ -19,6 +19,7 @@
 #include "input/shipped.hpp"
 #include "predict/answer.hpp"
 #include "report/results.hpp"
+#include "stability/margins_asked.hpp"
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "text/quoting.hpp"
@@ -40,7 +41,7 @@ struct PredictOptions {
   std::optional<double> servo_delay_s;
   double authority_percent = 95.0;
   double held_percent = 90.0;
-  double phase_margin_deg = 30.0;
+  double phase_margin_deg = stability::least_phase_margin_deg;
   std::string out;
   bool other_vehicle = false;
   std::optional<std::size_t> run;

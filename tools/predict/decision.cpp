@@ -17,8 +17,8 @@
 namespace fantail::predict {
 namespace {
 
-// What control engineers call comfortable; advice aims at it, or at what is asked for where that is more.
-constexpr double comfortable_phase_margin_rad = text::radians(45.0);
+// Advice aims at it, or at what is asked for where that is more.
+using stability::comfortable_phase_margin_rad;
 
 struct TriedGains {
   GainAdvice gains{};

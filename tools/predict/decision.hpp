@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "predict/prediction.hpp"
-#include "text/degrees.hpp"
+#include "stability/margins_asked.hpp"
 
 namespace fantail::predict {
 
 /// What is required of a launch.
 struct Thresholds {
-  double authority_share = 0.95;                  ///< of the runs whose canards can balance the offset
-  double held_share = 0.90;                       ///< of the runs that hold their roll
-  double phase_margin_rad = text::radians(30.0);  ///< of 95 % of the runs, at the worst speed flown
+  double authority_share = 0.95;  ///< of the runs whose canards can balance the offset
+  double held_share = 0.90;       ///< of the runs that hold their roll
+  /// Of 95 % of the runs, at the worst speed flown.
+  double phase_margin_rad = stability::least_phase_margin_rad;
 };
 
 enum class Judgement : std::uint8_t { met, not_met, not_judged };

@@ -11,6 +11,7 @@
 #include "predict/margins.hpp"
 #include "sim/canard_aerodynamics.hpp"
 #include "stability/canard_sense.hpp"
+#include "stability/margins_asked.hpp"
 #include "stability/roll_loop.hpp"
 #include "text/degrees.hpp"
 #include "text/error.hpp"
@@ -30,8 +31,7 @@ using text::fixed;
 /// What the search's coarse grid of speeds may miss.
 constexpr double reserve_rad = text::radians(0.3);
 
-/// Of a go by fantail predict.
-constexpr double required_margin_rad = text::radians(30.0);
+constexpr double required_margin_rad = stability::least_phase_margin_rad;
 
 std::vector<LoopAtSpeed> loop_over_speed(const sim::Scenario& scenario, const SpeedsFlown& speeds, double spread) {
   constexpr int steps = 80;
