@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -105,19 +106,54 @@ TEST_F(NewRocketFiles, KeepWhatADesignFileHasStoredAndWhatWasLeftOut) {
 }
 
 // The step after the first flight is a campaign, and a scenario without a spread is refused there.
-TEST_F(NewRocketFiles, ShowASpreadThatNeedsOnlyToBeUncommented) {
-  const NewFiles made = files_of(
-      {.name = "one", .vehicle = shipped(), .motor_file = "i150_canonical", .source = "a test", .assumed = {}});
-  std::string scenario = std::ranges::find(made.files, "scenario.toml", &text::NamedFile::name)->content;
-  const std::size_t begin = scenario.find("# [[spread]]");
-  ASSERT_NE(begin, std::string::npos);
-  for (std::size_t at = begin; at != std::string::npos; at = scenario.find("\n# ", at)) {
-    scenario.erase(at == begin ? at : at + 1, 2);
+TEST_F(NewRocketFiles, HaveASpreadForEveryRangeThatTheShapeHas) {
+  const auto scenario_of = [](const sim::Vehicle& vehicle) {
+    const NewFiles made = files_of(
+        {.name = "one", .vehicle = vehicle, .motor_file = "i150_canonical", .source = "a test", .assumed = {}});
+    return std::ranges::find(made.files, "scenario.toml", &text::NamedFile::name)->content;
+  };
+  const auto has = [](const std::string& scenario, const std::string& field) {
+    return scenario.find("\n[[spread]]\nfield = \"" + field + "\"\n") != std::string::npos;
+  };
+  const std::string whole = scenario_of(shipped());
+  for (const char* field : {"aerodynamics.damping_m2", "aerodynamics.torque_m", "disturbance.angles_deg",
+                            "body.mass_kg", "airframe.centre_of_pressure_m", "wind.speed_m_s"}) {
+    EXPECT_TRUE(has(whole, field)) << field;
   }
-  made_from(shipped());
-  std::ofstream{folder() / "scenario.toml"} << scenario;
-  EXPECT_NO_THROW((void)input::load_scenario((folder() / "scenario.toml").string(), {})) << scenario;
-  EXPECT_NE(scenario.find("\n[[spread]]\nfield = "), std::string::npos) << scenario;
+  sim::Vehicle bare = shipped();
+  bare.geometry->canards.reset();
+  bare.geometry->masses.clear();
+  bare.geometry->propellant.reset();
+  const std::string straight = scenario_of(bare);
+  for (const char* field : {"aerodynamics.torque_m", "airframe.centre_of_pressure_m", "wind.speed_m_s"}) {
+    EXPECT_FALSE(has(straight, field)) << field;
+  }
+}
+
+// A degree of cant is as cant_as_canards says; at the end of a roll the torque of the canards is that of the damping.
+TEST_F(NewRocketFiles, SayFirstWhatDecidesTheProject) {
+  const model::BuildUp b = model::build_up(shipped());
+  FirstGains first{};
+  first.lowest_speed_m_s = 20.0;
+  first.highest_speed_m_s = 80.0;
+  const double limit_rad = 9.0 * sim::radians_per_degree;
+  const std::vector<std::string> said = what_decides(b, first, limit_rad);
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_NE(said[0].find("takes " + text::fixed(b.cant_as_canards->value, 2) + " deg"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("undo a cant of " + text::fixed(9.0 / b.cant_as_canards->value, 1) + " deg"),
+            std::string::npos)
+      << said[0];
+  EXPECT_NE(said[0].find("none at all"), std::string::npos) << "canards ahead of fins may lose all of their torque";
+  const double area_m2 = 0.25 * std::numbers::pi * 0.08 * 0.08;
+  const double alpha_m2 = b.roll_damping_m4.value / area_m2;
+  const double beta_m = b.roll_torque_m3->value / area_m2;
+  for (const double speed_m_s : {20.0, 80.0}) {
+    const double rate_deg_s = 9.0 * speed_m_s * beta_m / alpha_m2;
+    EXPECT_NE(said[1].find(text::fixed(rate_deg_s, 0) + " deg/s at " + text::fixed(speed_m_s, 0) + " m/s"),
+              std::string::npos)
+        << said[1];
+  }
+  EXPECT_TRUE(what_decides(b, std::nullopt, limit_rad).size() == 1);
 }
 
 TEST_F(NewRocketFiles, FlyInSixDegreesOfFreedomAndReachApogee) {

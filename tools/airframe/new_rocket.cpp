@@ -272,10 +272,12 @@ NewFiles files_of(const NewRocket& rocket) {
   const auto first = first_gains(with_roll_of_shape(rocket.vehicle, b), b, usual, text::radians(offset.angle_deg));
   NewFiles made{.files = {{.name = "vehicle.toml", .content = vehicle_file(rocket, b)},
                           {.name = "plan.toml", .content = first_line + plan_file(first, usual)},
-                          {.name = "scenario.toml", .content = first_line + scenario_file(offset, whole)}},
+                          {.name = "scenario.toml",
+                           .content = first_line + scenario_file(offset, whole, b.roll_torque_m3.has_value())}},
                 .gains = first              ? sentence(*first)
                          : b.roll_torque_m3 ? why_none(usual)
-                                            : ""};
+                                            : "",
+                .decides = what_decides(b, first, static_cast<double>(usual.controller.canard_limit.radians()))};
   if (rocket.motor) {
     made.files.push_back(*rocket.motor);
   }

@@ -72,12 +72,19 @@ struct FinOffset {
 };
 [[nodiscard]] FinOffset fin_offset(const model::BuildUp& computed);
 
-/// The scenario of a new rocket: in six degrees of freedom and wind, or along a straight line.
-[[nodiscard]] std::string scenario_file(const FinOffset& offset, bool in_six_dof);
+/// The scenario of a new rocket: in six degrees of freedom and wind, or along a straight line. With a spread for each
+/// number that the shape gives within a range, and for what nobody knows before a launch.
+[[nodiscard]] std::string scenario_file(const FinOffset& offset, bool in_six_dof, bool has_canards);
+
+/// What decides whether canards can hold this rocket, a sentence each: how crooked its fins may be, how fast the
+/// canards turn it. Empty without canards, or where they never control it.
+[[nodiscard]] std::vector<std::string> what_decides(const model::BuildUp& computed,
+                                                    const std::optional<FirstGains>& first, double canard_limit_rad);
 
 struct NewFiles {
   std::vector<text::NamedFile> files;
-  std::string gains;  ///< a sentence on where those of the plan come from; empty without canards
+  std::string gains;                   ///< a sentence on where those of the plan come from; empty without canards
+  std::vector<std::string> decides{};  ///< as what_decides()
 };
 
 /// vehicle.toml, plan.toml and scenario.toml: roll model, stability and inertia as the shape gives them, gains that

@@ -31,13 +31,80 @@ motion = "{motion}"
 [wind]
 speed_m_s = {wind}{wind_spread}
 
-# What fantail campaign draws: a table for each uncertain quantity. Uncomment this one, or write your own.
-# [[spread]]
-# field = "aerodynamics.torque_m"
-# law = "uniform"
-# effect = "factor"
-# low = 0.5
-# high = 2
+# What nobody knows before the launch, for fantail campaign; a flight has the values as they stand. Damping, torque and
+# centre of pressure: the error of what is computed from a shape. The rest is assumed: narrow it as you measure.
+[[spread]]
+field = "aerodynamics.damping_m2"
+law = "uniform"
+effect = "factor"
+low = 0.5
+high = 2
+
+{torque_spread}[[spread]]
+field = "disturbance.angles_deg"
+law = "normal"
+effect = "offset"
+standard_deviation = 1
+
+[[spread]]
+field = "body.mass_kg"
+law = "normal"
+effect = "factor"
+standard_deviation = 0.02
+
+[[spread]]
+field = "body.drag_area_m2"
+law = "normal"
+effect = "factor"
+standard_deviation = 0.15
+
+[[spread]]
+field = "motor.thrust_factor"
+law = "normal"
+standard_deviation = 0.03
+
+[[spread]]
+field = "servo.lag_s"
+law = "triangular"
+effect = "factor"
+low = 0.7
+mode = 1
+high = 1.6
+
+[[spread]]
+field = "imu.rate_bias_deg_s"
+law = "normal"
+standard_deviation = 0.3
+{side_spread})";
+
+constexpr std::string_view torque_spread = R"([[spread]]
+field = "aerodynamics.torque_m"
+law = "uniform"
+effect = "factor"
+low = 0.5
+high = 2
+
+)";
+
+constexpr std::string_view side_spread = R"(
+[[spread]]
+field = "airframe.centre_of_pressure_m"
+law = "uniform"
+effect = "factor"
+low = 0.97
+high = 1.03
+
+[[spread]]
+field = "wind.speed_m_s"
+law = "uniform"
+low = 0
+high = 6
+
+[[spread]]
+field = "wind.from_deg"
+law = "uniform"
+low = 0
+high = 360
 )";
 
 constexpr std::string_view wind_spread =
@@ -59,11 +126,13 @@ FinOffset fin_offset(const model::BuildUp& b) {
                          fmt::format("Fin offset: the largest that a scenario allows; computed: {}.", computed)};
 }
 
-std::string scenario_file(const FinOffset& offset, bool in_six_dof) {
+std::string scenario_file(const FinOffset& offset, bool in_six_dof, bool has_canards) {
   return fmt::format(fmt::runtime(scenario_text), fmt::arg("offset", offset.sentence),
                      fmt::arg("offset_deg", rounded(offset.angle_deg)),
                      fmt::arg("motion", in_six_dof ? "six_dof" : "straight"), fmt::arg("wind", in_six_dof ? 3 : 0),
-                     fmt::arg("wind_spread", in_six_dof ? wind_spread : ""));
+                     fmt::arg("wind_spread", in_six_dof ? wind_spread : ""),
+                     fmt::arg("torque_spread", has_canards ? torque_spread : ""),
+                     fmt::arg("side_spread", in_six_dof ? side_spread : ""));
 }
 
 }  // namespace fantail::airframe

@@ -233,6 +233,9 @@ void make(const NewOptions& options) {
         "It has no canards: nothing controls its roll until the vehicle has a section [canard_fins] and is made "
         "again.\n");
   }
+  for (const std::string& sentence : files.decides) {
+    show("{}\n", sentence);
+  }
   show("{}{}", files.gains, files.gains.empty() ? "" : "\n");
   show("{}", first_flight(scenario));
   const auto changed = is_design ? std::vector<std::string>{}
@@ -251,6 +254,7 @@ void make(const NewOptions& options) {
   const std::string scenario_file = text::shell_word((folder / "scenario.toml").string());
   show("\nNext: fantail airframe {}\n      fantail fly {}\n", text::shell_word((folder / "vehicle.toml").string()),
        scenario_file);
+  show("      fantail campaign {}\n", scenario_file);
   show("      fantail rules irec {} (most ranges ask for [dormancy] and run.abort_input in plan.toml)\n",
        scenario_file);
 }
