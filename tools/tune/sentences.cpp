@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "stability/margins_asked.hpp"
 #include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
@@ -67,9 +68,9 @@ std::string range_sentence(const Tuning& t) {
 }
 
 std::string margin_sentence(const Tuning& t) {
-  constexpr double predict_asks_deg = 30.0;
-  return degrees(t.after->least.phase_margin_rad) < predict_asks_deg
-             ? "That is little: a prediction requires 30 degrees, over its own spread."
+  return t.after->least.phase_margin_rad < stability::least_phase_margin_rad
+             ? fmt::format("That is little: a prediction requires {} degrees, over its own spread.",
+                           brief(stability::least_phase_margin_deg, 1))
              : "";
 }
 
