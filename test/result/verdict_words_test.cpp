@@ -33,6 +33,8 @@ TEST(VerdictWords, OfEveryPredictionAreInTheIndexOfMessages) {
   expect_in_the_index(decision.heading());
   decision.cautions.emplace_back("roll resonance");
   expect_in_the_index(decision.heading());
+  expect_in_the_index("Depends on the fins");
+  expect_in_the_index("Could be a go");
 }
 
 }  // namespace

@@ -161,7 +161,17 @@ TEST(Predict, FindsTheFileThatAScenarioNamesBesideIt) {
 
 TEST(Predict, RefusesWhatItCannotPredictFromAndWritesNothing) {
   const std::string flight = "vehicle = \"tasha3_launch2\"\nplan = \"tasha3_launch2\"\n";
-  Refusal({{"mine.toml", flight}}, {"predict", "mine.toml"}, 78, {"mine: names no tunnel_result", "--tunnel FILE"});
+  for (const Words& more : {Words{"--swirl", "1"},
+                            {"--runs", "9"},
+                            {"--run", "1"},
+                            {"--held-percent", "80"},
+                            {"--authority-percent", "80"},
+                            {"--damping-factor", "1:2"},
+                            {"--other-vehicle"}}) {
+    Words words{"predict", "mine.toml"};
+    words.insert(words.end(), more.begin(), more.end());
+    Refusal({{"mine.toml", flight}}, words, 64, {more.front() + ": ", "mine names no tunnel_result", "--tunnel FILE"});
+  }
   Refusal({{"mine.toml", "tunnel_result = \"absent\"\n" + flight}}, {"predict", "mine.toml"}, 66,
           {"mine.toml:1: unknown tunnel result \"absent\"", "tasha3_table2"});
   Refusal({}, {"predict", "--tunnel", "tasha3_tabel2"}, 66, {"did you mean tasha3_table2?"});

@@ -90,6 +90,9 @@ def fly_the_route(program, name, numbers, folder):
     route.run("tune", scenario, "--flights", "1", "--threads", "2", "--out", "tuned", codes=(0, 1))
     route.json("campaign", scenario, "--runs", "6", "--threads", "2", "--out", "campaign", codes=(0, 1))
     route.page("campaign/campaign.html")
+    assumed = route.json("predict", scenario, "--threads", "2", "--out", "assumed", codes=(1,))
+    assert assumed["answer"] == "undecided" and not assumed["go"], assumed["sentence"]
+    route.page("assumed/predict.html")
     route.run("rules", "irec", scenario, codes=(0, 1))
     route.run("brief", scenario, "--out", "brief")
     return flown["outcome"]

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -18,6 +20,7 @@
 #include "fantail/terminal.hpp"
 #include "input/shipped.hpp"
 #include "predict/answer.hpp"
+#include "predict/assumed_fins.hpp"
 #include "report/results.hpp"
 #include "stability/margins_asked.hpp"
 #include "text/error.hpp"
@@ -63,23 +66,18 @@ std::string objection_to_damping_factor(const std::string& text) {
                                     : '"' + text + "\" is not a range; allowed: LOW:HIGH, 0.1 to 10, for example 1:1.6";
 }
 
-std::filesystem::path tunnel_file(const sim::Scenario& scenario, const PredictOptions& options) {
-  if (options.tunnel) {
-    return input::find_input(input::Shipped::tunnel_result, *options.tunnel);
-  }
-  if (scenario.tunnel_result) {
-    return *scenario.tunnel_result;
-  }
-  throw text::Error{
-      text::ErrorKind::bad_configuration,
-      scenario.name +
-          ": names no tunnel_result; give the steps.csv that fantail tunnel steps writes with --tunnel FILE, "
-          "or name it in the scenario: tunnel_result = \"steps.csv\""};
+/// Empty: the fins are not measured yet.
+std::optional<std::filesystem::path> tunnel_file(const sim::Scenario& scenario, const PredictOptions& options) {
+  return options.tunnel           ? input::find_input(input::Shipped::tunnel_result, *options.tunnel)
+         : scenario.tunnel_result ? std::optional<std::filesystem::path>{*scenario.tunnel_result}
+                                  : std::nullopt;
 }
 
 std::vector<std::filesystem::path> inputs_of(const sim::Scenario& scenario, const PredictOptions& options) {
   std::vector<std::filesystem::path> files = files_of(options.scenario);
-  files.push_back(tunnel_file(scenario, options));
+  if (const auto tunnel = tunnel_file(scenario, options)) {
+    files.push_back(*tunnel);
+  }
   return files;
 }
 
@@ -140,6 +138,46 @@ void fly_one_run(const sim::Scenario& scenario, const predict::TunnelResult& tun
            .last_line = fmt::format("  report   {}", text::printable((folder / "report.html").string()))});
 }
 
+/// Without a tunnel result: what the fins may be.
+void predict_with_assumed_fins(const sim::Scenario& scenario, const PredictOptions& options) {
+  for (const auto& [name, is_given] : std::initializer_list<std::pair<std::string_view, bool>>{
+           {"--swirl", options.swirl_deg.has_value()},
+           {"--other-vehicle", options.other_vehicle},
+           {"--damping-factor", options.damping_factor != PredictOptions{}.damping_factor},
+           {"--runs", options.runs.has_value()},
+           {"--run", options.run.has_value()},
+           {"--authority-percent", options.authority_percent != PredictOptions{}.authority_percent},
+           {"--held-percent", options.held_percent != PredictOptions{}.held_percent}}) {
+    if (is_given) {
+      throw UsageError{
+          fmt::format("{}: needs --tunnel FILE, the steps.csv of fantail tunnel steps, as {} names no tunnel_result",
+                      name, scenario.name)};
+    }
+  }
+  predict::Options asked = prediction_options(options);
+  const std::filesystem::path folder = results_folder(options.out, "predict", scenario.name, asked.request.changes);
+  const std::vector<std::filesystem::path> inputs = inputs_of(scenario, options);
+  const runs::Place place = place_of_flights("predict", asked.request.command, folder, inputs);
+  const runs::Folder kept{place};
+  asked.kept = &kept;
+  const result::Made made = made_with(inputs, scenario.seed, asked.request.changes);
+  Progress progress{"predicting " + scenario.name + " with assumed fins",
+                    {.unit = "flights", .rate = " a second", .total = static_cast<double>(predict::assumed_flights())}};
+  const predict::AssumedFins assumed =
+      predict::assume_fins(scenario, asked, text::radians(options.phase_margin_deg), [&](std::size_t done) {
+        leave_if_interrupted(place.folder, place.parts);
+        progress.show(static_cast<double>(done));
+      });
+  deliver(predict::answer(assumed, made), {.folder = folder,
+                                           .name = "predict",
+                                           .inputs = inputs,
+                                           .removed = {"band.csv"},
+                                           .json = options.json,
+                                           .yes_is_required = true,
+                                           .shown_files = {"page", "runs"},
+                                           .when_written = [&kept] { kept.remove(); }});
+}
+
 void predict_launch(const PredictOptions& options) {
   if (options.run && options.runs && *options.run >= *options.runs) {
     throw UsageError{
@@ -147,8 +185,12 @@ void predict_launch(const PredictOptions& options) {
   }
   const sim::Scenario scenario = load(options.scenario);
   predict::require_launch(scenario);
-  const predict::TunnelResult tunnel =
-      predict::read_tunnel_result(tunnel_file(scenario, options), in_radians(options.swirl_deg));
+  const auto measured = tunnel_file(scenario, options);
+  if (!measured) {
+    predict_with_assumed_fins(scenario, options);
+    return;
+  }
+  const predict::TunnelResult tunnel = predict::read_tunnel_result(*measured, in_radians(options.swirl_deg));
   const predict::Options question = prediction_options(options);
   const std::filesystem::path folder = results_folder(options.out, "predict", scenario.name, question.request.changes);
   if (options.run) {
@@ -194,7 +236,9 @@ void fill(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.section("Tunnel results and servos");
   verb.option("--tunnel", options->tunnel,
-              "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario]")
+              "steps.csv of fantail tunnel steps, or a shipped name [tunnel_result of the scenario; without it the "
+              "fins are "
+              "assumed]")
       .offers(shipped(input::Shipped::tunnel_result))
       .value_name("FILE")
       .changes_result();
@@ -239,7 +283,7 @@ void fill(const Verb& verb) {
   verb.flag("--json", options->json, "Print predict.json instead of the text");
   verb.examples(
       "To resume an interrupted prediction, give the same command again.\n"
-      "Exit code 0: go; 1: no go.\n"
+      "Exit code 0: go; 1: no go, or it depends on fins that are not measured.\n"
       "Examples:\n"
       "  fantail predict tasha3_launch1                      the launch that failed: no go, and why\n"
       "  fantail predict tasha3_launch2 --damping-factor 1:1.6 --runs 1000\n"

@@ -8,6 +8,7 @@
 
 #include "flight/flight.hpp"
 #include "json/value.hpp"
+#include "predict/assumed_fins.hpp"
 #include "predict/fields.hpp"
 #include "predict/sentences.hpp"
 #include "text/degrees.hpp"
@@ -163,7 +164,8 @@ std::vector<result::Listed> listed_fields() {
           result::listed("stability.worst, stability.over_speed[]", margin_fields),
           result::listed("criteria[]", filed_criterion_fields),
           result::listed("runs.csv", run_fields),
-          result::listed("band.csv", band_fields)};
+          result::listed("band.csv", band_fields),
+          listed_airframe_fields()};
 }
 
 result::Document answer(const P& p, const Decision& decision, const result::Made& made) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "predict/margins.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <numbers>
 
 #include "stability/roll_loop.hpp"
+#include "stability/speed_range.hpp"
 
 namespace fantail::predict {
 namespace {
@@ -57,6 +59,19 @@ stability::LoopsAtSpeeds loops_at_speeds(const sim::Scenario& scenario, const st
     all.push_back(loops_at_speed(scenario, runs, speed_m_s));
   }
   return all;
+}
+
+std::vector<double> speeds_flown(const core::FlightPlan& plan, const std::vector<Run>& runs) {
+  constexpr int steps = 32;
+  std::optional<double> lowest;
+  double highest = 0.0;
+  for (const Run& run : runs) {
+    if (run.lowest_speed_m_s) {
+      lowest = std::min(lowest.value_or(*run.lowest_speed_m_s), *run.lowest_speed_m_s);
+      highest = std::max(highest, run.top_speed_m_s);
+    }
+  }
+  return lowest ? stability::speeds_between(plan, {*lowest, highest}, steps) : std::vector<double>{};
 }
 
 std::vector<MarginsAtSpeed> margins_over_speed(const sim::Scenario& scenario, const std::vector<Run>& runs,

@@ -30,6 +30,9 @@ struct MarginsAtSpeed {
 [[nodiscard]] stability::LoopsAtSpeeds loops_at_speeds(const sim::Scenario& scenario, const std::vector<Run>& runs,
                                                        const std::vector<double>& speeds_m_s);
 
+/// 32 steps between the lowest and the highest speed under control of all runs; empty: none came under control.
+[[nodiscard]] std::vector<double> speeds_flown(const core::FlightPlan& plan, const std::vector<Run>& runs);
+
 /// Without the speeds at which no airframe can swing.
 [[nodiscard]] std::vector<MarginsAtSpeed> margins_over_speed(const sim::Scenario& scenario,
                                                              const std::vector<Run>& runs,

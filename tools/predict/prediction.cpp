@@ -22,19 +22,6 @@ namespace {
 
 using text::fixed;
 
-/// The scenario with the servo that was measured.
-sim::Scenario with_servo(const sim::Scenario& scenario, const Options& options) {
-  sim::Scenario changed = scenario;
-  sim::ServoParameters& servo = changed.vehicle.servo;
-  servo.lag_s = options.servo_lag_s.value_or(servo.lag_s);
-  if (options.servo_delay_s) {
-    // A delay from command to canard holds the wait for the pulse frame, which the simulated servo adds by itself.
-    const double waiting_s = stability::loop_delay_s(changed.vehicle) - changed.vehicle.imu.delay_s - servo.delay_s;
-    servo.delay_s = std::max(0.0, *options.servo_delay_s - waiting_s);
-  }
-  return changed;
-}
-
 template <typename ValueOf>
 Quantiles spread_of(const std::vector<Run>& runs, ValueOf value_of) {
   std::vector<double> values;
@@ -86,20 +73,6 @@ Band band(const std::vector<Run>& runs) {
     all.time_s.push_back(track_step_s * static_cast<double>(i));
   }
   return all;
-}
-
-/// Of all runs.
-std::vector<double> speeds_flown(const core::FlightPlan& plan, const std::vector<Run>& runs) {
-  constexpr int steps = 32;
-  std::optional<double> lowest;
-  double highest = 0.0;
-  for (const Run& run : runs) {
-    if (run.lowest_speed_m_s) {
-      lowest = std::min(lowest.value_or(*run.lowest_speed_m_s), *run.lowest_speed_m_s);
-      highest = std::max(highest, run.top_speed_m_s);
-    }
-  }
-  return lowest ? stability::speeds_between(plan, {*lowest, highest}, steps) : std::vector<double>{};
 }
 
 bool has_opened(const Run& run) { return run.opening.has_value(); }
@@ -213,6 +186,18 @@ void require_launch(const sim::Scenario& scenario) {
         scenario.name +
             ": environment.surroundings is not a flight; allowed: \"flight\", because a prediction is for a launch"};
   }
+}
+
+sim::Scenario with_servo(const sim::Scenario& scenario, const Options& options) {
+  sim::Scenario changed = scenario;
+  sim::ServoParameters& servo = changed.vehicle.servo;
+  servo.lag_s = options.servo_lag_s.value_or(servo.lag_s);
+  if (options.servo_delay_s) {
+    // A delay from command to canard holds the wait for the pulse frame, which the simulated servo adds by itself.
+    const double waiting_s = stability::loop_delay_s(changed.vehicle) - changed.vehicle.imu.delay_s - servo.delay_s;
+    servo.delay_s = std::max(0.0, *options.servo_delay_s - waiting_s);
+  }
+  return changed;
 }
 
 RepeatedRun repeat_run(const sim::Scenario& scenario, const TunnelResult& tunnel, const Options& options,

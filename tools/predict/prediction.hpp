@@ -43,6 +43,9 @@ struct Options {
   const runs::Folder* kept = nullptr;  ///< of finished runs; null: none are kept
 };
 
+/// The scenario with the servo that was measured.
+[[nodiscard]] sim::Scenario with_servo(const sim::Scenario& scenario, const Options& options);
+
 /// Roll over time, over all runs that left the pad.
 struct Band {
   std::vector<double> time_s;  ///< after lift-off
