@@ -82,7 +82,25 @@ TEST(AssumedFins, AreNoGoWhereNoFinsAreHeld) {
   const result::Document said = answer(all, {});
   EXPECT_EQ(said.verdict.answer, result::Answer::no);
   EXPECT_EQ(said.verdict.heading, "No go") << said.verdict.sentence;
-  EXPECT_NE(said.verdict.sentence.find("from -9.0 to 9.0 degrees is held"), std::string::npos) << said.verdict.sentence;
+  EXPECT_NE(said.verdict.sentence.find("from -9.00 to 9.00 degrees meets the requirements"), std::string::npos)
+      << said.verdict.sentence;
+}
+
+TEST(AssumedFins, AreNotJudgedOutsideTheModel) {
+  const AssumedFins all = assume_fins(held_launch({"flight.motion=six_dof", "wind.speed_m_s=14",
+                                                   "wind.speed_spread_m_s=3", "verdict.tilt_end_before_apogee_s=10"}),
+                                      {}, 0.0, look_away);
+  EXPECT_EQ(all.runs.front().wind.value().speed_m_s, 14.0) << "the stated one";
+  const result::Document said = answer(all, {});
+  EXPECT_EQ(said.verdict.answer, result::Answer::undecided);
+  EXPECT_EQ(said.verdict.heading, "Outside the model") << said.verdict.sentence;
+}
+
+TEST(AssumedFins, AreNoGoWhereTheGuideLeansTooFarForAnyFins) {
+  const AssumedFins all = assume_fins(held_launch({"launch_guide.tilt_deg=12"}), {}, 0.0, look_away);
+  const result::Document said = answer(all, {});
+  EXPECT_EQ(said.verdict.answer, result::Answer::no);
+  EXPECT_NE(said.verdict.sentence.find("tilt limit"), std::string::npos) << said.verdict.sentence;
 }
 
 }  // namespace

@@ -35,10 +35,8 @@ constexpr auto airframe_fields = result::fields<A>({
     {"why", "why", u::none, 0, &A::why, "why not, at that size"},
 });
 
-/// Steps of the offset differ by it.
-std::string deg(const AssumedFins& all, double angle_rad) {
-  return fixed(degrees(angle_rad), all.largest_offset_rad < text::radians(5.0) ? 2 : 1);
-}
+/// As the table has it.
+std::string deg(double angle_rad) { return fixed(degrees(angle_rad), 2); }
 
 std::string word(double factor) { return factor < 1.0 ? "half" : factor > 1.0 ? "twice" : "once"; }
 
@@ -58,14 +56,14 @@ const A& first_to_fail(const AssumedFins& all) {
   });
 }
 
-std::string up_to(const AssumedFins& all, const A& airframe) {
+std::string up_to(const A& airframe) {
   return *airframe.held_to_rad > 0.0
-             ? fmt::format("with every fin offset that was tried up to {} degrees", deg(all, *airframe.held_to_rad))
+             ? fmt::format("with every fin offset that was tried up to {} degrees", deg(*airframe.held_to_rad))
              : "without a fin offset";
 }
 
-std::string failure(const AssumedFins& all, const A& airframe) {
-  return airframe.fails_at_rad ? fmt::format(" At {} degrees it is not, with {}: {}.", deg(all, *airframe.fails_at_rad),
+std::string failure(const A& airframe) {
+  return airframe.fails_at_rad ? fmt::format(" At {} degrees it is not, with {}: {}.", deg(*airframe.fails_at_rad),
                                              which(airframe), airframe.why)
                                : " More than that the canards cannot balance.";
 }
@@ -82,54 +80,89 @@ constexpr std::string_view tried_airframes =
 Said said(const AssumedFins& all) {
   const auto straight = static_cast<std::size_t>(std::ranges::count_if(all.airframes, holds_straight_fins));
   const bool none = std::ranges::all_of(all.airframes, [](const A& airframe) { return airframe.held_rad.empty(); });
+  if (!all.tilt.empty()) {
+    return {result::Answer::no, "No go", fmt::format("No go: whatever the fins are, {}.", all.tilt)};
+  }
+  if (none && !all.beyond_model.empty()) {
+    return {result::Answer::undecided, "Outside the model",
+            fmt::format("Outside the model: {}. No fins can be judged there.", all.beyond_model)};
+  }
   if (none) {
     const A& own = all.airframes.front();
     return {result::Answer::no, "No go",
-            fmt::format("No go: whatever the fins are, no fin offset from -{0} to {0} degrees is held. Tried were {1}. "
+            fmt::format("No go: no fin offset from -{0} to {0} degrees meets the requirements. Tried were {1}. "
                         "With the vehicle's own values and straight fins, {2}.",
-                        deg(all, all.largest_offset_rad), tried_airframes, own.why)};
+                        deg(all.largest_offset_rad), tried_airframes, own.why)};
   }
   if (straight == all.airframes.size()) {
     const A& first = first_to_fail(all);
     const A& own = all.airframes.front();
     std::string sentence = fmt::format("Depends on the fins: they are not measured. The roll is held {}, with {}.{}",
-                                       up_to(all, first), tried_airframes, failure(all, first));
+                                       up_to(first), tried_airframes, failure(first));
     if (&own != &first) {
-      sentence += fmt::format(" With the vehicle's own values it is held {}.", up_to(all, own));
+      sentence += fmt::format(" With the vehicle's own values it is held {}.", up_to(own));
     }
     return {result::Answer::undecided, "Depends on the fins", std::move(sentence)};
   }
   std::string sentence = fmt::format(
-      "Could be a go: the fins are not measured. Of {} pairs of damping and torque, {} hold the roll with straight "
+      "Could be a go: the fins are not measured. Of {} pairs of damping and torque, {} the roll with straight "
       "fins.",
-      all.airframes.size(), straight == 0 ? "none" : fmt::format("{}", straight));
+      all.airframes.size(),
+      straight == 0 ? "none holds" : fmt::format("{} {}", straight, straight == 1 ? "holds" : "hold"));
   for (const A& airframe : all.airframes) {
-    sentence += holds_straight_fins(airframe)
-                    ? fmt::format(" With {} it is held {}.", which(airframe), up_to(all, airframe))
-                    : fmt::format(" With {} it is not: {}.", which(airframe), airframe.why);
+    sentence += holds_straight_fins(airframe) ? fmt::format(" With {} it is held {}.", which(airframe), up_to(airframe))
+                                              : fmt::format(" With {} it is not: {}.", which(airframe), airframe.why);
   }
   return {result::Answer::undecided, "Could be a go", std::move(sentence)};
 }
 
-std::vector<std::string> what_a_session_settles(const AssumedFins& all, result::Answer answer) {
+/// A cant of fins pushes with their lift, as their damping does.
+double offset_per_cant(const AssumedFins& all, const A& airframe) {
+  return *all.offset_per_cant * airframe.damping_factor / airframe.torque_factor;
+}
+
+std::string cant_sentence(const AssumedFins& all) {
+  if (!all.offset_per_cant || !std::ranges::all_of(all.airframes, holds_straight_fins)) {
+    return {};
+  }
+  const auto cant_deg = [&](const A& airframe) {
+    return degrees(*airframe.held_to_rad) / offset_per_cant(all, airframe);
+  };
+  const A& own = all.airframes.front();
+  double least_deg = cant_deg(own);
+  double least_per = offset_per_cant(all, own);
+  double most_per = least_per;
+  for (const A& airframe : all.airframes) {
+    least_deg = std::min(least_deg, cant_deg(airframe));
+    least_per = std::min(least_per, offset_per_cant(all, airframe));
+    most_per = std::max(most_per, offset_per_cant(all, airframe));
+  }
+  return fmt::format(
+      "One degree of cant of all fins is a fin offset of {:.2g} degrees with the vehicle's own values, {:.2g} to "
+      "{:.2g} "
+      "with the others. So all of them hold a cant of {:.2g} degrees, and the vehicle's own one of {:.2g}.",
+      offset_per_cant(all, own), least_per, most_per, least_deg, cant_deg(own));
+}
+
+std::vector<std::string> what_a_session_settles(const AssumedFins& all, const Said& verdict) {
+  if (!all.tilt.empty()) {
+    return all.tilt_advice.empty() ? std::vector<std::string>{} : std::vector{all.tilt_advice};
+  }
+  if (verdict.heading == "Outside the model") {
+    return {"Mend this first: less wind, or a slower or a more stable rocket."};
+  }
+  if (verdict.answer == result::Answer::no) {
+    return {"Mend this first: a tunnel session does not change it."};
+  }
   std::vector<std::string> sentences;
-  const A& first = first_to_fail(all);
-  if (all.offset_per_cant && answer != result::Answer::no && first.held_to_rad && *first.held_to_rad > 0.0) {
-    const auto& per = *all.offset_per_cant;
-    const std::string range = std::isfinite(per.high) ? fmt::format("{} to {}", brief(per.low, 1), brief(per.high, 1))
-                                                      : fmt::format("{} or more", brief(per.low, 1));
-    sentences.push_back(fmt::format(
-        "One degree of cant of all fins is a fin offset of {} degrees ({} by the method's error). By the first number, "
-        "{} degrees are a cant of {} degrees.",
-        brief(per.value, 1), range, deg(all, *first.held_to_rad), brief(degrees(*first.held_to_rad) / per.value, 2)));
+  if (std::string cant = cant_sentence(all); !cant.empty()) {
+    sentences.push_back(std::move(cant));
   }
-  if (answer == result::Answer::no) {
-    return {"A tunnel session alone does not make it a go: change plan or canards first."};
-  }
-  const bool offset_alone = std::ranges::all_of(all.airframes, holds_straight_fins);
-  sentences.push_back(offset_alone ? "A session in a wind tunnel settles it: the fin offset decides."
-                                   : "A session in a wind tunnel settles it: damping and torque decide, and the fin "
-                                     "offset.");
+  sentences.push_back(
+      fmt::format("Next: measure fin offset, damping and torque in a wind tunnel. {}",
+                  std::ranges::all_of(all.airframes, holds_straight_fins)
+                      ? "Small offsets are held by all pairs that were tried, larger ones by some or none."
+                      : "Damping and torque decide whether even straight fins are held."));
   sentences.push_back(
       "fantail tunnel steps writes what it finds to steps.csv, and fantail predict --tunnel steps.csv gives a go or a "
       "no go.");
@@ -138,13 +171,15 @@ std::vector<std::string> what_a_session_settles(const AssumedFins& all, result::
 
 std::vector<std::string> not_counted(const AssumedFins& all) {
   std::vector<std::string> sentences{
-      "Not judged before a measurement: roll resonance, another wind than the stated one, and all other values that "
-      "may differ (fantail campaign varies them).",
+      fmt::format(
+          "Not judged before a measurement: roll resonance, another wind than {} m/s, and all other values that "
+          "may differ (fantail campaign varies them).",
+          brief(all.flown.wind.speed_m_s, 1)),
       fmt::format("Damping and torque beyond a factor of two of the vehicle's, and offsets between the {} sizes that "
                   "were tried.",
                   assumed_offset_steps + 1)};
-  if (!all.tilt.empty()) {
-    sentences.push_back(fmt::format("The tilt limit: {}.", all.tilt));
+  if (!all.beyond_model.empty()) {
+    sentences.push_back(fmt::format("Flights outside the model count as not held: {}.", all.beyond_model));
   }
   return sentences;
 }
@@ -183,7 +218,7 @@ std::vector<std::string> basis(const AssumedFins& all) {
       fmt::format(
           "Held means: as fantail fly judges it, with control beyond the guide and a phase margin of {} degrees "
           "or more at every speed under control.",
-          deg(all, all.asked_phase_margin_rad))};
+          deg(all.asked_phase_margin_rad))};
   for (const auto* more : {&all.flown.vehicle.assumed, &all.flight_notes}) {
     sentences.insert(sentences.end(), more->begin(), more->end());
   }
@@ -199,7 +234,7 @@ result::Listed listed_airframe_fields() {
 result::Document answer(const AssumedFins& assumed, const result::Made& made) {
   using enum result::Readers;
   const Said verdict = said(assumed);
-  const std::vector<std::string> next = what_a_session_settles(assumed, verdict.answer);
+  const std::vector<std::string> next = what_a_session_settles(assumed, verdict);
   const std::vector<std::string> beside = not_counted(assumed);
   const std::string changes =
       assumed.request.changes.empty() ? "" : fmt::format(". Changed: {}", fmt::join(assumed.request.changes, ", "));

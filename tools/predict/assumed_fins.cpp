@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include <fmt/core.h>
 
+#include "airframe/model/build_up.hpp"
+#include "flight/model_end.hpp"
 #include "predict/decision.hpp"
 #include "predict/margins.hpp"
 #include "predict/sentences.hpp"
@@ -42,10 +45,20 @@ TunnelStep airframe_of(const sim::Scenario& flown, std::size_t flight, double la
           .offset_end_rad = offset_rad};
 }
 
+std::string as_clause(std::string sentence) {
+  if (!sentence.empty() && sentence.front() >= 'A' && sentence.front() <= 'Z') {
+    sentence.front() = static_cast<char>(sentence.front() - 'A' + 'a');
+  }
+  return sentence;
+}
+
 /// Why a run is no go; empty: it is none.
 std::string objection(const Run& run, const AssumedAirframe& airframe, double asked_rad) {
+  if (run.outcome == report::Outcome::outside_model) {
+    return "outside the model, " + flight::how_far_beyond(run.extremes);
+  }
   if (run.outcome != report::Outcome::held) {
-    return cause(run);
+    return as_clause(cause(run));
   }
   if (run.begun_on_guide_s) {
     return "control begins inside the launch guide";
@@ -85,19 +98,15 @@ AssumedAirframe judged(const AssumedFins& all, std::size_t number) {
   return found;
 }
 
-std::optional<airframe::model::Estimate> offset_per_cant(const sim::Vehicle& vehicle) {
+std::optional<double> offset_per_cant(const sim::Vehicle& vehicle) {
   if (!vehicle.geometry) {
     return std::nullopt;
   }
   const airframe::model::BuildUp shape = airframe::model::build_up(vehicle);
   const double torque_m3 = vehicle.roll_plant.reference_area_m2 * vehicle.roll_plant.torque_m;
-  if (!shape.cant_as_canards || !shape.roll_torque_m3 || torque_m3 <= 0.0 || shape.cant_as_canards->value <= 0.0) {
-    return std::nullopt;
-  }
-  const double factor = shape.roll_torque_m3->value / torque_m3;
-  return airframe::model::Estimate{.value = factor * shape.cant_as_canards->value,
-                                   .low = factor * shape.cant_as_canards->low,
-                                   .high = factor * shape.cant_as_canards->high};
+  return shape.cant_as_canards && shape.roll_torque_m3 && torque_m3 > 0.0 && shape.cant_as_canards->value > 0.0
+             ? std::optional{shape.cant_as_canards->value * shape.roll_torque_m3->value / torque_m3}
+             : std::nullopt;
 }
 
 }  // namespace
@@ -115,18 +124,31 @@ AssumedFins assume_fins(const sim::Scenario& scenario, const Options& options, d
                   .flown = with_servo(scenario, options),
                   .asked_phase_margin_rad = asked_phase_margin_rad,
                   .runs = std::vector<Run>(assumed_flights())};
+  all.flown.wind_spread = {};  // one wind for all: the stated one
   all.largest_offset_rad = std::max(
       {0.0, std::abs(canard_reach(all.flown, 1.0).angle_rad), std::abs(canard_reach(all.flown, -1.0).angle_rad)});
   const auto fly_one = [&](std::uint64_t flight) {
     return fly_run(all.flown, airframe_of(all.flown, flight, all.largest_offset_rad), all.seed);
   };
   runs::run(runs::rows_into<Run>(all.runs, offsets_of_an_airframe, "", fly_one), options.kept, options.threads, look);
+  if (all.flown.motion == sim::FlightMotion::six_dof) {
+    for (Run& run : all.runs) {
+      run.wind = all.flown.wind;
+    }
+  }
   for (std::size_t number = 0; number < factors.size(); ++number) {
     all.airframes.push_back(judged(all, number));
   }
   all.flight_notes = notes_of(all.runs);
-  if (const auto tilt = tilt_limit({.flown = all.flown, .runs = all.runs}); tilt && tilt->judgement != Judgement::met) {
+  const Prediction of_all{.flown = all.flown, .runs = all.runs};
+  if (const auto tilt = tilt_limit(of_all); tilt && tilt->judgement == Judgement::not_met) {
     all.tilt = tilt->clause;
+    all.tilt_advice = advice_on_tilt(of_all);
+  }
+  if (std::ranges::count(all.runs, report::Outcome::outside_model, &Run::outcome) > 0) {
+    std::vector<flight::Extremes> extremes;
+    std::ranges::transform(all.runs, std::back_inserter(extremes), &Run::extremes);
+    all.beyond_model = flight::which_are_beyond(extremes);
   }
   all.offset_per_cant = offset_per_cant(all.flown.vehicle);
   return all;

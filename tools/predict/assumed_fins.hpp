@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "airframe/model/build_up.hpp"
 #include "predict/prediction.hpp"
 #include "result/document.hpp"
 
@@ -45,10 +44,11 @@ struct AssumedFins {
   std::vector<AssumedAirframe> airframes{};  ///< the vehicle as it is, then the corners of the spread
   std::vector<Run> runs{};                   ///< those of each airframe together
   std::vector<std::string> flight_notes{};
-  std::string tilt{};  ///< a clause: a point mass passes the tilt limit under control; empty: it does not
-  /// Fin offset of one degree of cant of all fins, with the vehicle's torque and the range of the method; empty: the
-  /// vehicle has no shape.
-  std::optional<airframe::model::Estimate> offset_per_cant{};
+  std::string tilt{};          ///< a clause: a point mass passes the tilt limit too early; empty: it does not
+  std::string tilt_advice{};   ///< a sentence, or empty
+  std::string beyond_model{};  ///< a clause on flights beyond a flight::ModelEnd; empty: there are none
+  /// Fin offset over the cant of all fins, with the vehicle's own torque; empty: the vehicle has no shape.
+  std::optional<double> offset_per_cant{};
 };
 
 /// How many flights assume_fins() flies.
@@ -58,7 +58,8 @@ struct AssumedFins {
 [[nodiscard]] AssumedFins assume_fins(const sim::Scenario& scenario, const Options& options,
                                       double asked_phase_margin_rad, const std::function<void(std::size_t done)>& look);
 
-/// No: the roll is held with no fins that were tried. Else undecided: it depends on fins that are not measured.
+/// No: no fins that were tried meet what is asked. Else undecided: it depends on fins that are not measured, or the
+/// flights are outside the model.
 [[nodiscard]] result::Document answer(const AssumedFins& assumed, const result::Made& made);
 
 /// For the manual.
