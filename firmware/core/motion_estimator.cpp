@@ -29,9 +29,7 @@ constexpr Microseconds support_time{100'000};
 
 constexpr Microseconds longest_bridge{1'000'000};  // far beyond what a reset takes; it bounds the work
 constexpr Microseconds bridge_step{1'000};
-/// All of them are in one tick, which has a millisecond: of a longer gap each is longer, up to 4 ms, and a rocket at
-/// the end of a gyro's range turns by 8 degrees in it.
-constexpr int most_bridge_steps = 251;
+constexpr int most_bridge_steps = 251;  // all in one tick; in a longer gap a step has up to 4 ms, 8 deg at 2000 deg/s
 
 Vector3f eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
 Vector3 plain(const Vector3f& v) { return {v.x(), v.y(), v.z()}; }

@@ -49,6 +49,15 @@ std::string which(const A& airframe) {
 
 bool holds_straight_fins(const A& airframe) { return airframe.held_to_rad.has_value(); }
 
+bool holds_nothing(const AssumedFins& all) {
+  return std::ranges::all_of(all.airframes, [](const A& airframe) { return airframe.held_rad.empty(); });
+}
+
+/// Straight fins with the vehicle's own values, too: then nothing else is to blame.
+bool is_outside_model(const AssumedFins& all) {
+  return holds_nothing(all) && all.runs.front().outcome == report::Outcome::outside_model;
+}
+
 /// Of those that hold straight fins, and of all where none does.
 const A& first_to_fail(const AssumedFins& all) {
   return *std::ranges::min_element(all.airframes, {}, [&](const A& airframe) {
@@ -79,15 +88,14 @@ constexpr std::string_view tried_airframes =
 
 Said said(const AssumedFins& all) {
   const auto straight = static_cast<std::size_t>(std::ranges::count_if(all.airframes, holds_straight_fins));
-  const bool none = std::ranges::all_of(all.airframes, [](const A& airframe) { return airframe.held_rad.empty(); });
   if (!all.tilt.empty()) {
     return {result::Answer::no, "No go", fmt::format("No go: whatever the fins are, {}.", all.tilt)};
   }
-  if (none && !all.beyond_model.empty()) {
+  if (is_outside_model(all)) {
     return {result::Answer::undecided, "Outside the model",
             fmt::format("Outside the model: {}. No fins can be judged there.", all.beyond_model)};
   }
-  if (none) {
+  if (holds_nothing(all)) {
     const A& own = all.airframes.front();
     return {result::Answer::no, "No go",
             fmt::format("No go: no fin offset from -{0} to {0} degrees meets the requirements. Tried were {1}. "
@@ -144,14 +152,14 @@ std::string cant_sentence(const AssumedFins& all) {
       offset_per_cant(all, own), least_per, most_per, least_deg, cant_deg(own));
 }
 
-std::vector<std::string> what_a_session_settles(const AssumedFins& all, const Said& verdict) {
+std::vector<std::string> what_a_session_settles(const AssumedFins& all) {
   if (!all.tilt.empty()) {
     return all.tilt_advice.empty() ? std::vector<std::string>{} : std::vector{all.tilt_advice};
   }
-  if (verdict.heading == "Outside the model") {
+  if (is_outside_model(all)) {
     return {"Mend this first: less wind, or a slower or a more stable rocket."};
   }
-  if (verdict.answer == result::Answer::no) {
+  if (holds_nothing(all)) {
     return {"Mend this first: a tunnel session does not change it."};
   }
   std::vector<std::string> sentences;
@@ -234,7 +242,7 @@ result::Listed listed_airframe_fields() {
 result::Document answer(const AssumedFins& assumed, const result::Made& made) {
   using enum result::Readers;
   const Said verdict = said(assumed);
-  const std::vector<std::string> next = what_a_session_settles(assumed, verdict);
+  const std::vector<std::string> next = what_a_session_settles(assumed);
   const std::vector<std::string> beside = not_counted(assumed);
   const std::string changes =
       assumed.request.changes.empty() ? "" : fmt::format(". Changed: {}", fmt::join(assumed.request.changes, ", "));
