@@ -105,15 +105,15 @@ Said said(const AssumedFins& all) {
   if (straight == all.airframes.size()) {
     const A& first = first_to_fail(all);
     const A& own = all.airframes.front();
-    std::string sentence = fmt::format("Depends on the fins: they are not measured. The roll is held {}, with {}.{}",
-                                       up_to(first), tried_airframes, failure(first));
+    std::string sentence = fmt::format("Depends on the fins: the roll is held {}, with {}.{}", up_to(first),
+                                       tried_airframes, failure(first));
     if (&own != &first) {
       sentence += fmt::format(" With the vehicle's own values it is held {}.", up_to(own));
     }
     return {result::Answer::undecided, "Depends on the fins", std::move(sentence)};
   }
   std::string sentence = fmt::format(
-      "Could be a go: the fins are not measured. Of {} pairs of damping and torque, {} the roll with straight "
+      "Could be a go: of {} pairs of damping and torque, {} the roll with straight "
       "fins.",
       all.airframes.size(),
       straight == 0 ? "none holds" : fmt::format("{} {}", straight, straight == 1 ? "holds" : "hold"));
@@ -209,12 +209,13 @@ page::Chart map(const AssumedFins& all) {
     put(failed, all.airframes[i].failed_rad);
     levels.push_back({.value = height, .label = which(all.airframes[i])});
   }
+  const double largest_deg = 1.05 * std::max(0.1, degrees(all.largest_offset_rad));
   return {.label = "Fin offsets with which the roll is held, for pairs of damping and torque",
           .x_label = "fin offset / deg",
           .y_label = "pair of damping and torque",
-          .height = 380.0,
           .series = {held, failed},
           .levels = std::move(levels),
+          .x_range = page::Range{-largest_deg, 1.9 * largest_deg},  // room for the names
           .y_range = page::Range{0.5, static_cast<double>(count) + 0.7}};
 }
 
