@@ -123,6 +123,14 @@ std::vector<result::Block> distributions(const Analysis& analysis, const result:
   return all;
 }
 
+std::vector<result::Block> landings(const std::optional<Landings>& of) {
+  if (!of) {
+    return {};
+  }
+  return {result::Picture{landing_map(*of), "Each point is a run; the guide stands at 0, 0. Seen from above."},
+          result::Sentences{.all = landing_sentences(*of)}, landing_figures(*of)};
+}
+
 std::vector<std::string> changes_of(const Campaign& campaign) {
   std::vector<std::string> all;
   all.reserve(campaign.changes.size());
@@ -147,6 +155,7 @@ std::vector<result::Listed> listed_fields() {
   std::vector<result::Listed> all{result::listed("", report_fields),
                                   result::listed("figures[], quantities[]", column_fields)};
   std::ranges::move(listed_of_runs(), std::back_inserter(all));
+  all.push_back(listed_landing());
   all.push_back(result::listed("band.csv", instant_fields));
   return all;
 }
@@ -176,6 +185,7 @@ result::Document answer(const Report& report) {
                    {"Influences", influences(report)},
                    {"Figures of the runs", distributions(a, figures)},
                    {"Slopes of the other figures", {slopes_of_other_figures(a)}, files},
+                   {"Where the runs land", landings(report.landings)},
                    {"The worst runs", worst(report)},
                    {"Drawn quantities", {shown(quantities)}, files},
                    {.heading = "How the share settled",

@@ -51,7 +51,7 @@ std::string write_run(const Campaign& campaign, const FlownRun& run, const fs::p
 }  // namespace
 
 Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question, std::optional<double> required,
-                const result::Made& made, const fs::path& folder, const std::function<void()>& look) {
+                const result::Made& made, const fs::path& folder, unsigned threads, const std::function<void()>& look) {
   Report report;
   report.analysis = analyse(flown, campaign, question, required);
   for (const RankedRun& worst : report.analysis.worst) {
@@ -59,6 +59,7 @@ Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& q
     report.run_folders.push_back(write_run(campaign, flown.runs[worst.index], folder));
   }
   report.roll_band = roll_band_of(campaign, flown, look);
+  report.landings = landings_of(campaign, flown, threads, look);
   report.campaign = campaign;
   report.flown = std::move(flown);
   report.made = made;

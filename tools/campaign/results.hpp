@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "campaign/analysis.hpp"
+#include "campaign/landing.hpp"
 #include "page/chart.hpp"
 #include "result/answer.hpp"
 #include "result/document.hpp"
@@ -38,6 +39,7 @@ struct Report {
   std::string command{};      ///< that flies it again
   std::string run_command{};  ///< that flies one run again, without its number
   RollBand roll_band{};
+  std::optional<Landings> landings{};
   std::vector<std::string> run_folders{};  ///< one a worst run, where its flight report is; empty: it has none
 };
 
@@ -110,9 +112,10 @@ struct ColumnWords {
 
 /// Analyses a whole campaign that was flown into `folder`, and writes there the flight reports of its worst runs, each
 /// in a folder run_N. `required`: a share that is asked for. `look` is called before each of these flights; what it
-/// throws ends it. Throws text::OutputError.
+/// throws ends it. Throws text::OutputError. `threads`: as parallel_for() takes them.
 [[nodiscard]] Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question,
                               std::optional<double> required, const result::Made& made,
-                              const std::filesystem::path& folder, const std::function<void()>& look);
+                              const std::filesystem::path& folder, unsigned threads,
+                              const std::function<void()>& look);
 
 }  // namespace fantail::campaign

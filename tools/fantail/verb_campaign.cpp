@@ -143,7 +143,7 @@ void fly_campaign(const CampaignOptions& options) {
   Chapters chapters{"campaign", 1, "computing the figures, flying the worst flights again and writing the page"};
   const campaign::Report report = campaign::conclude(
       campaign, std::move(flown), campaign::parse_question(options.question), share(options.at_least_percent), made,
-      folder, [&] { leave_if_interrupted(folder, campaign::runs_name); });
+      folder, options.threads, [&] { leave_if_interrupted(folder, campaign::runs_name); });
   chapters.end();
   deliver(campaign::answer(report), {.folder = folder,
                                      .name = "summary",

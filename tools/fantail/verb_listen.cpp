@@ -20,6 +20,7 @@
 #include "input/shipped.hpp"
 #include "listen/answer.hpp"
 #include "listen/fly_log.hpp"
+#include "listen/mounting.hpp"
 #include "text/error.hpp"
 #include "text/output_folder.hpp"
 
@@ -32,6 +33,7 @@ struct ListenOptions {
   std::string columns;
   std::string barometer;
   std::string barometer_columns;
+  std::string mounting;
   std::string plan = "tasha3_launch2";
   std::optional<double> longest_gap_s;
   double pad_s = 0.0;
@@ -77,6 +79,7 @@ files::Sources sources(const ListenOptions& o, const flight::Table& table, std::
 }
 
 listen::ImuLog read(const ListenOptions& o) {
+  const auto mounting = o.mounting.empty() ? std::nullopt : std::optional{listen::parse_mounting(o.mounting)};
   const files::Loaded file = files::load(o.log, files::Beside::nothing);
   std::string from;
   std::string doubt;
@@ -85,6 +88,9 @@ listen::ImuLog read(const ListenOptions& o) {
   log.columns_from = from;
   log.doubt = doubt;
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
+  if (mounting) {
+    listen::turn_into_rocket(log, *mounting, files::find(what, files::Quantity::axial)->offset != 0.0);
+  }
   if (!o.barometer.empty()) {
     const files::Sources what_else =
         files::parse_columns(o.barometer_columns, "--barometer-columns", listen::heard_quantities);
@@ -152,6 +158,10 @@ void fill(const Verb& verb) {
               fmt::format("Map of a logger's columns [the one that fits]. --columns overrides it. {}", names_of_maps()))
       .check(objection_to_map)
       .value_name("MAP");
+  verb.option("--mounting", options->mounting,
+              "How the logger sits: by which angles, in degrees, it was turned about the rocket's axes, one after the "
+              "other: \"45 about x\", \"90 about z, 10 about x\"")
+      .value_name("\"DEG about AXIS\"");
   verb.option("--barometer", options->barometer, "Separate file with the height").offers(files).value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns,
               "Its columns for time, height and speed, as in --columns")

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "flight/model_end.hpp"
+#include "fly/to_ground.hpp"
 #include "hardover/study.hpp"
 #include "json/value.hpp"
 #include "text/degrees.hpp"
@@ -134,7 +135,7 @@ std::string descent(const Study& study) {
     all += fmt::format(
         " {} of {} flights have no landing point: the parachute did not open, or they were in the air {} s after "
         "apogee.",
-        unknown, study.effects.size(), fixed(longest_fall_s, 0));
+        unknown, study.effects.size(), fixed(fly::longest_fall_s, 0));
   }
   return all;
 }

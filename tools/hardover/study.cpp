@@ -10,9 +10,9 @@
 #include "flight/model_end.hpp"
 #include "fly/describe.hpp"
 #include "fly/fly_scenario.hpp"
+#include "fly/to_ground.hpp"
 #include "runs/runner.hpp"
 #include "sim/atmosphere.hpp"
-#include "sim/nearest_tick.hpp"
 #include "sim/rotation.hpp"
 #include "sim/world.hpp"
 #include "text/error.hpp"
@@ -47,36 +47,13 @@ double fall_from_guide_m(const Flown& flown) {
   return std::hypot(at_m.x + t_s * v_m_s.x, at_m.y + t_s * v_m_s.y);
 }
 
-bool has_parachute(const sim::Vehicle& vehicle) { return vehicle.recovery && vehicle.recovery->drag_area_m2 > 0.0; }
-
-/// From the pad, under a parachute to the ground, however soon after apogee the scenario's own run ends. The fall
-/// without one is at angles of attack at which nothing is known of the air loads. The vectors end at apogee, or at
-/// burn-out where that is later.
+/// The vectors end at apogee, or at burn-out where that is later.
 Flown flown(const sim::Scenario& scenario) {
-  sim::Scenario to_ground = scenario;
-  to_ground.time_after_end_s = longest_fall_s;
-  sim::World world{to_ground};
+  fly::ToGround flight{scenario};
+  const sim::World& world = flight.world();
   Flown out;
-  std::optional<core::Microseconds> kept_until;
-  const auto ignition = sim::nearest_tick(scenario.pad_time_s);
-  const auto after_ignition_s = [&](auto time) { return sim::in_seconds(time - ignition); };
-  bool is_finished = false;
-  bool is_over = false;
-  while (!is_over && !world.over()) {
-    const sim::World::Events& events = world.events();
-    // Under the parachute the avionics only hold trim, so that its ticks change nothing and take most of the time.
-    // Until then they are needed: a tick is what notes that it opens.
-    if (!kept_until || !is_finished || !events.parachute) {
-      is_finished = world.tick().phase == core::Phase::finished;
-    }
-    if (!kept_until && events.burnout && events.apogee) {
-      kept_until = std::max(*events.burnout, *events.apogee);
-    }
-    is_over = kept_until && (world.is_on_ground() || !has_parachute(scenario.vehicle));
-    if (is_over && events.parachute) {
-      out.landing_at_m = world.path().value().position_m;
-    }
-    if (world.now() >= ignition && (!kept_until || world.now() < *kept_until)) {
+  while (flight.tick()) {
+    if (flight.is_ascent()) {
       const sim::Path path = world.path().value();
       const sim::Truth truth = world.truth();
       const sim::Vector3 across = world.canards_across_rad();
@@ -94,14 +71,15 @@ Flown flown(const sim::Scenario& scenario) {
         out.apogee_at_m = path.position_m;
       }
     }
-    world.advance();
   }
-  if (!world.events().guide_clear || !world.events().apogee) {
+  out.landing_at_m = flight.landing_m();
+  const sim::World::Events& events = world.events();
+  if (!events.guide_clear || !events.apogee) {
     throw text::Error{text::ErrorKind::bad_configuration,
                       scenario.name + ": the rocket does not leave its guide, or it does not reach an apogee"};
   }
-  out.clear_s = after_ignition_s(*world.events().guide_clear);
-  out.apogee_s = after_ignition_s(*world.events().apogee);
+  out.clear_s = flight.after_ignition_s(*events.guide_clear);
+  out.apogee_s = flight.after_ignition_s(*events.apogee);
   return out;
 }
 
@@ -230,7 +208,7 @@ Study fly(sim::Scenario scenario, const Options& options,
       .sound_apogee_north_m = sound.apogee_at_m.x,
       .sound_landing_east_m = {},
       .sound_landing_north_m = {},
-      .has_parachute = hardover::has_parachute(scenario.vehicle),
+      .has_parachute = fly::has_parachute(scenario.vehicle),
       .sound_fall_from_guide_m = fall_from_guide_m(sound),
       .sound_angle_of_attack_rad = {},
       .sound_roll_rate_rad_s = 0.0,

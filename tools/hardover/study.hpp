@@ -71,9 +71,6 @@ inline void fields(runs::RowText& text, Effect& effect) {
 /// Slower, an angle in the flow says little.
 inline constexpr double slowest_m_s = 20.0;
 
-/// Flown after apogee, unless it lands before.
-inline constexpr double longest_fall_s = 600.0;
-
 struct Study {
   std::string scenario;
   std::string vehicle;
