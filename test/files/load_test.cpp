@@ -60,6 +60,67 @@ TEST(SomebodysTable, WithoutNamesHasNumbersForThem) {
   EXPECT_NE(bare.notes[0].find("no names"), std::string::npos);
 }
 
+TEST(SomebodysTable, OfPerfectFliteHasItsNamesInParentheses) {
+  const Loaded pf2 =
+      log("PerfectFlite SL100\r\nApogee: 1234' AGL\r\n\r\n"
+          "Data: (Time, Altitude, Velocity, Temperature (F), Voltage)\r\n0.00,0,0,70.1,9.1\r\n0.05,12,31,70.1,9.1\r\n");
+  EXPECT_EQ(pf2.table.columns(), (Names{"Time", "Altitude", "Velocity", "Temperature (F)", "Voltage"}));
+  EXPECT_EQ(pf2.table.number(1, 1), 12.0);
+}
+
+TEST(SomebodysTable, MayHaveSpacesBetweenItsNamesAndCommasBetweenItsNumbers) {
+  const Loaded arts = log("# MET Acc Vel iAlt pAlt \n0.000,0.00,2.11,0.09,0.00\n0.020,6.57,7.14,0.30,0.00\n");
+  EXPECT_EQ(arts.table.columns(), (Names{"MET", "Acc", "Vel", "iAlt", "pAlt"}));
+  EXPECT_EQ(arts.table.rows(), 2U);
+}
+
+TEST(SomebodysTable, DoesNotTakeACommentThatASpreadsheetHasFilledWithCommasForItsNames) {
+  const Loaded table =
+      log("# Time (s),Altitude (m),Speed (m/s)\n# Event LAUNCH occurred at t=0 seconds,,\n0,1,2\n1,2,3\n");
+  EXPECT_EQ(table.table.columns(), (Names{"Time (s)", "Altitude (m)", "Speed (m/s)"}));
+}
+
+TEST(SomebodysTable, WithATimeForEveryFewColumnsIsReadAsOneInOrderOfTime) {
+  const Loaded raven =
+      log("Time@Axial Accel (Gs),Axial Accel (Gs),bILBA,Time@Baro (Atm),Baro (Atm),bILBA\n"
+          "0,1.0,b0,0.25,0.9,b1\n0.1,5.5,b0,0.75,0.8,b1\n0.3,2.5,b0,,,\n");
+  EXPECT_TRUE(raven.several_clocks);
+  ASSERT_EQ(raven.table.columns(), (Names{"time", "Axial Accel (Gs)", "bILBA", "Baro (Atm)", "bILBA.1"}));
+  ASSERT_EQ(raven.table.rows(), 5U);
+  const std::vector<double> times{0.0, 0.1, 0.25, 0.3, 0.75};
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    EXPECT_EQ(raven.table.number(row, 0), times[row]);
+    EXPECT_EQ(raven.table.number(row, 1).has_value(), row != 2 && row != 4) << row;
+    EXPECT_EQ(raven.table.number(row, 3).has_value(), row == 2 || row == 4) << row;
+  }
+  EXPECT_EQ(raven.table.number(3, 1), 2.5);
+  EXPECT_FALSE(log("time,a,b\n0,1,2\n1,2,3\n").several_clocks);
+}
+
+TEST(TheRawTextOfABlueRaven, IsATableWithTheUnitsOfTheExport) {
+  const std::string whole =
+      "@ LOG_HIR  139 2023  8 09 23:59:59.998   75     65    -22   -133    -66    -21    -55  -3000   3000    -30  "
+      "29655     22  "
+      "    0 CRC: 43F1\n"
+      "@ LOG_HIR  139 2023  8 10 00:00:00.000   77  10000    -21   -124   3100    -23    -52  -3304   3097    -34  "
+      "29656     22  "
+      "    0 CRC: 8772\n";
+  const Loaded raw = log(whole + "@ LOG_HIR  139 2023  8 10 00:00:00.002   79  @ LOG_HIR\n");
+  const auto number = [&](std::size_t row, std::string_view column) {
+    return raw.table.number(row, raw.table.column(column)).value();
+  };
+  ASSERT_EQ(raw.table.rows(), 2U);
+  EXPECT_DOUBLE_EQ(number(0, "Flight_Time_(s)"), 0.0);
+  EXPECT_DOUBLE_EQ(number(1, "Flight_Time_(s)"), 0.002) << "across midnight";
+  EXPECT_DOUBLE_EQ(number(0, "Gyro_Z"), -1.33);
+  EXPECT_DOUBLE_EQ(number(1, "Gyro_X"), 100.0);
+  EXPECT_DOUBLE_EQ(number(1, "Accel_X"), 31.0);
+  EXPECT_DOUBLE_EQ(number(0, "Quat_1"), 0.9885) << "the scalar, which stands last";
+  EXPECT_DOUBLE_EQ(number(0, "Quat_2"), -0.1);
+  ASSERT_EQ(raw.notes.size(), 2U);
+  EXPECT_NE(raw.notes[1].find("1 of 3"), std::string::npos) << raw.notes[1];
+}
+
 TEST(SomebodysTable, HasItsNamesThatComeAgainNumbered) {
   EXPECT_EQ(log("t,altitude,b,altitude,,altitude,\r\n1,2,3,4,5,6,\r\n").table.columns(),
             (Names{"t", "altitude", "b", "altitude.1", "", "altitude.2", ""}));
@@ -180,7 +241,7 @@ TEST(Load, KeepsTheLinesOfTheFile) {
 
 TEST(Load, NamesWhatAFileIsThatIsNoTable) {
   const test::Folder folder;
-  for (const auto& [bytes, said] : {std::pair{"\xA3\x95\x80\x80\x01", "an ArduPilot DataFlash log; pymavlink"},
+  for (const auto& [bytes, said] : {std::pair{"\xA3\x95\x80\x80\x01", "an ArduPilot DataFlash log; let its name end in .bin"},
                                     {"H Product:Blackbox flight data recorder\n", "a Betaflight black box"},
                                     {"PAR1....", "a Parquet file; let its name end in .parquet"},
                                     {"VERSION 9 CALL N0CALL SERIAL 1 FLIGHT 2", "a telemetry file of AltOS"},

@@ -69,7 +69,8 @@ TEST(Loggers, HaveReadableColumnsOfWhichTimeAndAxialForceAloneAreNeeded) {
       EXPECT_EQ(source.must_be_there, source.quantity == Quantity::time || source.quantity == Quantity::axial)
           << logger.name << " " << source.column;
     }
-    EXPECT_NE(find(sources, Quantity::axial), nullptr) << logger.name;
+    EXPECT_EQ(find(sources, Quantity::axial) != nullptr, has_axial(logger)) << logger.name;
+    EXPECT_NE(find(sources, Quantity::time), nullptr) << logger.name;
     EXPECT_EQ(find_logger(logger.name), &logger);
   }
   EXPECT_EQ(find_logger("altus"), nullptr);
@@ -85,6 +86,25 @@ TEST(Loggers, AreKnownByTheirColumns) {
   EXPECT_EQ(known_by({"timestamp", "gyro_rad[0]", "accelerometer_m_s2[0]"}), "px4");
   EXPECT_EQ(known_by({"time_s", "phase", "specific_force_m_s2"}), "fantail");
   EXPECT_EQ(known_by({"ts", "Ax", "Ay", "Az"}), "");
+  EXPECT_EQ(known_by({"version", "serial", "flight", "time", "pressure", "height"}), "altos_barometer");
+  EXPECT_EQ(known_by({"Flight_Time_(s)", "Accel_X", "Accel_Y", "Accel_Z", "Gyro_X", "Gyro_Y"}), "blueraven");
+  EXPECT_EQ(known_by({"MET", "Acc", "Vel", "iAlt", "pAlt"}), "arts2");
+}
+
+TEST(Loggers, WithoutAnAccelerometerAreNamedWithTheUseOfTheirHeight) {
+  const auto use = [](std::vector<std::string> columns) { return use_without_axial(columns); };
+  const std::string eggtimer = use({"T", "Alt", "Veloc", "LDA"});
+  EXPECT_NE(eggtimer.find("Eggtimer"), std::string::npos) << eggtimer;
+  const std::size_t columns = eggtimer.find("--barometer-columns ");
+  ASSERT_NE(columns, std::string::npos) << eggtimer;
+  const Sources advised = parse_columns(eggtimer.substr(columns + 20), "--barometer-columns", heard);
+  EXPECT_NE(find(advised, Quantity::height), nullptr) << "the advice is one that the option takes";
+  EXPECT_NE(use({"Time (s)", "Altitude (ft)", "Vertical velocity (ft/s)"}).find("--trajectory"), std::string::npos);
+  EXPECT_NE(use({"# Zeit (s)", "Zeit (s)", "Höhe (m)", "Vertikalgeschwindigkeit (m/s)"}).find("--trajectory"),
+            std::string::npos);
+  EXPECT_NE(use({"MET", "Acc(HI)", "Acc/Baro(LO)", "Baro(HI)", "State"}).find("interpreted"), std::string::npos);
+  EXPECT_EQ(use({"time", "ALT", "HORZV"}), "");
+  EXPECT_EQ(use({"version", "serial", "flight", "time", "acceleration"}), "") << "has one";
 }
 
 // x to the nose, y and z right-handed: of an IMU whose y axis points down, +y is its x axis and +z its z axis.

@@ -32,6 +32,11 @@ TEST(Hardover, UnderAParachuteARocketLandsFromItsApogeeAsFarDownwindAsTheWindGoe
   EXPECT_NE(text_of(found).find("under the parachute"), std::string::npos) << text_of(found);
   const page::Chart map = landing_map(found).value();
   EXPECT_EQ(map.series.back().x.size(), 1U) << "the guide";
+  const page::Series& circle = map.series.front();
+  for (std::size_t i = 0; i < circle.x.size(); ++i) {
+    EXPECT_NEAR(std::hypot(circle.x[i] - *found.sound_landing_east_m, circle.y[i] - *found.sound_landing_north_m),
+                found.worst().landing_away_m.value(), 1e-6);
+  }
   const std::string drawn = page::svg(map);
   for (const char* const lone : {"second\" data-name=\"healthy rocket", "reference\" data-name=\"launch guide"}) {
     EXPECT_GT(drawn.find(lone), drawn.find("data-name=\"at the negative stop")) << lone << " is drawn on top";

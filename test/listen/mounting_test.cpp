@@ -90,6 +90,33 @@ TEST(AMounting, IsRefusedWhereTheLogCannotBeTurned) {
   });
 }
 
+TEST(AMounting, ByThePadPutsTheForceAtRestOnTheNoseWhicheverWayTheLoggerSits) {
+  for (const sim::Vector3& up : {sim::Vector3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0.6, -0.48, 0.64}}) {
+    ImuLog log = log_of(one_g_m_s2 * up.x, one_g_m_s2 * up.y, one_g_m_s2 * up.z);
+    for (std::size_t i = 0; i < log.axial.value.size(); ++i) {
+      log.axial.time_s[i] = log.lateral_y.time_s[i] = log.lateral_z.time_s[i] = 0.03 * static_cast<double>(i);
+    }
+    log.roll_rate = log.axial;  // it spins about the nose with 9.80665 rad/s
+    log.pitch_rate = log.lateral_y;
+    log.yaw_rate = log.lateral_z;
+    for (Signal* const signal : {&log.axial, &log.lateral_y, &log.lateral_z}) {
+      signal->value[15] *= 8.0;  // thrust
+    }
+    turn_into_rocket(log, parse_mounting("pad"), false);
+    EXPECT_NEAR(log.axial.value.at(0), one_g_m_s2, 1e-12);
+    EXPECT_NEAR(log.axial.value.at(15), 8.0 * one_g_m_s2, 1e-12);
+    EXPECT_NEAR(log.lateral_y.value.at(15), 0.0, 1e-12);
+    EXPECT_NEAR(log.roll_rate.value.at(3), one_g_m_s2, 1e-12);
+    EXPECT_NEAR(log.yaw_rate.value.at(3), 0.0, 1e-12);
+  }
+}
+
+TEST(AMounting, ByThePadIsRefusedForALogThatDoesNotBeginAtRest) {
+  ImuLog log = log_of(3.0 * one_g_m_s2, 0.0, 0.0);
+  expect_refused(ErrorKind::bad_data, {"log.csv", "0.2 s at rest", "--mounting"},
+                 [&] { turn_into_rocket(log, parse_mounting("pad"), false); });
+}
+
 TEST(AMounting, ThatIsNoneIsRefusedWithWhatIsAllowed) {
   for (const char* words : {"", "45", "45 about", "45 about w", "x about 45", "361 about x", "nan about x",
                             "45 about x,", "45 about xy", "45 degrees about x"}) {

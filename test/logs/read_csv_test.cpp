@@ -43,6 +43,20 @@ TEST(FlightCsv, ColumnsBecomeRowsInRadiansAndPhasesTheEvents) {
   EXPECT_FALSE(flight.phase_changes[1].reason);
 }
 
+TEST(FlightCsv, OfAKnownLoggerNeedsNoNamesAndSaysWhatItIsReadAs) {
+  const Flight altimeter = read("T,Alt,Veloc,LDA\n0,0,0,0\n500,100,200,0\n1000,250,300,0\n");
+  ASSERT_EQ(altimeter.rows.size(), 3U);
+  EXPECT_NEAR(altimeter.rows[1].time_s, 0.5, 1e-12);
+  EXPECT_NEAR(altimeter.rows[1].height_m, 30.48, 1e-9);
+  EXPECT_NEAR(altimeter.rows[1].speed_m_s, 60.96, 1e-9);
+  ASSERT_GE(altimeter.notes.size(), 2U);
+  EXPECT_NE(altimeter.notes[0].find("map eggtimer"), std::string::npos) << altimeter.notes[0];
+  EXPECT_NE(altimeter.notes[1].find("metres"), std::string::npos) << altimeter.notes[1];
+  // One that sits any way round has no known roll rate.
+  expect_refused(ErrorKind::bad_data, {"no column"},
+                 [] { (void)read("Flight_Time_(s),Accel_X,Accel_Y,Accel_Z,Gyro_X\n0,0,0,-1,5\n0.002,0,0,-1,5\n"); });
+}
+
 TEST(FlightCsv, OfAPhaseThatBeganInAHoleNobodyKnowsWhen) {
   std::string text = "time_s,phase,roll_angle_deg\n";
   for (int tick = 0; tick < 1000; ++tick) {

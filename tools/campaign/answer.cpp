@@ -128,7 +128,7 @@ std::vector<result::Block> landings(const std::optional<Landings>& of) {
     return {};
   }
   return {result::Picture{landing_map(*of), "Each point is a run; the guide stands at 0, 0. Seen from above."},
-          result::Sentences{.all = landing_sentences(*of)}, landing_figures(*of)};
+          result::Sentences{.all = landing_sentences(*of)}};
 }
 
 std::vector<std::string> changes_of(const Campaign& campaign) {
@@ -167,38 +167,38 @@ result::Document answer(const Report& report) {
   const result::Table figures = result::table("figures", a.figures, column_fields);
   const result::Table quantities = result::table("quantities", a.quantities, column_fields);
   const result::Table instants = result::table("band", report.roll_band.instants, instant_fields);
-  return {
-      .kind = "campaign",
-      .title = report.flown.scenario,
-      .subtitle = subtitle(report),
-      .verdict = {.answer = answer_of(report), .heading = heading(report), .sentence = headline(report)},
-      .facts = {{"scenario", "", report.flown.scenario},
-                {"vehicle", "", report.flown.vehicle},
-                {"plan", "", report.flown.plan},
-                {"changes", "", changes_of(campaign)},
-                {"version", "", report.made.version},
-                {"seed", "", campaign.seed},
-                {"sampling", "", "independent"},
-                {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
-      .sections = {{"Roll angle of the runs", roll(report.roll_band, report.flown.runs.size(), instants), files},
-                   {"Outcomes", outcomes(report)},
-                   {"Influences", influences(report)},
-                   {"Figures of the runs", distributions(a, figures)},
-                   {"Slopes of the other figures", {slopes_of_other_figures(a)}, files},
-                   {"Where the runs land", landings(report.landings)},
-                   {"The worst runs", worst(report)},
-                   {"Drawn quantities", {shown(quantities)}, files},
-                   {.heading = "How the share settled",
-                    .blocks = {result::Picture{convergence_chart(report)}},
-                    .folded = "The share over the number of runs"},
-                   {"Limits of this result", {result::Sentences{"remarks", remarks(report)}}},
-                   {"Repeat", {report.command}},
-                   {"For programs",
-                    {result::figures("", report, report_fields), result::Data{"share", share_of(a)}, figures,
-                     quantities, result::Data{"influences", influences_for_programs(a)}, worst_for_programs(report)},
-                    programs}},
-      .spreadsheets = {instants},
-      .made = report.made};
+  return {.kind = "campaign",
+          .title = report.flown.scenario,
+          .subtitle = subtitle(report),
+          .verdict = {.answer = answer_of(report), .heading = heading(report), .sentence = headline(report)},
+          .facts = {{"scenario", "", report.flown.scenario},
+                    {"vehicle", "", report.flown.vehicle},
+                    {"plan", "", report.flown.plan},
+                    {"changes", "", changes_of(campaign)},
+                    {"version", "", report.made.version},
+                    {"seed", "", campaign.seed},
+                    {"sampling", "", "independent"},
+                    {"stop", "", campaign.stop ? Json{campaign.stop->text()} : Json{}}},
+          .sections = {{"Roll angle of the runs", roll(report.roll_band, report.flown.runs.size(), instants), files},
+                       {"Outcomes", outcomes(report)},
+                       {"Influences", influences(report)},
+                       {"Figures of the runs", distributions(a, figures)},
+                       {"Slopes of the other figures", {slopes_of_other_figures(a)}, files},
+                       {"Where the runs land", landings(report.landings)},
+                       {"The worst runs", worst(report)},
+                       {"Drawn quantities", {shown(quantities)}, files},
+                       {.heading = "How the share settled",
+                        .blocks = {result::Picture{convergence_chart(report)}},
+                        .folded = "The share over the number of runs"},
+                       {"Limits of this result", {result::Sentences{"remarks", remarks(report)}}},
+                       {"Repeat", {report.command}},
+                       {"For programs",
+                        {result::figures("", report, report_fields), result::Data{"share", share_of(a)}, figures,
+                         quantities, landing_figures(report.landings.value_or(Landings{})),
+                         result::Data{"influences", influences_for_programs(a)}, worst_for_programs(report)},
+                        programs}},
+          .spreadsheets = {instants},
+          .made = report.made};
 }
 
 }  // namespace fantail::campaign

@@ -32,7 +32,8 @@ Cell of_ellipse(const L& l, double Ellipse::* member, double factor = 1.0) {
 }
 
 constexpr auto landing_fields = result::fields<L>({
-    {"runs", "runs flown to the ground", u::none, 0, &L::runs, "the first of the runs"},
+    {"runs", "runs flown to the ground", u::none, 0, &L::runs,
+     "the first of the runs; 0: without a parachute, or not in six degrees of freedom"},
     {"landed", "of these under the parachute", u::none, 0,
      [](const L& l) { return Cell{std::uint64_t{l.landed.size()}}; }, "how many landed under it"},
     {"centre_east", "centre of the ellipse, to the east", u::m, 0,

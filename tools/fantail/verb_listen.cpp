@@ -44,52 +44,75 @@ struct ListenOptions {
 std::string names_of_maps() {
   std::string names;
   for (const files::Logger& logger : files::loggers()) {
-    names += fmt::format("{}{}: {}.", names.empty() ? "" : " ", logger.name, logger.about);
+    names += files::has_axial(logger) ? fmt::format("{}{}", names.empty() ? "" : ", ", logger.name) : "";
   }
   return names;
 }
 
+struct Chosen {
+  files::Sources sources{};
+  const files::Logger* logger = nullptr;  ///< whose map says some of it
+};
+
+[[noreturn]] void refuse_columns(const flight::Table& table) {
+  const std::string use = files::use_without_axial(table.columns());
+  throw text::Error{
+      text::ErrorKind::bad_data,
+      use.empty() ? fmt::format("{}: its columns fit no known logger; name at least time and axial force: --columns "
+                                "time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
+                                table.name(), flight::missing_column("known", table.columns()))
+                  : fmt::format("{}: {}", table.name(), use)};
+}
+
 // What the person says goes before what the map says.
-files::Sources sources(const ListenOptions& o, const flight::Table& table, std::string& from, std::string& doubt) {
+Chosen choose(const ListenOptions& o, const flight::Table& table) {
   files::Sources typed;
   if (!o.columns.empty()) {
     typed = files::parse_columns(o.columns, "--columns", listen::heard_quantities);
   }
-  const bool is_whole =
-      files::find(typed, files::Quantity::time) != nullptr && files::find(typed, files::Quantity::axial) != nullptr;
-  if (is_whole && o.map.empty()) {
-    return typed;
+  const bool has_axial = files::find(typed, files::Quantity::axial) != nullptr;
+  if (has_axial && files::find(typed, files::Quantity::time) != nullptr && o.map.empty()) {
+    return {typed};
   }
   const files::Logger* const logger = o.map.empty() ? files::logger_of(table.columns()) : files::find_logger(o.map);
-  if (logger == nullptr) {
-    throw text::Error{text::ErrorKind::bad_data,
-                      fmt::format("{}: its columns fit no known logger; name at least time and axial force: --columns "
-                                  "time=COLUMN:UNIT,axial=COLUMN:UNIT. {}",
-                                  table.name(), flight::missing_column("known", table.columns()))};
+  if (logger == nullptr || !(has_axial || files::has_axial(*logger))) {
+    refuse_columns(table);
   }
-  doubt = logger->doubt;
-  const files::Sources of_map = files::sources_of(*logger, listen::heard_quantities);
-  const bool uses_map = std::ranges::any_of(of_map, [&](const files::Source& source) {
-    return files::find(typed, source.quantity) == nullptr && table.find(source.column);
-  });
-  from = uses_map ? fmt::format("{}columns of the map {}{}", typed.empty() ? "" : "columns as typed, the rest from ",
-                                logger->name, o.map.empty() ? ", which fits them" : "")
-                  : "";
-  return files::merged(typed, of_map);
+  return {files::merged(typed, files::sources_of(*logger, listen::heard_quantities)), logger};
+}
+
+std::string columns_from(const ListenOptions& o, const flight::Table& table, const Chosen& chosen) {
+  const bool uses_map =
+      chosen.logger != nullptr && std::ranges::any_of(chosen.sources, [&](const files::Source& source) {
+        return !source.must_be_there && table.find(source.column);
+      });
+  return uses_map || (chosen.logger != nullptr && o.columns.empty())
+             ? fmt::format("{}columns of the map {}{}", o.columns.empty() ? "" : "columns as typed, the rest from ",
+                           chosen.logger->name, o.map.empty() ? ", which fits them" : "")
+             : "";
+}
+
+/// A logger that may sit any way round tells by the force on the pad where the nose is.
+std::optional<listen::Mounting> mounting_of(const ListenOptions& o, const Chosen& chosen) {
+  if (!o.mounting.empty()) {
+    return listen::parse_mounting(o.mounting);
+  }
+  const bool is_unknown = chosen.logger != nullptr && chosen.logger->any_mounting && o.columns.empty();
+  return is_unknown ? std::optional{listen::parse_mounting(listen::mounting_by_pad)} : std::nullopt;
 }
 
 listen::ImuLog read(const ListenOptions& o) {
-  const auto mounting = o.mounting.empty() ? std::nullopt : std::optional{listen::parse_mounting(o.mounting)};
+  if (!o.mounting.empty()) {
+    (void)listen::parse_mounting(o.mounting);  // before a long log is read
+  }
   const files::Loaded file = files::load(o.log, files::Beside::nothing);
-  std::string from;
-  std::string doubt;
-  const files::Sources what = sources(o, file.table, from, doubt);
-  listen::ImuLog log = listen::imu_log(file, what);
-  log.columns_from = from;
-  log.doubt = doubt;
+  const Chosen chosen = choose(o, file.table);
+  listen::ImuLog log = listen::imu_log(file, chosen.sources);
+  log.columns_from = columns_from(o, file.table, chosen);
+  log.doubt = chosen.logger != nullptr ? chosen.logger->doubt : "";
   log.notes.insert(log.notes.begin(), file.notes.begin(), file.notes.end());
-  if (mounting) {
-    listen::turn_into_rocket(log, *mounting, files::find(what, files::Quantity::axial)->offset != 0.0);
+  if (const auto mounting = mounting_of(o, chosen)) {
+    listen::turn_into_rocket(log, *mounting, files::find(chosen.sources, files::Quantity::axial)->offset != 0.0);
   }
   if (!o.barometer.empty()) {
     const files::Sources what_else =
@@ -139,7 +162,8 @@ void listen_to(const ListenOptions& o) {
 }
 
 std::string objection_to_map(const std::string& text) {
-  return files::find_logger(text) != nullptr
+  const files::Logger* const logger = files::find_logger(text);
+  return logger != nullptr && files::has_axial(*logger)
              ? ""
              : fmt::format("\"{}\" is not a map of a logger's columns; allowed: {}", text, names_of_maps());
 }
@@ -158,9 +182,10 @@ void fill(const Verb& verb) {
               fmt::format("Map of a logger's columns [the one that fits]. --columns overrides it. {}", names_of_maps()))
       .check(objection_to_map)
       .value_name("MAP");
-  verb.option("--mounting", options->mounting,
-              "How the logger sits: by which angles, in degrees, it was turned about the rocket's axes, one after the "
-              "other: \"45 about x\", \"90 about z, 10 about x\"")
+  verb.option(
+          "--mounting", options->mounting,
+          "How the logger sits: the angles, in degrees, by which it was turned about the rocket's axes, one after "
+          "another: \"45 about x\", \"90 about z, 10 about x\". Or \"pad\": its force on the pad points to the nose")
       .value_name("\"DEG about AXIS\"");
   verb.option("--barometer", options->barometer, "Separate file with the height").offers(files).value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns,

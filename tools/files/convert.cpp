@@ -222,7 +222,9 @@ Read::Pairs pairs(const json::Value& object) {
 std::string listed(std::span<const std::string_view> endings) { return fmt::format("{}", fmt::join(endings, ", ")); }
 
 bool is_read(const std::filesystem::path& file) {
-  return std::ranges::find(read_endings, file.extension().string()) != read_endings.end();
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::ranges::find(read_endings, ending) != read_endings.end();
 }
 
 Read read(const std::filesystem::path& file) {

@@ -40,14 +40,15 @@ class NotInstalled : public std::runtime_error {
 };
 
 /// What is read and written, by the ends of names. CSV can also be converted from.
-inline constexpr std::array<std::string_view, 9> read_endings{".mat",  ".parquet", ".feather", ".xlsx", ".h5",
-                                                              ".hdf5", ".gz",      ".mcap",    ".ulg"};
+inline constexpr std::array<std::string_view, 14> read_endings{".mat",  ".parquet", ".feather", ".xlsx", ".h5",
+                                                               ".hdf5", ".gz",      ".mcap",    ".ulg",  ".bin",
+                                                               ".bbl",  ".bfl",     ".eeprom",  ".telem"};
 inline constexpr std::array<std::string_view, 7> written_endings{".csv",  ".parquet", ".feather", ".mat",
                                                                  ".xlsx", ".mcap",    ".json"};
 /// ".mat, .parquet, ...", for messages.
 [[nodiscard]] std::string listed(std::span<const std::string_view> endings);
 
-/// Is it one of read_endings?
+/// Is it one of read_endings, in capitals or not?
 [[nodiscard]] bool is_read(const std::filesystem::path& file);
 
 /// The table in a file, as CSV that flight::Table reads.

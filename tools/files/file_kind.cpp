@@ -15,9 +15,8 @@ struct Beginning {
 };
 
 constexpr std::array kinds{
-    Beginning{"\xA3\x95\x80\x80"sv,
-              "an ArduPilot DataFlash log; pymavlink makes a table of it: mavlogdump.py --format csv --types IMU FILE"},
-    Beginning{"H Product:Blackbox"sv, "a Betaflight black box; blackbox_decode or orangebox makes a table of it"},
+    Beginning{"\xA3\x95\x80\x80"sv, "an ArduPilot DataFlash log; let its name end in .bin"},
+    Beginning{"H Product:Blackbox"sv, "a Betaflight black box; let its name end in .bbl"},
     Beginning{"ULog\x01\x12\x35"sv, "a ULog of PX4; let its name end in .ulg"},
     Beginning{"PAR1"sv, "a Parquet file; let its name end in .parquet"},
     Beginning{"ARROW1"sv, "a Feather file; let its name end in .feather"},
@@ -32,8 +31,10 @@ constexpr std::array kinds{
               "ELF"sv,
               "a program"},
     Beginning{"<?xml"sv, "XML; export the flight as CSV"},
-    Beginning{"VERSION "sv, "a telemetry file of AltOS; AltosUI makes a table of it: File, Export data"},
-    Beginning{"TELEM "sv, "a telemetry file of AltOS; AltosUI makes a table of it: File, Export data"},
+    Beginning{"VERSION "sv, "a telemetry file of AltOS, of an old kind; AltosUI makes a table of it: File, Export data"},
+    Beginning{"TELEM "sv, "a telemetry file of AltOS; let its name end in .telem"},
+    Beginning{"\xD0\xCF\x11\xE0"sv, "a workbook of old Excel; save it as .xlsx or CSV"},
+    Beginning{"FMT, 128"sv, "an ArduPilot log as text; its .bin is read"},
 };
 
 }  // namespace
@@ -43,11 +44,15 @@ std::string kind_that_is_no_table(std::string_view bytes) {
   if (found != kinds.end()) {
     return std::string{found->said};
   }
+  constexpr std::string_view arts2 = "Ozark.odf";  // the name of its own format, behind four bytes
+  if (bytes.substr(0, 64).find(arts2) != std::string_view::npos) {
+    return "a log of an ARTS2; its program exports it as text";
+  }
   // AltOS writes what the computer's flash holds behind its settings.
   constexpr std::size_t looked_at = 4096;
   const std::string_view first = bytes.substr(0, looked_at);
   return first.starts_with('{') && first.find("\"log_format\"") != std::string_view::npos
-             ? "a flash image of AltOS (.eeprom); AltosUI makes a table of it: File, Export data"
+             ? "a flash image of AltOS; let its name end in .eeprom"
              : "";
 }
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "files/blue_raven.hpp"
+#include "files/clocks.hpp"
 #include "files/file_kind.hpp"
 #include "files/tidy.hpp"
 #include "text/error.hpp"
@@ -33,10 +35,21 @@ void refuse_unnamed_velocities(const std::string& name, const Tidied& table) {
 }  // namespace
 
 Loaded parse(std::string text, const std::string& name) {
+  if (auto raven = blue_raven_table(text)) {
+    Loaded loaded{flight::Table::parse(std::move(raven->text), name, flight::Table::Rows::by_number)};
+    loaded.notes = std::move(raven->notes);
+    return loaded;
+  }
   Tidied tidy = tidied(std::move(text));
   refuse_unnamed_velocities(name, tidy);
   Loaded loaded{flight::Table::parse(std::move(tidy.text), name, flight::Table::Rows::by_line, tidy.first_line)};
   loaded.notes = std::move(tidy.notes);
+  if (auto one_clock = in_one_clock(loaded.table)) {
+    loaded.table = flight::Table::parse(std::move(*one_clock), name, flight::Table::Rows::by_number);
+    loaded.several_clocks = true;
+    loaded.notes.emplace_back(
+        "The file has a column of time for every few others: each was read with its own, and they are joined by time.");
+  }
   return loaded;
 }
 
@@ -47,7 +60,7 @@ Loaded load(const std::filesystem::path& file, Beside beside) {
     Read read = files::read(file);
     Loaded loaded{flight::Table::parse(std::move(read.csv), name, flight::Table::Rows::by_number)};
     loaded.notes = std::move(read.notes);
-    loaded.several_clocks = ending == ".ulg";
+    loaded.several_clocks = ending == ".ulg" || loaded.table.find("IMU.AccX");
     loaded.units = std::move(read.units);
     loaded.not_columns = std::move(read.not_columns);
     return loaded;

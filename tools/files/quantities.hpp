@@ -37,7 +37,7 @@ struct Unit {
 [[nodiscard]] const Unit& own_unit(Dimension dimension);
 /// "deg/s, rad/s, ...".
 [[nodiscard]] std::string unit_names(Dimension dimension);
-/// Superscripts as digits and the sign of degrees as a word, from UTF-8 or Latin-1: "m/s2", "degC".
+/// Superscripts as digits, the sign of degrees as a word and "sec" as s, from UTF-8 or Latin-1: "m/s2", "degC".
 [[nodiscard]] std::string plainly_spelt(std::string_view unit);
 
 /// The dictionary of what columns hold: every quantity once, with its dimension, the column of Fantail's own files, and
@@ -117,30 +117,15 @@ struct KnownQuantity {
 /// In a sentence: "height above the sea".
 [[nodiscard]] std::string word(Quantity quantity);
 
-/// A logger that many people have.
-struct Logger {
-  std::string_view name;
-  std::string_view about;
-  /// As parse_columns() takes them; all but time and axial may be missing in a log.
-  std::string_view columns;
-  /// A log whose columns include all of these, with commas between, is one of these where nobody says otherwise.
-  std::string_view known_by;
-  std::optional<double> no_value{};  ///< what it writes where it has no number
-  std::string_view lacks{};          ///< columns that another has with the same names, with commas between
-  std::string_view doubt{};          ///< what a reader must not take for measured, a sentence
-};
-[[nodiscard]] std::span<const Logger> loggers();
-[[nodiscard]] const Logger* find_logger(std::string_view name);
-/// The logger of a table with these columns; null when it is none of them.
-[[nodiscard]] const Logger* logger_of(std::span<const std::string> columns);
-
 /// What a simulator calls a quantity; the unit stands in parentheses behind it.
 struct ExportedColumn {
   std::string_view name;
   Quantity quantity;
   std::string_view writer;
+  std::string_view languages{};  ///< in which it writes so, with spaces between; empty: English
 };
-/// Those that OpenRocket 15 to 24 and RocketPy 1.9 to 1.10 write. Of two that hold the same the first is taken.
+/// Those that OpenRocket 15 to 24 in its languages, RocketPy 1.9 to 1.10 and RASAero II write. Of two that hold the
+/// same the first is taken.
 [[nodiscard]] std::span<const ExportedColumn> exported_columns();
 
 }  // namespace fantail::files

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/loggers.hpp"
 #include "files/quantities.hpp"
 
 namespace fantail::files {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <functional>
 #include <map>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "files/cells.hpp"
 #include "files/quantities.hpp"
 #include "text/encoding.hpp"
 #include "text/number.hpp"
@@ -21,28 +21,6 @@ namespace fantail::files {
 namespace {
 
 constexpr std::array separators{',', ';', '\t'};
-
-/// Of one line, in its order, with their quotes and spaces.
-std::vector<std::string_view> cells_of(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
-  bool quoted = false;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    quoted = line[i] == '"' ? !quoted : quoted;
-    if (line[i] == separator && !quoted) {
-      cells.push_back(line.substr(begin, i - begin));
-      begin = i + 1;
-    }
-  }
-  cells.push_back(line.substr(begin));
-  return cells;
-}
-
-std::string_view unquoted(std::string_view cell) {
-  cell = text::trimmed(cell);
-  const bool has_quotes = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
-  return has_quotes ? text::trimmed(cell.substr(1, cell.size() - 2)) : cell;
-}
 
 /// How commas within numbers are meant.
 enum class Comma : std::uint8_t { none, decimal, thousands };
@@ -55,38 +33,6 @@ std::string with_point(std::string_view number, Comma comma) {
     std::erase(out, ',');
   }
   return out;
-}
-
-bool looks_like_number(std::string_view cell) {
-  constexpr std::string_view of_numbers = "0123456789.,+-eE";
-  cell = unquoted(cell);
-  return !cell.empty() && cell.find_first_not_of(of_numbers) == std::string_view::npos &&
-         cell.find_first_of("0123456789") != std::string_view::npos;
-}
-
-/// As clocks write times and dates.
-bool looks_like_time(std::string_view cell) {
-  cell = unquoted(cell);
-  return cell.find(':') != std::string_view::npos &&
-         cell.find_first_not_of("0123456789.,:-/ TZ+") == std::string_view::npos &&
-         cell.find_first_of("0123456789") != std::string_view::npos;
-}
-
-bool is_comment(std::string_view line) { return line.starts_with('#'); }
-
-/// At least half of what stands in it is numbers.
-bool is_row(std::string_view line, char separator) {
-  if (line.empty() || is_comment(line)) {
-    return false;
-  }
-  int numbers = 0;
-  int words = 0;
-  for (const std::string_view cell : cells_of(line, separator)) {
-    if (!unquoted(cell).empty()) {
-      ++(looks_like_number(cell) || looks_like_time(cell) ? numbers : words);
-    }
-  }
-  return numbers > 0 && numbers >= words;
 }
 
 class Tidier {
@@ -153,6 +99,21 @@ class Tidier {
     }
   }
 
+  /// A comment that only says what happened ("# Event LAUNCH occurred,,,") has cells, but nothing in them.
+  [[nodiscard]] bool is_mostly_empty(std::string_view line, std::size_t wanted) const {
+    const auto cells = cells_of(without_mark(line), separator_);
+    const auto filled = std::ranges::count_if(cells, [](std::string_view cell) { return !unquoted(cell).empty(); });
+    return wanted > 2 && 2 * static_cast<std::size_t>(filled) < wanted;
+  }
+
+  /// "# MET Acc Vel": as many words as the rows have cells.
+  [[nodiscard]] bool has_words(std::string_view line, std::size_t wanted) const {
+    const auto cells = cells_of(spelt_with_spaces(line), ' ');
+    return is_comment(line) && wanted > 2 && cells.size() == wanted && !is_row(without_mark(line), ' ') &&
+           std::ranges::none_of(cells, [](std::string_view cell) { return cell.empty(); });
+  }
+  static std::string_view spelt_with_spaces(std::string_view line) { return text::trimmed(without_mark(line)); }
+
   void find_header() {
     const std::size_t end = first_row_;
     const std::size_t wanted = end == lines_.size() ? 0 : cells_of(lines_[end], separator_).size();
@@ -160,8 +121,14 @@ class Tidier {
     for (std::size_t i = end; i-- > 0;) {
       const std::size_t cells = cells_of(lines_[i], separator_).size();
       const bool is_named = !lines_[i].empty() && !is_row(text::trimmed(without_mark(lines_[i])), separator_);
-      if (is_named && cells == wanted && (wanted > 1 || !is_comment(lines_[i])) && !is_of_units(lines_[i])) {
+      if (is_named && cells == wanted && (wanted > 1 || !is_comment(lines_[i])) && !is_of_units(lines_[i]) &&
+          !is_mostly_empty(lines_[i], wanted)) {
         header_ = i;
+        return;
+      }
+      if (has_words(lines_[i], wanted)) {
+        header_ = i;
+        header_separator_ = ' ';
         return;
       }
       another = is_named && !another && (cells > 1 || (wanted == 0 && !is_comment(lines_[i]))) ? i : another;
@@ -178,7 +145,14 @@ class Tidier {
     });
   }
 
-  static std::string_view without_mark(std::string_view line) { return is_comment(line) ? line.substr(1) : line; }
+  /// Of a comment, and of PerfectFlite's "Data: (Time, Altitude, Voltage)".
+  static std::string_view without_mark(std::string_view line) {
+    constexpr std::string_view data = "Data: (";
+    if (line.starts_with(data) && line.ends_with(')')) {
+      return line.substr(data.size(), line.size() - data.size() - 1);
+    }
+    return is_comment(line) ? line.substr(1) : line;
+  }
 
   void note_commas() {
     if (separator_ == ',') {
@@ -234,7 +208,7 @@ class Tidier {
   }
 
   std::string names_of(std::string_view line, std::size_t& count, std::vector<std::string>& notes) const {
-    const auto cells = cells_of(without_mark(line), separator_);
+    const auto cells = cells_of(text::trimmed(without_mark(line)), header_separator_.value_or(separator_));
     count = cells.size();
     std::string out;
     std::map<std::string, int, std::less<>> seen;
@@ -279,6 +253,7 @@ class Tidier {
   std::string text_;
   std::vector<std::string_view> lines_;  ///< without spaces around them
   char separator_ = ',';
+  std::optional<char> header_separator_{};  ///< where it is another
   Comma comma_ = Comma::none;
   std::size_t first_row_ = 0;
   std::optional<std::size_t> header_;

@@ -100,6 +100,10 @@ std::string plainly_spelt(std::string_view unit) {
       default: result += c;
     }
   }
+  constexpr std::string_view second = "sec";
+  if (const std::size_t at = result.find(second); at != std::string::npos) {
+    result.replace(at, second.size(), "s");
+  }
   return result;
 }
 

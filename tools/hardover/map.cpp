@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
 
 #include "hardover/study.hpp"
 
@@ -24,8 +27,20 @@ void add(page::Series& series, const OverGround& at) {
   }
 }
 
+/// Around the healthy rocket's place, as far as a failed canard takes it from there.
+page::Series circle(const OverGround& of_healthy, const std::optional<double>& radius_m) {
+  page::Series line{.name = "as far as a failed canard takes it", .role = page::Role::limit};
+  constexpr int points = 90;
+  for (int i = 0; radius_m && of_healthy.east_m && of_healthy.north_m && i <= points; ++i) {
+    const double turn_rad = 2.0 * std::numbers::pi * i / points;
+    add(line,
+        {*of_healthy.east_m + *radius_m * std::sin(turn_rad), *of_healthy.north_m + *radius_m * std::cos(turn_rad)});
+  }
+  return line;
+}
+
 page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)(const Effect&),
-                   const OverGround& of_healthy) {
+                   const OverGround& of_healthy, const std::optional<double>& reach_of_failure_m) {
   const auto points = [](const char* name, page::Role role, page::Mark mark = page::Mark::points) {
     return page::Series{.name = name, .role = role, .mark = mark};
   };
@@ -39,11 +54,13 @@ page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)
   }
   add(healthy, of_healthy);
   add(guide, {0.0, 0.0});
+  const page::Series reach = circle(of_healthy, reach_of_failure_m);
   const double width = study.has_parachute ? page::half_page : lone_map_width;  // two stand beside each other
   // As far either way: a metre to the east is as long as one to the north.
   std::optional<page::Range> east;
   std::optional<page::Range> north;
-  for (const page::Series* series : {&positive, &negative, &healthy, &guide}) {
+  for (const page::Series* const series :
+       std::initializer_list<const page::Series*>{&reach, &positive, &negative, &healthy, &guide}) {
     std::ranges::for_each(series->x, [&](double value) { page::include(east, value); });
     std::ranges::for_each(series->y, [&](double value) { page::include(north, value); });
   }
@@ -52,7 +69,7 @@ page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)
     const double middle = 0.5 * (range.low + range.high);
     return page::Range{middle - reach_m, middle + reach_m};
   };
-  std::vector<page::Series> series{positive, negative, healthy, guide};
+  std::vector<page::Series> series{reach, positive, negative, healthy, guide};
   std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
   return {.label = label,
           .x_label = "to the east / m",
@@ -68,7 +85,7 @@ page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)
 
 page::Chart apogee_map(const Study& study) {
   return map_of(study, "Where the apogee lies over ground, seen from above", apogee_of,
-                {study.sound_apogee_east_m, study.sound_apogee_north_m});
+                {study.sound_apogee_east_m, study.sound_apogee_north_m}, {});
 }
 
 std::optional<page::Chart> landing_map(const Study& study) {
@@ -76,7 +93,7 @@ std::optional<page::Chart> landing_map(const Study& study) {
     return {};
   }
   return map_of(study, "Where the rocket lands, seen from above", landing_of,
-                {study.sound_landing_east_m, study.sound_landing_north_m});
+                {study.sound_landing_east_m, study.sound_landing_north_m}, study.worst().landing_away_m);
 }
 
 }  // namespace fantail::hardover

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 #include <fmt/core.h>
@@ -27,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
 [[noreturn]] void refuse(std::string_view text) {
   throw text::Error{
       text::ErrorKind::bad_configuration,
-      fmt::format("--mounting \"{}\": allowed: angles from -360 to 360 degrees about x, y or z, as in \"45 "
+      fmt::format("--mounting \"{}\": allowed: \"pad\", or angles from -360 to 360 degrees about x, y or z, as in \"45 "
                   "about x\" or \"90 about z, 10 about x\"",
                   text)};
 }
@@ -128,10 +129,69 @@ void turn(const ImuLog& log, const Vector& vector, const Mounting& mounting) {
   }
 }
 
+/// The shortest rotation that takes a direction to x.
+sim::Quaternion to_nose(const sim::Vector3& up) {
+  const sim::Vector3 nose{1.0, 0.0, 0.0};
+  const sim::Vector3 axis = cross(up, nose);
+  const double w = 1.0 + dot(up, nose);
+  constexpr double opposite = 1e-9;
+  if (w < opposite) {  // half a turn, about any axis across
+    return {.w = 0.0, .x = 0.0, .y = 0.0, .z = 1.0};
+  }
+  const double norm = std::sqrt(w * w + dot(axis, axis));
+  return {.w = w / norm, .x = axis.x / norm, .y = axis.y / norm, .z = axis.z / norm};
+}
+
+/// Of the first samples at about 1 g, before any push. What is no reading yet, as zeros of a logger that has just
+/// begun, is left out.
+sim::Quaternion by_pad(const ImuLog& log) {
+  constexpr double shortest_s = 0.2;
+  constexpr double longest_s = 5.0;
+  constexpr double least_g = 0.8;
+  constexpr double most_g = 1.2;
+  constexpr double push_g = 2.0;
+  const auto& [x, y, z] = std::tie(log.axial, log.lateral_y, log.lateral_z);
+  const std::size_t samples = std::min({x.value.size(), y.value.size(), z.value.size()});
+  sim::Vector3 sum{};
+  double begin_s = 0.0;
+  double end_s = 0.0;
+  bool is_at_rest = false;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const sim::Vector3 force{x.value[i], y.value[i], z.value[i]};
+    const double g = length(force) / one_g_m_s2;
+    if (g > push_g || (is_at_rest && x.time_s[i] - begin_s > longest_s)) {
+      break;
+    }
+    if (g < least_g || g > most_g) {
+      if (end_s - begin_s >= shortest_s) {
+        break;
+      }
+      is_at_rest = false;
+      continue;
+    }
+    sum = is_at_rest ? sum + force : force;
+    begin_s = is_at_rest ? begin_s : x.time_s[i];
+    end_s = x.time_s[i];
+    is_at_rest = true;
+  }
+  if (end_s - begin_s < shortest_s) {
+    throw text::Error{
+        text::ErrorKind::bad_data,
+        fmt::format("{}: which way the logger sits is not known, because the log has no {} s at rest, of {} to {} g, "
+                    "before its first push; say it with --mounting \"90 about z\", or name its columns with --columns",
+                    log.name, shortest_s, least_g, most_g)};
+  }
+  return to_nose((1.0 / length(sum)) * sum);
+}
+
 }  // namespace
 
 Mounting parse_mounting(std::string_view text) {
   Mounting mounting{.words = std::string{text}};
+  if (text == mounting_by_pad) {
+    mounting.by_pad = mounting.turns_axis = true;
+    return mounting;
+  }
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
     char axis = 'x';
@@ -142,7 +202,7 @@ Mounting parse_mounting(std::string_view text) {
   return mounting;
 }
 
-void turn_into_rocket(ImuLog& log, const Mounting& mounting, bool axial_is_from_rest) {
+void turn_into_rocket(ImuLog& log, Mounting mounting, bool axial_is_from_rest) {
   if (mounting.turns_axis && axial_is_from_rest) {
     throw text::Error{
         text::ErrorKind::bad_data,
@@ -150,13 +210,22 @@ void turn_into_rocket(ImuLog& log, const Mounting& mounting, bool axial_is_from_
                     "off; allowed with axial_from_rest: angles about x",
                     log.name, mounting.words)};
   }
+  if (mounting.by_pad) {
+    mounting.to_rocket = by_pad(log);
+  }
   turn(log, {Component{&log.axial, "the axial force"}, {&log.lateral_y, "lateral_y"}, {&log.lateral_z, "lateral_z"}},
        mounting);
   turn(log, {Component{&log.roll_rate, "roll_rate"}, {&log.pitch_rate, "pitch_rate"}, {&log.yaw_rate, "yaw_rate"}},
        mounting);
-  log.notes.push_back(fmt::format(
-      "The logger is mounted at \"{}\": force and rates were turned into the rocket's axes{}.", mounting.words,
-      mounting.turns_axis && log.second_axial.is_there() ? ", the second accelerometer not" : ""));
+  const std::string second =
+      mounting.turns_axis && log.second_axial.is_there() ? " The second accelerometer was left as it is." : "";
+  log.notes.push_back(
+      mounting.by_pad
+          ? fmt::format("The nose is where the force on the pad points: force and rates were turned so that it is x. A "
+                        "guide that leans counts as upright.{}",
+                        second)
+          : fmt::format("The logger is mounted at \"{}\": force and rates were turned into the rocket's axes.{}",
+                        mounting.words, second));
 }
 
 }  // namespace fantail::listen

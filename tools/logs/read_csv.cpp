@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -230,6 +231,35 @@ void read_all(const flight::Table& table, const FoundColumns& columns, Flight& f
   }
 }
 
+/// The columns of a logger that many people have, where nobody names any. Of one that may sit any way round nothing is
+/// read that has a direction.
+Reading with_map(const flight::Table& table, const Reading& reading, std::vector<std::string>& notes) {
+  const files::Logger* const logger =
+      reading.columns.empty() && !table.find("time_s") ? files::logger_of(table.columns()) : nullptr;
+  if (logger == nullptr) {
+    return reading;
+  }
+  std::vector<files::Quantity> all;
+  for (const files::KnownQuantity& known : files::known_quantities()) {
+    all.push_back(known.quantity);
+  }
+  constexpr std::array without_direction{files::Quantity::time, files::Quantity::height, files::Quantity::speed};
+  Reading with = reading;
+  for (const files::Source& source : files::sources_of(*logger, all)) {
+    const bool is_of_a_flight = std::ranges::find(files::of_flight_csv, source.quantity) != files::of_flight_csv.end();
+    const bool has_direction = std::ranges::find(without_direction, source.quantity) == without_direction.end();
+    if (is_of_a_flight && table.find(source.column) && !(logger->any_mounting && has_direction)) {
+      with.columns.push_back(source);
+    }
+  }
+  notes.push_back(
+      fmt::format("Columns of the map {}, which fits them: {}.", logger->name, files::in_words(with.columns)));
+  if (!logger->doubt.empty()) {
+    notes.emplace_back(logger->doubt);
+  }
+  return with;
+}
+
 }  // namespace
 
 std::string follow_kept_sources(const std::filesystem::path& log, Reading& reading) {
@@ -246,11 +276,12 @@ std::string follow_kept_sources(const std::filesystem::path& log, Reading& readi
 
 flight::Flight read_flight_csv(const files::Loaded& file, const Reading& reading, const Needs& needs) {
   const flight::Table& table = file.table;
-  const FoundColumns columns{file, reading, needs};
   Flight flight;
+  const Reading mapped = with_map(table, reading, flight.notes);
+  const FoundColumns columns{file, mapped, needs};
   flight.known = {.plan = false, .saturation = columns.has("saturated")};
   flight.known.phase = false;
-  flight.notes = columns.notes();
+  std::ranges::copy(columns.notes(), std::back_inserter(flight.notes));
   read_all(table, columns, flight);
   note_phases(flight, table.name());
   return flight;

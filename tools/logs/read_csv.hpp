@@ -38,7 +38,8 @@ struct Needs {
 };
 
 /// A table with the columns of flight.csv, or some of them, as a flight: rows in SI and radians, phases and the events
-/// that phases tell. What the table does not have is not known in the flight either.
+/// that phases tell. What the table does not have is not known in the flight either. The columns of a logger of
+/// files::loggers() are known where the reading names none.
 ///
 /// Rows count as files::read_rows() says, with identical rows of one time. A cell that is no number is unknown. A
 /// column phase with a word that is no phase is not used. Each of these becomes a note of the flight, and so do columns

@@ -86,7 +86,7 @@ const FoundColumn* Columns::find(Quantity quantity) const {
 std::string names_of(Quantity quantity) {
   std::string names;
   for (const files::ExportedColumn& known : files::exported_columns()) {
-    if (known.quantity == quantity) {
+    if (known.quantity == quantity && known.languages.empty()) {
       names += fmt::format("{}\"{}\" ({})", names.empty() ? "" : " or ", known.name, known.writer);
     }
   }

@@ -2,7 +2,7 @@
 """Files of other programs as columns, and columns as files, with the packages for each kind (fantail[files]).
 
 >>> from fantail import files
->>> table = files.read("log.parquet")      # .mat .parquet .feather .xlsx .h5 .hdf5 .csv.gz .csv .mcap .ulg
+>>> table = files.read("log.parquet")      # .mat .parquet .feather .xlsx .h5 .hdf5 .csv.gz .csv .mcap .ulg ...
 >>> table["time_s"], table.units           # numpy; the units that the file states
 >>> files.write("log.mat", table)          # .mat .parquet .feather .xlsx .mcap .json .csv
 
@@ -27,7 +27,8 @@ __all__ = ["BadFile", "READERS", "Table", "WRITERS", "read", "read_stream", "wri
 # By the end of a file's name: a module of this folder and a function in it.
 READERS = {".mat": "_mat.read_mat", ".parquet": "_arrow.read_parquet", ".feather": "_arrow.read_feather", ".xlsx": "_sheets.read_xlsx",
            ".h5": "_sheets.read_hdf5", ".hdf5": "_sheets.read_hdf5", ".gz": "_sheets.read_gzip", ".mcap": "_mcap.read_mcap",
-           ".ulg": "_ulog.read_ulog", ".csv": "_table.read_csv"}
+           ".ulg": "_ulog.read_ulog", ".bin": "_drones.read_dataflash", ".bbl": "_drones.read_blackbox", ".bfl": "_drones.read_blackbox",
+           ".eeprom": "_altos.read_eeprom", ".telem": "_altos.read_telem", ".csv": "_table.read_csv"}
 WRITERS = {".mat": "_mat.write_mat", ".parquet": "_arrow.write_parquet", ".feather": "_arrow.write_feather", ".xlsx": "_sheets.write_xlsx",
            ".mcap": "_mcap.write_mcap", ".json": "_sheets.write_json", ".csv": "_table.write_csv"}
 
@@ -46,6 +47,7 @@ def _function(place: str) -> Callable[..., Any]:
 
 def read_stream(stream: BinaryIO, ending: str) -> Table:
     """`stream` must be seekable."""
+    ending = ending.lower()
     if ending not in READERS:
         raise BadFile(f"files that end in {ending} are not read; allowed: {' '.join(READERS)}")
     table: Table = _function(READERS[ending])(stream)
