@@ -49,7 +49,7 @@ def test_a_flash_image_of_a_telemega_has_the_columns_of_the_export_of_altosui():
     assert table["gyro_roll"] == pytest.approx([0.0, 1000.0, 0.0], abs=0.1)  # 32767 counts are 2000 deg/s
     assert table["pressure"] == pytest.approx([PRESSURE_PA] * 3, abs=1.0)
     assert table["height"] == pytest.approx([0.0] * 3, abs=0.1)
-    assert set(table["serial"]) == {4711} and not table.notes
+    assert set(table["serial"]) == {4711} and set(table["call"]) == {"N0CALL"} and not table.notes
 
 
 def test_a_damaged_record_of_a_flash_image_is_left_out_and_said():

@@ -83,6 +83,7 @@ TEST(Loggers, AreKnownByTheirColumns) {
   };
   EXPECT_EQ(known_by({"version", "serial", "flight", "call", "time", "state", "acceleration"}), "altos");
   EXPECT_EQ(known_by({"ts", "id", "Ax", "Ay", "Az", "Gx", "Gy", "Gz"}), "cats");
+  EXPECT_EQ(known_by({"", "ts", "id", "Gx", "Gy", "Gz", "Ax", "Ay", "Az"}), "cats_logs") << "in g";
   EXPECT_EQ(known_by({"timestamp", "gyro_rad[0]", "accelerometer_m_s2[0]"}), "px4");
   EXPECT_EQ(known_by({"time_s", "phase", "specific_force_m_s2"}), "fantail");
   EXPECT_EQ(known_by({"ts", "Ax", "Ay", "Az"}), "");

@@ -34,6 +34,7 @@ constexpr std::array kinds{
     Beginning{"VERSION "sv, "a telemetry file of AltOS, of an old kind; AltosUI makes a table of it: File, Export data"},
     Beginning{"TELEM "sv, "a telemetry file of AltOS; let its name end in .telem"},
     Beginning{"\xD0\xCF\x11\xE0"sv, "a workbook of old Excel; save it as .xlsx or CSV"},
+    Beginning{"3.0.1-euroc"sv, "a log of a CATS Vega; its configurator exports it as CSV"},
     Beginning{"FMT, 128"sv, "an ArduPilot log as text; its .bin is read"},
 };
 

@@ -24,8 +24,15 @@ constexpr std::array known_loggers{
            "roll_rate=gyro_roll:deg/s,pitch_rate=gyro_pitch:deg/s,yaw_rate=gyro_yaw:deg/s,height=height:m,"
            "speed=speed:m/s",
            "version,serial,flight,time,acceleration", 2147483647.0},
-    Logger{"altos_barometer", "flash image or telemetry of a computer of Altus Metrum without an accelerometer",
+    Logger{"altos_barometer",
+           "flash image or telemetry of an Altus Metrum computer without accelerometer (EasyMini, TeleMini)",
            "time=time:s,height=height:m,speed=speed:m/s", "version,serial,flight,time,height"},
+    Logger{.name = "cats_logs",
+           .about = "IMU as cats-logs writes it, in g",
+           .columns = "time=ts:s,axial=-Ay:g,lateral_y=Ax:g,lateral_z=Az:g,roll_rate=-Gy:deg/s,pitch_rate=Gx:deg/s,"
+                      "yaw_rate=Gz:deg/s",
+           .known_by = "ts,id,Gx,Gy,Gz,Ax,Ay,Az",
+           .in_order = true},
     Logger{"cats", "imu.csv of a CATS Vega",
            "time=ts:s,axial=-Ay:m/s2,lateral_y=Ax:m/s2,lateral_z=Az:m/s2,roll_rate=-Gy:deg/s,pitch_rate=Gx:deg/s,"
            "yaw_rate=Gz:deg/s",
@@ -39,15 +46,13 @@ constexpr std::array known_loggers{
            "time=time_s:s,axial=specific_force_m_s2:m/s2,roll_rate=roll_rate_deg_s:deg/s,height=true_height_m:m,"
            "speed=true_speed_m_s:m/s",
            "time_s,specific_force_m_s2"},
-    Logger{"blueraven",
-           "high-rate CSV of a Featherweight Blue Raven, or its raw text",
-           "time=Flight_Time_(s):s,axial=Accel_X:g,lateral_y=Accel_Y:g,lateral_z=Accel_Z:g,roll_rate=Gyro_X:deg/s,"
-           "pitch_rate=Gyro_Y:deg/s,yaw_rate=Gyro_Z:deg/s",
-           "Flight_Time_(s),Accel_X,Accel_Y,Accel_Z,Gyro_X",
-           {},
-           {},
-           {},
-           true},
+    Logger{.name = "blueraven",
+           .about = "high-rate CSV of a Featherweight Blue Raven, or its raw text",
+           .columns =
+               "time=Flight_Time_(s):s,axial=Accel_X:g,lateral_y=Accel_Y:g,lateral_z=Accel_Z:g,roll_rate=Gyro_X:deg/s,"
+               "pitch_rate=Gyro_Y:deg/s,yaw_rate=Gyro_Z:deg/s",
+           .known_by = "Flight_Time_(s),Accel_X,Accel_Y,Accel_Z,Gyro_X",
+           .any_mounting = true},
     Logger{"blueraven_low", "low-rate CSV of a Blue Raven",
            "time=Flight_Time_(s):s,height=Baro_Altitude_AGL_(feet):ft,speed=Velocity_Up:ft/s",
            "Flight_Time_(s),Baro_Press_(atm),Velocity_Up"},
@@ -61,33 +66,26 @@ constexpr std::array known_loggers{
            "time=time:s,axial=acceleration:g,lateral_y=lat. X accel.:g,lateral_z=lat. Y accel.:g,"
            "height=Pressure AGL:m",
            "time,acceleration,Pressure AGL"},
-    Logger{"mercury",
-           "CSV export of a Mercury of AltimeterCloud",
-           "time=time(ms):ms,axial=0.001*acceleration_x(mG):g,lateral_y=0.001*acceleration_y(mG):g,"
-           "lateral_z=0.001*acceleration_z(mG):g,height=altitude(m):m,speed=velocity_pressure(m/s):m/s",
-           "time(ms),altitude(m),acceleration_x(mG),acceleration_y(mG),acceleration_z(mG)",
-           {},
-           {},
-           {},
-           true},
+    Logger{.name = "mercury",
+           .about = "CSV export of a Mercury of AltimeterCloud",
+           .columns = "time=time(ms):ms,axial=0.001*acceleration_x(mG):g,lateral_y=0.001*acceleration_y(mG):g,"
+                      "lateral_z=0.001*acceleration_z(mG):g,height=altitude(m):m,speed=velocity_pressure(m/s):m/s",
+           .known_by = "time(ms),altitude(m),acceleration_x(mG),acceleration_y(mG),acceleration_z(mG)",
+           .any_mounting = true},
     Logger{"perfectflite", "log of a PerfectFlite altimeter (.pf2, or its data as text)",
            "time=Time:s,height=Altitude:ft,speed=Velocity:ft/s", "Time,Altitude,Velocity,Temperature (F),Voltage"},
     Logger{"stratologger", "text export of a PerfectFlite StratoLogger", "time=Time:s,height=Altitude:ft",
            "Time,Altitude,Temp.,Voltage"},
-    Logger{"eggtimer",
-           "CSV of an Eggtimer",
-           "time=T:ms,height=Alt:ft,speed=Veloc:ft/s",
-           "T,Alt,Veloc",
-           {},
-           {},
-           "An Eggtimer that is set to metres writes them under the same names: here they are read as feet."},
-    Logger{"rrc3",
-           "export of an RRC3 of Missile Works",
-           "time=Time:s,height=Altitude:ft,speed=Velocity:ft/s",
-           "Time,Altitude,Pressure,Velocity,Temperature,Events",
-           {},
-           {},
-           "The file does not say whether its heights are feet or metres: here they are read as feet."},
+    Logger{.name = "eggtimer",
+           .about = "CSV of an Eggtimer",
+           .columns = "time=T:ms,height=Alt:ft,speed=Veloc:ft/s",
+           .known_by = "T,Alt,Veloc",
+           .doubt = "An Eggtimer that is set to metres writes them under the same names: here they are read as feet."},
+    Logger{.name = "rrc3",
+           .about = "export of an RRC3 of Missile Works",
+           .columns = "time=Time:s,height=Altitude:ft,speed=Velocity:ft/s",
+           .known_by = "Time,Altitude,Pressure,Velocity,Temperature,Events",
+           .doubt = "The file does not say whether its heights are feet or metres: here they are read as feet."},
     Logger{"cats_flight", "flightInfo.csv of a CATS Vega", "time=ts:s,height=height:m,speed=velocity:m/s",
            "ts,height,velocity,acceleration"},
     Logger{"ardupilot", "DataFlash log of ArduPilot (.bin); x axis to the nose",
@@ -111,12 +109,15 @@ bool has_any(std::span<const std::string> columns, std::string_view names) {
   return false;
 }
 
-bool has_all(std::span<const std::string> columns, std::string_view names) {
+bool has_all(std::span<const std::string> columns, std::string_view names, bool in_order = false) {
+  auto from = columns.begin();
   while (!names.empty()) {
     const std::size_t comma = std::min(names.find(','), names.size());
-    if (std::ranges::find(columns, names.substr(0, comma)) == columns.end()) {
+    const auto found = std::find(from, columns.end(), names.substr(0, comma));
+    if (found == columns.end()) {
       return false;
     }
+    from = in_order ? found : from;
     names.remove_prefix(std::min(comma + 1, names.size()));
   }
   return true;
@@ -133,7 +134,7 @@ const Logger* find_logger(std::string_view name) {
 
 const Logger* logger_of(std::span<const std::string> columns) {
   const auto found = std::ranges::find_if(known_loggers, [&](const Logger& logger) {
-    return has_all(columns, logger.known_by) && !has_any(columns, logger.lacks);
+    return has_all(columns, logger.known_by, logger.in_order) && !has_any(columns, logger.lacks);
   });
   return found == known_loggers.end() ? nullptr : &*found;
 }
@@ -143,7 +144,7 @@ bool has_axial(const Logger& logger) { return logger.columns.find("axial") != st
 std::string use_without_axial(std::span<const std::string> columns) {
   if (const Logger* const logger = logger_of(columns); logger != nullptr && !has_axial(*logger)) {
     return fmt::format(
-        "its columns are those of the {}, which has no reading of an accelerometer. Its height can stand "
+        "its columns are those of the {}: no reading of an accelerometer is among them. Its height can stand "
         "beside a log that has one: --barometer FILE --barometer-columns {}",
         logger->about, logger->columns);
   }

@@ -23,6 +23,7 @@ struct Logger {
   std::string_view lacks{};          ///< columns that another has with the same names, with commas between
   std::string_view doubt{};          ///< what a reader must not take for measured, a sentence
   bool any_mounting = false;         ///< its axes are those of its board, which may sit any way round
+  bool in_order = false;             ///< the columns of known_by stand in this order
 };
 [[nodiscard]] std::span<const Logger> loggers();
 [[nodiscard]] const Logger* find_logger(std::string_view name);

@@ -10,19 +10,18 @@ from typing import Any, BinaryIO, NamedTuple
 import numpy
 
 from ._errors import BadFile
-from ._table import Table
+from ._table import Table, words
 
 TICKS_PER_S = 100
 GRAVITY_M_S2 = 9.80665
 NO_VALUE = 2147483647
 MINI, METRUM, METRUM_1 = (6, 8, 12, 14), (7,), (1,)
-# Of the IMU of a mega: counts per g, and for each of along, across, through and roll, pitch, yaw the place and the sign.
+# Of the IMU of a mega: counts per g and per deg/s, and for each of along, across, through and roll, pitch, yaw the place and the sign.
 OWN_AXES = ((0, 1), (1, 1), (2, 1)), ((0, 1), (1, 1), (2, 1))
 Y_ALONG = ((1, 1), (0, 1), (2, 1)), ((1, 1), (0, 1), (2, 1))
 X_ALONG = ((0, 1), (1, -1), (2, 1)), ((0, 1), (1, -1), (2, 1))
-MEGA = {10: (2048, Y_ALONG), 15: (2048, Y_ALONG), 16: (2048, X_ALONG), 19: (2048, X_ALONG), 21: (2048, OWN_AXES), 22: (1365, OWN_AXES),
-        24: (1365, OWN_AXES)}
-GYRO_COUNTS_PER_DEG_S = 16.3835
+MEGA = {10: (2048, 16.3835, Y_ALONG), 15: (2048, 16.3835, Y_ALONG), 16: (2048, 16.3835, X_ALONG), 19: (2048, 16.3835, X_ALONG),
+        21: (2048, 16.3835, OWN_AXES), 22: (1365, 16.384, OWN_AXES), 24: (1365, 16.384, OWN_AXES)}
 
 
 class Record(NamedTuple):
@@ -185,6 +184,7 @@ def _altitude_m(pressure_pa: numpy.ndarray) -> numpy.ndarray:
 def _forces_and_rates(columns: dict[str, Any], about: dict[str, Any], form: int, flight: Record, sensors: list[Record]) -> None:
     if form in MINI:
         return  # no accelerometer
+    columns["call"] = words([about.get("callsign")] * len(sensors))  # as the export of a computer with a radio has
     place = {True: 30, False: 12}[form in MEGA] if form not in METRUM_1 else 4
     ground = struct.unpack_from("<h", flight.data, 0 if form in METRUM_1 else 2)[0]
     plus, minus = about.get("accel_cal_plus"), about.get("accel_cal_minus")
@@ -193,13 +193,13 @@ def _forces_and_rates(columns: dict[str, Any], about: dict[str, Any], form: int,
     columns["acceleration"] = (_numbers(sensors, "<h", place) - ground) / ((plus - minus) / 2) * GRAVITY_M_S2
     if form not in MEGA:
         return
-    counts_per_g, (force, rate) = MEGA[form]
+    counts_per_g, counts_per_deg_s, (force, rate) = MEGA[form]
     zeros = [about.get(f"accel_zero_{axis}", 0) for axis in ("along", "across", "through")]
     for name, (axis, sign), zero in zip(("accel_x", "accel_y", "accel_z"), force, zeros):
         columns[name] = (sign * _numbers(sensors, "<h", 12 + 2 * axis) - zero) / counts_per_g * GRAVITY_M_S2
     still = [struct.unpack_from("<i", flight.data, at)[0] / 512 for at in (16, 20, 24)]
     for name, (axis, sign), zero in zip(("gyro_roll", "gyro_pitch", "gyro_yaw"), rate, still):
-        columns[name] = (sign * _numbers(sensors, "<h", 18 + 2 * axis) - zero) / GYRO_COUNTS_PER_DEG_S
+        columns[name] = (sign * _numbers(sensors, "<h", 18 + 2 * axis) - zero) / counts_per_deg_s
 
 
 # Packets with what the computer itself computed, by their type: where acceleration / 16, speed / 16 and height stand. That of a TeleMini
@@ -229,7 +229,7 @@ def read_telem(stream: BinaryIO) -> Table:
         raise BadFile("holds no packet of a flight computer of Altus Metrum")
     serial = max(packets, key=lambda one: len(packets[one]))
     records = _unwrapped([Record(chr(packet[4]), tick, packet) for tick, packet in packets[serial]])
-    columns: dict[str, Any] = {"time": _time_s(records, records[0].tick)}
+    columns: dict[str, Any] = {"time": _time_s(records, records[0].tick), "call": words([None] * len(records))}
     for name, place, per_unit in (("acceleration", 0, 16), ("speed", 1, 16), ("height", 2, 1)):
         values = [None if TOLD[ord(record.kind)][place] is None else
                   struct.unpack_from("<h", record.data, TOLD[ord(record.kind)][place])[0] / per_unit for record in records]
