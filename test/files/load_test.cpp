@@ -241,11 +241,12 @@ TEST(Load, KeepsTheLinesOfTheFile) {
 
 TEST(Load, NamesWhatAFileIsThatIsNoTable) {
   const test::Folder folder;
-  for (const auto& [bytes, said] : {std::pair{"\xA3\x95\x80\x80\x01", "an ArduPilot DataFlash log; let its name end in .bin"},
-                                    {"H Product:Blackbox flight data recorder\n", "a Betaflight black box"},
-                                    {"PAR1....", "a Parquet file; let its name end in .parquet"},
-                                    {"VERSION 9 CALL N0CALL SERIAL 1 FLIGHT 2", "a telemetry file of AltOS"},
-                                    {"{ \"config_major\": 1, \"log_format\": 5 }\n", "a flash image of AltOS"}}) {
+  for (const auto& [bytes, said] :
+       {std::pair{"\xA3\x95\x80\x80\x01", "an ArduPilot DataFlash log; let its name end in .bin"},
+        {"H Product:Blackbox flight data recorder\n", "a Betaflight black box"},
+        {"PAR1....", "a Parquet file; let its name end in .parquet"},
+        {"VERSION 9 CALL N0CALL SERIAL 1 FLIGHT 2", "a telemetry file of AltOS"},
+        {"{ \"config_major\": 1, \"log_format\": 5 }\n", "a flash image of AltOS"}}) {
     expect_refused(ErrorKind::bad_data, {"x.log: cannot be read as a table: it is ", said},
                    [&] { (void)load(folder.write("x.log", bytes), Beside::nothing); });
   }

@@ -64,11 +64,11 @@ std::string with_a_failed_canard(const Landings& of) {
            "scenario itself did not.";
   }
   return fmt::format(
-      "A canard that runs to a stop moves the landing of the scenario as it stands by up to {} m ({}: each canard, "
-      "each "
-      "stop, every {} s of the ascent; a failure between two of these instants can move it farther). The outer line "
-      "lies "
-      "that far outside the ellipse.{}",
+      "A canard that runs to a stop moves the landing of the scenario as it stands by up to {} m. That is the largest "
+      "of "
+      "{}: each canard, each stop, every {} s of the ascent. A failure between two of these instants can move it "
+      "farther. "
+      "The outer line lies that far outside the ellipse.{}",
       text::fixed(*of.failed_away_m, 0), text::counted(of.failed_flights, "flight"), text::brief(of.failed_step_s, 2),
       of.failed_without_landing == 0
           ? std::string{}
@@ -128,12 +128,12 @@ std::vector<std::string> landing_sentences(const Landings& of) {
   if (of.ellipse) {
     const OverGround& at = of.ellipse->centre;
     all.push_back(fmt::format(
-        "{}, on average {} m from the launch guide, at a bearing of {} deg. If landings are normally distributed, one "
-        "more lies with 95 % probability in an ellipse of {} m by {} m, the longer way along {} deg; {} of these {} "
-        "do.",
+        "{}, on average {} m from the launch guide, at a bearing of {} deg. The ellipse is {} m long, along {} deg, "
+        "and {} "
+        "m wide. If landings are normally distributed, one more lies in it with 95 % probability; {} of these {} do.",
         flown, text::fixed(std::hypot(at.east_m, at.north_m), 0), text::bearing_deg(std::atan2(at.east_m, at.north_m)),
-        text::fixed(2.0 * of.ellipse->half_length_m, 0), text::fixed(2.0 * of.ellipse->half_width_m, 0),
-        text::bearing_deg(of.ellipse->bearing_rad), of.inside, of.landed.size()));
+        text::fixed(2.0 * of.ellipse->half_length_m, 0), text::bearing_deg(of.ellipse->bearing_rad),
+        text::fixed(2.0 * of.ellipse->half_width_m, 0), of.inside, of.landed.size()));
   } else {
     all.push_back(fmt::format("{}. At least {} landings make an ellipse.", flown, fewest_landings));
   }

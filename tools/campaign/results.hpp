@@ -115,7 +115,6 @@ struct ColumnWords {
 /// throws ends it. Throws text::OutputError. `threads`: as parallel_for() takes them.
 [[nodiscard]] Report conclude(const Campaign& campaign, FlownCampaign flown, const Question& question,
                               std::optional<double> required, const result::Made& made,
-                              const std::filesystem::path& folder, unsigned threads,
-                              const std::function<void()>& look);
+                              const std::filesystem::path& folder, unsigned threads, const std::function<void()>& look);
 
 }  // namespace fantail::campaign

@@ -182,10 +182,9 @@ void fill(const Verb& verb) {
               fmt::format("Map of a logger's columns [the one that fits]. --columns overrides it. {}", names_of_maps()))
       .check(objection_to_map)
       .value_name("MAP");
-  verb.option(
-          "--mounting", options->mounting,
-          "How the logger sits: the angles, in degrees, by which it was turned about the rocket's axes, one after "
-          "another: \"45 about x\", \"90 about z, 10 about x\". Or \"pad\": its force on the pad points to the nose")
+  verb.option("--mounting", options->mounting,
+              "How the logger sits: by which angle, in degrees, about which of the rocket's axes, as \"45 about x\". "
+              "Or \"pad\": its force on the pad points to the nose")
       .value_name("\"DEG about AXIS\"");
   verb.option("--barometer", options->barometer, "Separate file with the height").offers(files).value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns,

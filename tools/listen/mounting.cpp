@@ -177,9 +177,10 @@ sim::Quaternion by_pad(const ImuLog& log) {
   if (end_s - begin_s < shortest_s) {
     throw text::Error{
         text::ErrorKind::bad_data,
-        fmt::format("{}: which way the logger sits is not known, because the log has no {} s at rest, of {} to {} g, "
-                    "before its first push; say it with --mounting \"90 about z\", or name its columns with --columns",
-                    log.name, shortest_s, least_g, most_g)};
+        fmt::format(
+            "{}: which way the logger sits is not known: before its first push it has no {} s at rest, of {} to "
+            "{} g; allowed: --mounting \"90 about z\", or its columns by --columns",
+            log.name, shortest_s, least_g, most_g)};
   }
   return to_nose((1.0 / length(sum)) * sum);
 }
