@@ -76,9 +76,14 @@
     const lines = [...curves.querySelectorAll("path[data-name]")].map((path) => ({name: path.dataset.name,
       kind: ["dots", "area", "line"].find((kind) => path.classList.contains(kind)), role: path.getAttribute("class"), points: pointsOf(path)}));
     if (lines.length === 0) return;
+    // A line that turns back has no value at an x: it is the outline of an area, or a path over ground.
+    for (const line of lines) {
+      if (line.kind === "line" && line.points.some(({x}, i) => i > 0 && x < line.points[i - 1].x - 1e-6)) line.kind = "outline";
+    }
     const overflow = curves.getAttribute("overflow");
-    const hasDotsOnly = lines.every((line) => line.kind === "dots");
-    // Dots with about the same scale both ways: a map, which must keep it.
+    const isPlace = (kind) => kind === "dots" || kind === "outline";
+    const hasDotsOnly = lines.every((line) => isPlace(line.kind));
+    // Dots and outlines with about the same scale both ways: a map, which must keep it.
     const isMap = hasDotsOnly && Math.abs((all.x[1] - all.x[0]) / width * height / (all.y[1] - all.y[0]) - 1) < 0.25;
     let shown = {...all};
 
@@ -106,7 +111,7 @@
       const rows = [];
       for (const {name, kind, role, points} of lines) {
         let value = null;
-        if (kind === "dots") {
+        if (isPlace(kind)) {
           const dot = nearest(points, px, py, 14 * (shown.x[1] - shown.x[0]) / (all.x[1] - all.x[0]));
           if (dot) value = `${writtenX(all.x[0] + (all.x[1] - all.x[0]) * (dot.x - left) / width)} \u2192 ${read(dot.y)}`;
         } else {
