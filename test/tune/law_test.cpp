@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-
 #include "tune/law.hpp"
+
+#include <regex>
 
 #include "figures.hpp"
 #include "input/scenario_file.hpp"
 #include "stability/roll_loop.hpp"
 #include "test.hpp"
 #include "text/error.hpp"
+#include "tune/bound.hpp"
 #include "tune/flights.hpp"
 #include "tune/linear_trial.hpp"
 #include "tune/search.hpp"
@@ -144,6 +146,38 @@ TEST(Search, WhatItFindsHasTheMarginAndSettlesInTimeEverywhere) {
       }
     }
   }
+}
+
+// Each sentence against loops that are made anew from the plan.
+TEST(Bound, NamesADemandThatTheNextLargerNumberMissesAndALittleLessDoesNot) {
+  const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
+  const Request request{.spread = 1.2};
+  const Found found = search(scenario, speeds, request, look_away);
+  ASSERT_FALSE(found.laws.empty());
+  std::size_t by_phase = 0;
+  for (const Law& law : found.laws) {
+    const std::string said = bound_sentence(scenario, speeds, request, law);
+    std::smatch words;
+    if (!std::regex_search(
+            said, words,
+            std::regex{"integral gain of ([0-9.]+) 1/s \\(now ([0-9.]+)\\), the phase margin at ([0-9]+) "
+                       "m/s would be ([0-9.]+) degrees"})) {
+      continue;
+    }
+    ++by_phase;
+    EXPECT_NEAR(std::stod(words[2]), law.integral_gain_per_s, 0.01 * law.integral_gain_per_s) << said;
+    Law more = law;
+    more.integral_gain_per_s = std::stod(words[1]);
+    double least_rad = 3.0;
+    for (sim::Scenario airframe : corners(scenario, request.spread)) {
+      airframe.plan = with_law(scenario, request.rejection, more, speeds.range);
+      const auto loop = stability::loop_at_speed(airframe, std::stod(words[3]));
+      least_rad = std::min(least_rad, stability::phase_margin_rad(loop).value_or(3.0));
+    }
+    EXPECT_LT(least_rad, request.phase_margin_rad) << said;
+    EXPECT_NEAR(text::degrees(least_rad), std::stod(words[4]), 1.0) << said;
+  }
+  EXPECT_GT(by_phase, 0U);
 }
 
 TEST(Search, AWiderSpreadLeavesASlowerLaw) {

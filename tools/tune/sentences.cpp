@@ -155,7 +155,7 @@ std::string flights_sentence(const Tuning& t) {
 }
 
 std::vector<std::string> remarks(const Tuning& t) {
-  std::vector<std::string> all{margin_sentence(t), range_sentence(t), limit_sentence(t),
+  std::vector<std::string> all{t.bound_by, margin_sentence(t), range_sentence(t), limit_sentence(t),
                                t.request.schedule ? schedules_left_out(t.speeds.range) : ""};
   std::erase(all, "");
   return all;

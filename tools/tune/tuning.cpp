@@ -17,6 +17,7 @@
 #include "text/error.hpp"
 #include "text/number.hpp"
 #include "tune/alternatives.hpp"
+#include "tune/bound.hpp"
 #include "tune/flights.hpp"
 #include "tune/linear_trial.hpp"
 #include "tune/results.hpp"
@@ -161,7 +162,7 @@ std::optional<Request> within_reach(const Request& asked, const Found& found) {
 
 /// Of the laws that the linear loop tolerates, that which flies best, with a few rockets that are none of the later
 /// ones: it holds most of them, and is nearest to its reference.
-std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenario, const Look& look) {
+std::optional<Law> best_law(Tuning& t, const sim::Scenario& scenario, const Look& look) {
   constexpr std::size_t rockets = 6;
   constexpr std::uint64_t other_rockets = 0x66696e616c;
   Request reserved = t.request;
@@ -171,11 +172,12 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
   few.flights = rockets;
   sim::Scenario other = scenario;
   other.seed ^= other_rockets;
+  std::vector<Law> laws;
   std::vector<core::FlightPlan> plans;
   for (const Law& law : found.laws) {
-    plans.push_back(with_law(scenario, t.request.rejection, law, t.speeds.range));
-    if (!has_margin(scenario, plans.back(), t)) {
-      plans.pop_back();
+    if (const auto plan = with_law(scenario, t.request.rejection, law, t.speeds.range); has_margin(scenario, plan, t)) {
+      laws.push_back(law);
+      plans.push_back(plan);
     }
   }
   const std::vector<Sum> flown = fly_each(other, plans, few, [&look](std::size_t) { look(Stage::choosing, 0); });
@@ -198,7 +200,7 @@ std::optional<core::FlightPlan> best_plan(Tuning& t, const sim::Scenario& scenar
         "the search.",
         brief(degrees(t.request.phase_margin_rad), 1));
   }
-  return best ? std::optional{plans[*best]} : std::nullopt;
+  return best ? std::optional{laws[*best]} : std::nullopt;
 }
 
 /// Everything that is known without a new law.
@@ -219,9 +221,11 @@ Tuning begun(const sim::Scenario& scenario, const Request& request) {
 }
 
 void search_and_fly(Tuning& t, const sim::Scenario& scenario, const Look& look) {
-  if (const auto plan = best_plan(t, scenario, look)) {
-    t.after = judged(scenario, *plan, t.speeds, t.request.spread);
-    t.pairs = fly_pairs(scenario, *plan, t.request, [&look](std::size_t done) { look(Stage::flying, done); });
+  if (const auto law = best_law(t, scenario, look)) {
+    const core::FlightPlan plan = with_law(scenario, t.request.rejection, *law, t.speeds.range);
+    t.after = judged(scenario, plan, t.speeds, t.request.spread);
+    t.bound_by = bound_sentence(scenario, t.speeds, t.request, *law);
+    t.pairs = fly_pairs(scenario, plan, t.request, [&look](std::size_t done) { look(Stage::flying, done); });
   }
 }
 
