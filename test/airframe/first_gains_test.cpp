@@ -33,11 +33,14 @@ TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
   EXPECT_NEAR(found->lowest_speed_m_s, std::sqrt(2.0 * 6.0 * 31.0), 2.5);
   EXPECT_NEAR(found->highest_speed_m_s, 82.2, 0.5);
 
-  const double twice_the_limit_rad = 20.0 * sim::radians_per_degree * found->gains.proportional;
-  const auto observing = first_gains(vehicle, computed, plan, -twice_the_limit_rad);
+  const double offset_rad = 14.0 * sim::radians_per_degree;
+  core::FlightPlan wide = plan;
+  wide.controller.canard_limit = core::Angle::from_degrees(16.0F);
+  ASSERT_GT(offset_rad / found->gains.proportional, 20.0 * sim::radians_per_degree) << "else no observer is needed";
+  const auto observing = first_gains(vehicle, computed, wide, -offset_rad);
   ASSERT_TRUE(observing && observing->observer_bandwidth_rad_s);
   EXPECT_EQ(figures(sentence(*observing)).back(),
-            text::fixed(twice_the_limit_rad / observing->gains.proportional / sim::radians_per_degree, 0))
+            text::fixed(offset_rad / observing->gains.proportional / sim::radians_per_degree, 0))
       << sentence(*observing);
   EXPECT_LT(observing->gains.proportional, found->gains.proportional);
 
@@ -70,6 +73,47 @@ TEST(FirstGains, SayTheMarginThatTheyHaveAndWhereNoGainsHaveOne) {
   model::BuildUp without = computed;
   without.roll_torque_m3.reset();
   EXPECT_FALSE(first_gains(vehicle, without, plan, 0.0));
+}
+
+/// The damped linear roll equation itself, step by step, with the gains at one steady speed: how long it takes from a
+/// radian to a tenth of one.
+double return_s(const sim::Vehicle& vehicle, double speed_m_s, double proportional, double derivative_s) {
+  constexpr double density_kg_m3 = 1.2;
+  const sim::RollPlant& plant = vehicle.roll_plant;
+  const double pressure = 0.5 * density_kg_m3 * speed_m_s * plant.reference_area_m2 / plant.inertia_kg_m2;
+  double angle_rad = 1.0;
+  double rate_rad_s = 0.0;
+  double time_s = 0.0;
+  constexpr double step_s = 1e-4;
+  while (angle_rad > 0.1 && time_s < 600.0) {
+    const double command_rad = -proportional * angle_rad - derivative_s * rate_rad_s;
+    rate_rad_s += step_s * pressure * (-plant.damping_m2 * rate_rad_s + speed_m_s * plant.torque_m * command_rad);
+    angle_rad += step_s * rate_rad_s;
+    time_s += step_s;
+  }
+  return time_s;
+}
+
+TEST(FirstGains, OfARocketWithFarApartSpeedsAreScheduledWhereThatBringsTheRollBackFasterAtTheSlowest) {
+  sim::Vehicle vehicle =
+      input::read_vehicle(input::Document::load(input::find_input(input::Shipped::vehicle, "tasha3_launch2").string()));
+  vehicle.mass_kg *= 0.45;  // twice as fast, and control begins as early
+  const model::BuildUp computed = model::build_up(vehicle);
+  vehicle.roll_plant.damping_m2 = computed.roll_damping_m4.value / vehicle.roll_plant.reference_area_m2;
+  vehicle.roll_plant.torque_m = computed.roll_torque_m3->value / vehicle.roll_plant.reference_area_m2;
+  const auto found = first_gains(vehicle, computed, core::default_plan(), 0.0);
+  ASSERT_TRUE(found && found->reach_phase_margin);
+  ASSERT_GT(found->highest_speed_m_s, 3.0 * found->lowest_speed_m_s);
+  ASSERT_GT(found->schedule.speeds_count, 0);
+  const auto factor = static_cast<double>(found->schedule.factors.front());
+  EXPECT_FLOAT_EQ(found->schedule.factors[found->schedule.factors_count - 1U], 1.0F);
+  EXPECT_NEAR(static_cast<double>(found->schedule.speeds_m_s.front()), found->lowest_speed_m_s, 0.1);
+  const stability::Gains& gains = found->gains;
+  const double scheduled_s =
+      return_s(vehicle, found->lowest_speed_m_s, factor * gains.proportional, factor * gains.derivative_s);
+  EXPECT_LT(1.4 * scheduled_s, return_s(vehicle, found->lowest_speed_m_s, gains.proportional, gains.derivative_s));
+  EXPECT_NE(sentence(*found).find("falling to 1"), std::string::npos) << sentence(*found);
+  EXPECT_NE(plan_file(found, core::default_plan()).find("[gain_schedule]"), std::string::npos);
 }
 
 }  // namespace

@@ -73,13 +73,13 @@ TEST(Law, WithoutAKnownSpeedThereIsNoObserver) {
 // From 12 m/s to 144 m/s the square of the ratio is 144, and a plan allows 100; from 14.4 m/s on it is 100.
 TEST(Law, ASteepScheduleThatNoPlanAllowsIsLeftOutWithTheSpeedThatWouldAllowIt) {
   const stability::SpeedRange wide{12.0, 144.0};
-  EXPECT_TRUE(is_within_plan(1.5, wide));  // 41.6
-  EXPECT_FALSE(is_within_plan(2.0, wide));
+  EXPECT_TRUE(stability::is_within_plan(1.5, wide));  // 41.6
+  EXPECT_FALSE(stability::is_within_plan(2.0, wide));
   EXPECT_EQ(figures(schedules_left_out(wide)), (std::vector<std::string>{"2", "144", "12.0", "100", "14.4"}));
   EXPECT_EQ(schedules_left_out({14.4, 144.0}), "");
   EXPECT_EQ(schedules_left_out({14.4, 14.5}), "");
   const sim::Scenario scenario = input::load_scenario("tasha3_launch2", {});
-  for (const double exponent : schedule_exponents) {
+  for (const double exponent : stability::schedule_exponents) {
     const Law law{.gains = {0.5, 0.05}, .schedule_exponent = exponent};
     EXPECT_NO_THROW((void)with_law(scenario, OffsetRejection::none, law, {14.4, 144.0})) << exponent;
   }

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,8 @@
 #include "sim/units.hpp"
 #include "stability/margins_asked.hpp"
 #include "stability/roll_loop.hpp"
+#include "stability/schedule.hpp"
+#include "stability/speed_range.hpp"
 #include "text/degrees.hpp"
 #include "text/number.hpp"
 
@@ -27,15 +31,16 @@ constexpr int speeds = 12;
 constexpr double computed_phase_margin_rad = stability::comfortable_phase_margin_rad + text::radians(1.0);
 constexpr double slower_in_wind = 0.93;
 
+/// A schedule is one more thing that can be wrong, so it has to make the slowest return to the reference this much
+/// faster.
+constexpr double worth_a_schedule = 1.5;
+
 /// The largest that leaves the margin is taken: it ends an offset soonest.
 constexpr std::array observer_bandwidths_rad_s{10.0, 7.0, 5.0, 3.0, 2.0, 1.0, 0.5};
 
 const double rest_limit_rad = sim::Scenario{}.rest_limit_rad;
 
-struct Speeds {
-  double lowest_m_s;
-  double highest_m_s;
-};
+using Speeds = stability::SpeedRange;
 
 /// Where control begins, and the fastest after that; empty: it never does.
 std::optional<Speeds> speeds_under_control(const sim::Vehicle& vehicle, const core::FlightPlan& plan) {
@@ -82,9 +87,7 @@ stability::LoopsAtSpeeds loops(const sim::Vehicle& vehicle, const model::BuildUp
   scenario.vehicle = vehicle;
   sim::RollPlant& plant = scenario.vehicle.roll_plant;
   stability::LoopsAtSpeeds all;
-  for (int i = 0; i < speeds; ++i) {
-    const double speed_m_s =
-        range.lowest_m_s + (range.highest_m_s - range.lowest_m_s) * i / static_cast<double>(speeds - 1);
+  for (const double speed_m_s : stability::speeds_between(plan, range, speeds - 1)) {
     std::vector<stability::RollLoop> at_speed;
     for (const double inertia_kg_m2 : inertias_kg_m2) {
       for (const double damping_m4 : {damping.low, damping.value, damping.high}) {
@@ -167,6 +170,45 @@ void add_observer(FirstGains& first, const sim::Vehicle& vehicle, const model::B
   }
 }
 
+/// How fast the roll comes back to its reference, where that is slowest: kp b / (a + kd b), of the slower of the loop's
+/// two poles, which an observer leaves where it is.
+double slowest_return_per_s(const sim::Vehicle& vehicle, core::FlightPlan plan, const FirstGains& first,
+                            const Speeds& range) {
+  sim::Scenario scenario;
+  scenario.vehicle = vehicle;
+  scenario.plan = std::move(plan);
+  double slowest_per_s = std::numeric_limits<double>::infinity();
+  for (const double speed_m_s : stability::speeds_between(scenario.plan, range, speeds - 1)) {
+    const stability::RollLoop loop = stability::loop_at_speed(scenario, speed_m_s);
+    const double stronger_per_s2 = loop.gain_factor * loop.authority_per_s2;
+    slowest_per_s = std::min(slowest_per_s, first.gains.proportional * stronger_per_s2 /
+                                                (loop.damping_rate_per_s + first.gains.derivative_s * stronger_per_s2));
+  }
+  return slowest_per_s;
+}
+
+bool rests_near(const FirstGains& first) {
+  return first.observer_bandwidth_rad_s.has_value() || first.rest_rad <= rest_limit_rad;
+}
+
+/// With the schedule of the plan, or without one.
+FirstGains scheduled(const sim::Vehicle& vehicle, const model::BuildUp& computed, const core::FlightPlan& plan,
+                     const Speeds& range, double fin_offset_rad) {
+  const auto found = gains_for(vehicle, computed, plan, range);
+  FirstGains first{.gains = found.value_or(gains_of(plan)),
+                   .schedule = plan.gain_schedule,
+                   .reach_phase_margin = found.has_value(),
+                   .lowest_speed_m_s = range.lowest_m_s,
+                   .highest_speed_m_s = range.highest_m_s,
+                   .servo_lag_s = vehicle.servo.lag_s};
+  first.rest_rad = rest_rad(fin_offset_rad, first.gains);
+  const auto reach_rad = static_cast<double>(plan.controller.canard_limit.radians());
+  if (found && first.rest_rad > rest_limit_rad && std::abs(fin_offset_rad) < reach_rad) {
+    add_observer(first, vehicle, computed, plan, range, fin_offset_rad);
+  }
+  return first;
+}
+
 }  // namespace
 
 stability::Gains gains_of(const core::FlightPlan& plan) {
@@ -180,18 +222,22 @@ std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::
   if (!range || !computed.roll_torque_m3) {
     return std::nullopt;
   }
-  const auto found = gains_for(vehicle, computed, plan, *range);
-  FirstGains first{.gains = found.value_or(gains_of(plan)),
-                   .reach_phase_margin = found.has_value(),
-                   .lowest_speed_m_s = range->lowest_m_s,
-                   .highest_speed_m_s = range->highest_m_s,
-                   .servo_lag_s = vehicle.servo.lag_s};
-  first.rest_rad = rest_rad(fin_offset_rad, first.gains);
-  const auto reach_rad = static_cast<double>(plan.controller.canard_limit.radians());
-  if (found && first.rest_rad > rest_limit_rad && std::abs(fin_offset_rad) < reach_rad) {
-    add_observer(first, vehicle, computed, plan, *range, fin_offset_rad);
+  FirstGains best = scheduled(vehicle, computed, plan, *range, fin_offset_rad);
+  double best_per_s = best.reach_phase_margin ? slowest_return_per_s(vehicle, plan, best, *range) : 0.0;
+  for (const double exponent : stability::schedule_exponents) {
+    if (!stability::has_room_for_schedule(*range) || !stability::is_within_plan(exponent, *range)) {
+      continue;
+    }
+    core::FlightPlan with_schedule = plan;
+    with_schedule.gain_schedule = stability::gain_schedule(exponent, *range);
+    const FirstGains other = scheduled(vehicle, computed, with_schedule, *range, fin_offset_rad);
+    const double per_s = slowest_return_per_s(vehicle, with_schedule, other, *range);
+    if (other.reach_phase_margin && (rests_near(other) || !rests_near(best)) && per_s > worth_a_schedule * best_per_s) {
+      best = other;
+      best_per_s = per_s;
+    }
   }
-  return first;
+  return best;
 }
 
 std::string why_none(const core::FlightPlan& plan) {
@@ -207,16 +253,23 @@ std::string why_none(const core::FlightPlan& plan) {
 
 std::string sentence(const FirstGains& first) {
   using text::brief;
+  const std::size_t rows = first.schedule.speeds_count;
+  const std::string schedule =
+      rows == 0 ? std::string{}
+                : fmt::format(", times {} at {} m/s and falling to 1 at {} m/s",
+                              brief(static_cast<double>(first.schedule.factors.front()), 3),
+                              text::fixed(static_cast<double>(first.schedule.speeds_m_s.front()), 0),
+                              text::fixed(static_cast<double>(first.schedule.speeds_m_s[rows - 1]), 0));
   const std::string gains =
-      fmt::format("{} and {} s{}", brief(first.gains.proportional, 4), brief(first.gains.derivative_s, 4),
+      fmt::format("{} and {} s{}{}", brief(first.gains.proportional, 4), brief(first.gains.derivative_s, 4), schedule,
                   first.observer_bandwidth_rad_s
                       ? fmt::format(", with an observer of {} rad/s", brief(*first.observer_bandwidth_rad_s, 4))
                       : "");
   const std::string why_observer = first.observer_bandwidth_rad_s
                                        ? fmt::format(
                                              " Without the observer the fin offset would, with these gains, keep the "
-                                             "roll {} deg from its reference.",
-                                             text::fixed(text::degrees(first.rest_rad), 0))
+                                             "roll {}{} deg from its reference.",
+                                             rows == 0 ? "" : "up to ", text::fixed(text::degrees(first.rest_rad), 0))
                                        : "";
   const std::string where =
       fmt::format("from {} to {} m/s, with damping and torque anywhere within a factor of two and a servo lag of {} ms",

@@ -36,6 +36,12 @@ kind = "hold"
 initial_deg = 0
 )";
 
+constexpr std::string_view schedule_text = R"(
+[gain_schedule] # factors on both gains: in faster air the canards are stronger
+speeds_m_s = [{speeds}]
+factors = [{factors}]
+)";
+
 constexpr std::string_view observer_text = R"(
 [offset]
 rejection = "observer" # without, the fin offset would keep the roll too far from its reference
@@ -57,6 +63,17 @@ std::string plan_file(const std::optional<FirstGains>& first, const core::Flight
   const stability::Gains gains = first ? first->gains : gains_of(usual);
   std::string plan = fmt::format(fmt::runtime(plan_text), fmt::arg("proportional_gain", rounded(gains.proportional)),
                                  fmt::arg("derivative_gain_s", rounded(gains.derivative_s)));
+  if (first && first->schedule.speeds_count > 0) {
+    const auto listed = [&](const auto& values) {
+      std::string list;
+      for (std::size_t i = 0; i < first->schedule.speeds_count; ++i) {
+        list += (i == 0 ? "" : ", ") + rounded(static_cast<double>(values[i]));
+      }
+      return list;
+    };
+    plan += fmt::format(fmt::runtime(schedule_text), fmt::arg("speeds", listed(first->schedule.speeds_m_s)),
+                        fmt::arg("factors", listed(first->schedule.factors)));
+  }
   if (!first || !first->observer_bandwidth_rad_s) {
     return plan;
   }

@@ -16,6 +16,8 @@ namespace fantail::airframe {
 /// Gains for the first simulated flights of a rocket whose roll model is only computed from its shape.
 struct FirstGains {
   stability::Gains gains;
+  core::GainSchedulePlan
+      schedule{};  ///< where it brings the roll back much faster at the speed at which that is slowest
   /// Where the roll would rest too far from its reference without: as fast as leaves the phase margin.
   std::optional<double> observer_bandwidth_rad_s{};
   core::RollModelPlan roll_model{};  ///< of the observer
@@ -32,7 +34,8 @@ struct FirstGains {
 
 /// For `vehicle` with the roll model that its shape gives: the gains nearest to those of `plan`. With an observer
 /// where such gains leave the roll farther from its reference than a scenario allows, because of fins that are as
-/// crooked as canards at this angle. Empty without canards, and where control never begins in a straight ascent.
+/// crooked as canards at this angle, and with a schedule where the speeds differ much. Empty without canards, and where
+/// control never begins in a straight ascent.
 [[nodiscard]] std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::BuildUp& computed,
                                                     const core::FlightPlan& plan, double fin_offset_rad);
 

@@ -178,8 +178,8 @@ sim::Quaternion by_pad(const ImuLog& log) {
     throw text::Error{
         text::ErrorKind::bad_data,
         fmt::format(
-            "{}: which way the logger sits is not known: before its first push it has no {} s at rest, of {} to "
-            "{} g; allowed: --mounting \"90 about z\", or its columns by --columns",
+            "{}: no {} s at rest ({} to {} g) before the first push, so which way the logger sits is not known; "
+            "allowed: --mounting \"90 about z\", or --columns",
             log.name, shortest_s, least_g, most_g)};
   }
   return to_nose((1.0 / length(sum)) * sum);

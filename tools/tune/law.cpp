@@ -14,25 +14,6 @@
 namespace fantail::tune {
 namespace {
 
-/// Speeds in equal ratios: there the torque of the canards changes equally much from row to row.
-core::GainSchedulePlan schedule(double exponent, const stability::SpeedRange& range) {
-  core::GainSchedulePlan plan{};
-  if (exponent == 0.0 || !has_room_for_schedule(range)) {
-    return plan;
-  }
-  constexpr std::size_t rows = core::most_schedule_rows;
-  plan.speeds_count = rows;
-  plan.factors_count = rows;
-  for (std::size_t row = 0; row < rows; ++row) {
-    const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
-    const double speed_m_s = range.lowest_m_s * std::pow(range.highest_m_s / range.lowest_m_s, share);
-    const double factor = std::pow(range.highest_m_s / speed_m_s, exponent);
-    plan.speeds_m_s[row] = static_cast<float>(std::round(10.0 * speed_m_s) / 10.0);
-    plan.factors[row] = static_cast<float>(std::round(100.0 * factor) / 100.0);
-  }
-  return plan;
-}
-
 core::RollModelPlan roll_model(const sim::Scenario& scenario) {
   const sim::RollPlant& plant = scenario.vehicle.roll_plant;
   const auto after_burnout_kg_m2 = scenario.vehicle.airframe.value_or(sim::Airframe{}).roll_inertia_after_burnout_kg_m2;
@@ -43,34 +24,19 @@ core::RollModelPlan roll_model(const sim::Scenario& scenario) {
           .density_kg_m3 = static_cast<float>(scenario.atmosphere.density_kg_m3(0.0))};
 }
 
-double factor_at_lowest_speed(double exponent, const stability::SpeedRange& range) {
-  return std::pow(range.highest_m_s / range.lowest_m_s, exponent);
-}
-
-double largest_factor() {
-  const auto fields = core::flight_plan_fields();
-  const auto found = std::ranges::find_if(
-      fields, [](const core::PlanField& field) { return field.section == "gain_schedule" && field.key == "factors"; });
-  return static_cast<double>(found->maximum);
-}
-
 }  // namespace
 
-bool is_within_plan(double exponent, const stability::SpeedRange& range) {
-  return factor_at_lowest_speed(exponent, range) <= largest_factor();
-}
-
 std::string schedules_left_out(const stability::SpeedRange& range) {
-  if (!has_room_for_schedule(range)) {
+  if (!stability::has_room_for_schedule(range)) {
     return "";
   }
   std::string powers;
-  for (const double exponent : schedule_exponents) {
-    if (!is_within_plan(exponent, range)) {
+  for (const double exponent : stability::schedule_exponents) {
+    if (!stability::is_within_plan(exponent, range)) {
       powers += fmt::format("{}{}", powers.empty() ? "" : " and ", exponent);
     }
   }
-  const double most = schedule_exponents.back();
+  const double most = stability::schedule_exponents.back();
   return powers.empty()
              ? ""
              : fmt::format(
@@ -78,8 +44,10 @@ std::string schedules_left_out(const stability::SpeedRange& range) {
                    "at "
                    "{:.1f} m/s, and a plan allows at most {:.0f}. Control that begins at {:.1f} m/s or faster allows "
                    "them (guide.minimum_speed_m_s).",
-                   powers, factor_at_lowest_speed(most, range), range.lowest_m_s, largest_factor(),
-                   std::ceil(10.0 * range.highest_m_s / std::pow(largest_factor(), 1.0 / most)) / 10.0);
+                   powers, stability::factor_at_lowest_speed(most, range), range.lowest_m_s,
+                   stability::largest_schedule_factor(),
+                   std::ceil(10.0 * range.highest_m_s / std::pow(stability::largest_schedule_factor(), 1.0 / most)) /
+                       10.0);
 }
 
 core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection rejection, const Law& law,
@@ -87,7 +55,7 @@ core::FlightPlan with_law(const sim::Scenario& scenario, core::OffsetRejection r
   core::FlightPlan plan = scenario.plan;
   plan.controller.proportional_gain = static_cast<float>(law.gains.proportional);
   plan.controller.derivative_gain_s = static_cast<float>(law.gains.derivative_s);
-  plan.gain_schedule = schedule(law.schedule_exponent, range);
+  plan.gain_schedule = stability::gain_schedule(law.schedule_exponent, range);
   plan.offset.rejection = rejection;
   if (rejection == core::OffsetRejection::integral) {
     plan.offset.integral_gain_per_s = static_cast<float>(law.integral_gain_per_s);

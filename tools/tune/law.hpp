@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "sim/scenario.hpp"
 #include "stability/gain_choice.hpp"
+#include "stability/schedule.hpp"
 #include "stability/speed_range.hpp"
 
 namespace fantail::tune {
@@ -17,17 +17,6 @@ struct Law {
   double observer_bandwidth_rad_s = 0.0;  ///< with an observer
   double schedule_exponent = 0.0;         ///< factors (highest speed / speed)^exponent; zero: no schedule
 };
-
-/// Whether the speeds differ enough for gains to change with them.
-[[nodiscard]] inline bool has_room_for_schedule(const stability::SpeedRange& range) {
-  return range.lowest_m_s > 0.0 && range.highest_m_s > 1.2 * range.lowest_m_s;
-}
-
-/// The powers of the speed with which a search lets the gains fall.
-inline constexpr std::array schedule_exponents{0.5, 1.0, 1.5, 2.0};
-
-/// Whether a plan may have the factor that this schedule needs at the lowest speed.
-[[nodiscard]] bool is_within_plan(double exponent, const stability::SpeedRange& range);
 
 /// A sentence on the schedules that no plan may have, and what would allow them; empty when all are within one.
 [[nodiscard]] std::string schedules_left_out(const stability::SpeedRange& range);

@@ -206,8 +206,9 @@ Found search(const sim::Scenario& scenario, const SpeedsFlown& speeds, const Req
     }
   };
   over_gains();
-  for (const double exponent : schedule_exponents) {
-    if (request.schedule && has_room_for_schedule(speeds.range) && is_within_plan(exponent, speeds.range)) {
+  for (const double exponent : stability::schedule_exponents) {
+    if (request.schedule && stability::has_room_for_schedule(speeds.range) &&
+        stability::is_within_plan(exponent, speeds.range)) {
       trial.set_exponent(exponent);
       over_gains();
     }
