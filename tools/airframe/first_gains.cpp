@@ -258,8 +258,7 @@ std::string sentence(const FirstGains& first) {
       rows == 0 ? std::string{}
                 : fmt::format(", times {} at {} m/s and falling to 1 at {} m/s",
                               brief(static_cast<double>(first.schedule.factors.front()), 3),
-                              text::fixed(static_cast<double>(first.schedule.speeds_m_s.front()), 0),
-                              text::fixed(static_cast<double>(first.schedule.speeds_m_s[rows - 1]), 0));
+                              text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0));
   const std::string gains =
       fmt::format("{} and {} s{}{}", brief(first.gains.proportional, 4), brief(first.gains.derivative_s, 4), schedule,
                   first.observer_bandwidth_rad_s

@@ -178,8 +178,8 @@ sim::Quaternion by_pad(const ImuLog& log) {
     throw text::Error{
         text::ErrorKind::bad_data,
         fmt::format(
-            "{}: no {} s at rest ({} to {} g) before the first push, so which way the logger sits is not known; "
-            "allowed: --mounting \"90 about z\", or --columns",
+            "{}: which way the logger sits is not known, without {} s at rest ({} to {} g) before the first push; "
+            "allowed: --mounting \"90 about z\"",
             log.name, shortest_s, least_g, most_g)};
   }
   return to_nose((1.0 / length(sum)) * sum);
