@@ -78,6 +78,8 @@ TEST(SomebodysTable, DoesNotTakeACommentThatASpreadsheetHasFilledWithCommasForIt
   const Loaded table =
       log("# Time (s),Altitude (m),Speed (m/s)\n# Event LAUNCH occurred at t=0 seconds,,\n0,1,2\n1,2,3\n");
   EXPECT_EQ(table.table.columns(), (Names{"Time (s)", "Altitude (m)", "Speed (m/s)"}));
+  const Loaded six = log("# a,b,c,d,e,f\n# Event LAUNCH occurred at t=0 seconds\n0,1,2,3,4,5\n1,2,3,4,5,6\n");
+  EXPECT_EQ(six.table.columns(), (Names{"a", "b", "c", "d", "e", "f"})) << "six words are no six names";
 }
 
 TEST(SomebodysTable, WithATimeForEveryFewColumnsIsReadAsOneInOrderOfTime) {

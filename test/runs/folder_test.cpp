@@ -185,7 +185,7 @@ TEST_F(StoredParts, AreThoseOfOneProgramAtATime) {
   EXPECT_EQ(
       refusal(place()),
       folder_.string() +
-          ": another campaign is running in this folder; wait until it ends, or choose another folder with --out");
+          ": another run of Fantail is at work in this folder; wait until it ends, or choose another folder with --out");
 }
 
 TEST_F(StoredParts, OfTwoThatBeginAtOnceInANewFolderOneIsRefused) {

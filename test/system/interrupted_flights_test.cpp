@@ -54,7 +54,7 @@ TEST_P(InterruptedFlights, GoOnWhenTheSameCommandIsGivenAgain) {
                              ", and the same command goes on from there"),
             std::string::npos)
       << outcome.err;
-  expect_said(second, {"another campaign is running in this folder"});
+  expect_said(second, {"another run of Fantail is at work in this folder"});
   EXPECT_FALSE(fs::exists(fs::path{folder / "all"} / GetParam().result));
   EXPECT_TRUE(is_begun());
   const auto first_part = fs::directory_iterator { parts } -> path();

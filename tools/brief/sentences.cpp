@@ -168,7 +168,7 @@ std::vector<std::string> landing_sentences(const Brief& of) {
   all.push_back(fall_sentence(landing));
   all.push_back(
       fmt::format("Failed canard: each of the four runs to each stop, every {} s from the guide to apogee ({}), "
-                  "in the wind above. A spread of landings is not computed.",
+                  "in the wind above. fantail campaign spreads the landings.",
                   text::brief(landing.step_s, 2), text::counted(landing.flights, "flight")));
   return all;
 }

@@ -118,6 +118,7 @@ class Tidier {
     const std::size_t end = first_row_;
     const std::size_t wanted = end == lines_.size() ? 0 : cells_of(lines_[end], separator_).size();
     std::optional<std::size_t> another;  // with another number of cells than the rows
+    std::optional<std::size_t> of_words;
     for (std::size_t i = end; i-- > 0;) {
       const std::size_t cells = cells_of(lines_[i], separator_).size();
       const bool is_named = !lines_[i].empty() && !is_row(text::trimmed(without_mark(lines_[i])), separator_);
@@ -126,14 +127,14 @@ class Tidier {
         header_ = i;
         return;
       }
-      if (has_words(lines_[i], wanted)) {
-        header_ = i;
-        header_separator_ = ' ';
-        return;
-      }
+      of_words = !of_words && has_words(lines_[i], wanted) ? i : of_words;
       another = is_named && !another && (cells > 1 || (wanted == 0 && !is_comment(lines_[i]))) ? i : another;
     }
-    header_ = wanted == 1 ? std::nullopt : another;
+    // A remark can have as many words as the rows have cells: names that are separated as the rows go before it.
+    header_ = wanted == 1 ? std::nullopt : another ? another : of_words;
+    if (of_words && header_ == of_words) {
+      header_separator_ = ' ';
+    }
   }
 
   /// A second line below the names.

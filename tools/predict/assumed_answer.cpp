@@ -165,6 +165,9 @@ std::vector<std::string> what_a_session_settles(const AssumedFins& all) {
   std::vector<std::string> sentences;
   if (std::string cant = cant_sentence(all); !cant.empty()) {
     sentences.push_back(std::move(cant));
+  } else if (!all.offset_per_cant) {
+    sentences.emplace_back(
+        "What a cant of the fins is as a fin offset is not known: that needs the vehicle's shape and canards.");
   }
   sentences.push_back(
       fmt::format("Next: measure fin offset, damping and torque in a wind tunnel. {}",

@@ -121,10 +121,10 @@ Folder::Lock::Lock(const fs::path& folder) {
     }
     if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       close(file_);
-      throw text::Error{
-          text::ErrorKind::bad_configuration,
-          folder.parent_path().string() +
-              ": another campaign is running in this folder; wait until it ends, or choose another folder with --out"};
+      throw text::Error{text::ErrorKind::bad_configuration,
+                        folder.parent_path().string() +
+                            ": another run of Fantail is at work in this folder; wait until it ends, or choose another "
+                            "folder with --out"};
     }
     struct stat held{};
     struct stat named{};
