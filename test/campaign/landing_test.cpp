@@ -108,6 +108,12 @@ TEST(TheLandingsOfACampaign, AreWhereTheWholeFlightsOfItsRunsEnd) {
   EXPECT_GE(found.failed_flights, 48U);
   EXPECT_GT(found.failed_away_m.value(), 1.0);
   ASSERT_EQ(found.landed.size(), 2U);
+  // What `fly` shows of the scenario itself, whose own run ends a second after apogee.
+  const flight::Flight shown = fly::fly_scenario(input::load_scenario("kestrel", {}));
+  EXPECT_NEAR(shown.path.back().height_m, 0.0, 0.1);
+  EXPECT_NEAR(shown.path.back().east_m, found.healthy.value().east_m, 0.1);
+  EXPECT_NEAR(shown.path.back().north_m, found.healthy.value().north_m, 0.1);
+  EXPECT_LT(shown.events.parachute_s.value(), shown.path.back().time_s - 60.0);
   for (std::size_t i = 0; i < 2; ++i) {
     // The avionics run to the ground here, and its path is what a flight report shows.
     sim::Scenario whole = repeat_run(campaign, 2 * i).scenario;

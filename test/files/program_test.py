@@ -86,8 +86,22 @@ def test_convert_writes_what_the_end_of_a_name_says(program, table, tmp_path):
     assert program.run("convert", "a.parquet", "--out", "-", cwd=tmp_path).stdout == (tmp_path / "out/convert/a.csv").read_text()
 
 
+@pytest.mark.parametrize("name, text, wanted", [
+    ("altos.csv", "#version, time, acceleration\n6, -0.30, 0.5\n6, -0.29, 0.75\n", [["version", "time", "acceleration"], ["6", "-0.30", "0.5"]]),
+    ("german.csv", "Time;Altitude;\n0;2,5;\n0,05;3;\n", [["Time", "Altitude", ""], ["0", "2.5", ""]]),
+    ("log.pf2", "PerfectFlite SL100\n\nData: (Time, Altitude)\n0.00,1\n0.05,2\n", [["Time", "Altitude"], ["0.00", "1"]]),
+    ("again.csv", "time,a,time,b\n0,1,0.5,2\n", [["time", "a", "b"], ["0", "1", ""]])])
+def test_convert_reads_the_tables_of_others_as_all_verbs_do(program, tmp_path, name, text, wanted):
+    (tmp_path / name).write_text(text)
+    said = program.run("convert", name, "--out", "out.csv", cwd=tmp_path)
+    assert said.returncode == 0, said.stderr
+    assert [line.split(",") for line in (tmp_path / "out.csv").read_text().splitlines()][:2] == wanted
+    assert program.run("convert", name, "--out", "out.parquet", cwd=tmp_path).returncode == 0
+    assert set(files.read(tmp_path / "out.parquet").columns) == {column for column in wanted[0] if column}
+
+
 @pytest.mark.parametrize("words, code, part", [
-    (["none.mat"], 66, "none.mat: no such file"), (["a.txt"], 65, 'files that end in ".txt" are not converted'),
+    (["none.mat"], 66, "none.mat: no such file"), (["a.txt"], 65, "a.txt: no row of a table"),
     (["flight.ftl"], 65, "fantail log export"), ([], 64, "FILE is missing"), (["--install", "a.mat"], 64, "--install takes no file"),
     (["a.mat"], 65, "a.mat: it is not a MAT-file"), (["a.mat", "--out", "a.txt"], 64, "its ending is not an output format"),
     (["a.mat", "--to", "csv", "--out", "a.txt"], 74, "this file exists"), (["a.mat", "--to", "xls"], 64, "xls")])

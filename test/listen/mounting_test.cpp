@@ -120,7 +120,7 @@ TEST(AMounting, ByThePadIsRefusedForALogThatDoesNotBeginAtRest) {
 TEST(AMounting, ThatIsNoneIsRefusedWithWhatIsAllowed) {
   for (const char* words : {"", "45", "45 about", "45 about w", "x about 45", "361 about x", "nan about x",
                             "45 about x,", "45 about xy", "45 degrees about x"}) {
-    expect_refused(ErrorKind::bad_configuration, {"--mounting", "-360 to 360", "45 about x"},
+    expect_refused(ErrorKind::bad_configuration, {"not a mounting", "-360 to 360", "10 about x"},
                    [&] { (void)parse_mounting(words); });
   }
 }

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::string_view plan_text = R"(
 [run]
-canard_fault = "end_control" # a failed canard ends control, as EuRoC asks (DES.22); with "share" the others go on
-tilt_limit_deg = 30 # ranges allow no more, from the direction of the guide
+canard_fault = "end_control" # a failed canard ends control; with "share" the others go on (fantail rules has what ranges ask)
+tilt_limit_deg = 30 # from the direction of the guide
 tilt_from = "guide"
 
 [launch_detection]

@@ -24,7 +24,7 @@ std::vector<std::string> what_decides(const model::BuildUp& b, const std::option
     sentences.push_back(fmt::format(
         "One degree of fin cant takes {} deg of the canards ({} by the method's error). With their limit of {} deg "
         "they "
-        "undo a cant of {} deg, and of {} in the worst case. fantail predict says how much of that is held in flight.",
+        "undo a cant of {} deg, and of {} in the worst case. In flight less is held: see fantail predict.",
         fixed(cant.value, 2), range_text(cant, 2), fixed(degrees(canard_limit_rad), 0), fixed(most_deg, 1), least));
   }
   if (first && b.roll_torque_m3) {

@@ -73,8 +73,10 @@ constexpr auto brief_fields = result::fields<B>({
     {"failure_flights", "flights with a failed canard", none, 0,
      [](const B& b) { return b.landing ? Cell{std::uint64_t{b.landing->flights}} : Cell{}; }, "how many were flown"},
     {"failure_flights_without_landing", "of these without a landing", none, 0,
-     [](const B& b) { return b.landing ? Cell{std::uint64_t{b.landing->failed_without_landing}} : Cell{}; },
-     "how many of them did not reach the ground under the parachute"},
+     [](const B& b) {
+       return b.landing && b.landing->has_parachute ? Cell{std::uint64_t{b.landing->failed_without_landing}} : Cell{};
+     },
+     "how many of them did not reach the ground under the parachute; null: there is none"},
     {"failure_step", "between two failures", s, 2, [](const B& b) { return of_fall(b, &Landing::step_s); },
      "time between the instants at which a canard fails"},
 });

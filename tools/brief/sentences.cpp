@@ -189,7 +189,7 @@ std::vector<std::string> wind_sentences(const Brief& of) {
       fmt::format("Not judged: the end of the guide, where the angle of attack then reaches {} deg, and slower flight "
                   "than there.",
                   fixed(degrees(limit.exit_attack_rad), 0)),
-      fmt::format("Up to there the tilt limit ends control at most {} s before apogee.",
+      fmt::format("Up to there the tilt limit ends control no more than the allowed {} s before apogee.",
                   text::brief(limit.tilt_end_before_apogee_s, 2)),
       limit.first_failure.empty() ? "Stronger wind was not tried."
                                   : fmt::format("A{}.", limit.first_failure.substr(1))};

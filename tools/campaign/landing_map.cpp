@@ -65,11 +65,10 @@ std::string with_a_failed_canard(const Landings& of) {
   }
   return fmt::format(
       "A canard that runs to a stop moves the landing of the scenario as it stands by up to {} m. That is the largest "
-      "of "
-      "{}: each canard, each stop, every {} s of the ascent. A failure between two of these instants can move it "
-      "farther. "
-      "The outer line lies that far outside the ellipse.{}",
+      "of {}: each canard, each stop, every {} s of the ascent. A failure between two of these instants can move it "
+      "farther.{}{}",
       text::fixed(*of.failed_away_m, 0), text::counted(of.failed_flights, "flight"), text::brief(of.failed_step_s, 2),
+      of.ellipse ? " The outer line lies that far outside the ellipse." : "",
       of.failed_without_landing == 0
           ? std::string{}
           : fmt::format(" {} of these flights did not land under the parachute and are not in it.",
@@ -139,8 +138,9 @@ std::vector<std::string> landing_sentences(const Landings& of) {
   }
   all.push_back(with_a_failed_canard(of));
   all.emplace_back(
-      "The wind, the guide and the parachute are the scenario's, and their spreads those of its file. A parachute that "
-      "opens late or not at all, and a fall in parts, are not in this map.");
+      "Each run has the wind, guide and parachute that its spreads draw in place of the scenario's own, which the "
+      "scenario "
+      "as it stands has. A parachute that opens late or not at all, and a fall in parts, are not in this map.");
   return all;
 }
 

@@ -13,6 +13,8 @@
 #include "fantail/standard_streams.hpp"
 #include "fantail/terminal.hpp"
 #include "files/convert.hpp"
+#include "files/load.hpp"
+#include "flight/table.hpp"
 #include "text/input_file.hpp"
 #include "text/output_folder.hpp"
 
@@ -57,15 +59,22 @@ std::filesystem::path target_of(const ConvertOptions& o, const std::string& endi
   return std::filesystem::path{"out"} / "convert" / (name.string() + ending);
 }
 
-void require_readable(const std::filesystem::path& file) {
-  if (files::is_read(file) || file.extension() == ".csv") {
-    return;
+files::Converted converted(const std::filesystem::path& file, const std::string& ending) {
+  if (files::is_read(file)) {
+    return files::converted(file, ending);
   }
-  (void)text::InputFile{file};  // one that is missing is that first
-  throw text::Error{text::ErrorKind::bad_data,
-                    fmt::format("{}: files that end in \"{}\" are not converted; allowed: .csv, {}{}", file.string(),
-                                file.extension().string(), files::listed(files::read_endings),
-                                file.extension() == ".ftl" ? "; for a flight log: fantail log export" : "")};
+  if (file.extension() == ".ftl") {
+    (void)text::InputFile{file};  // one that is missing is that first
+    throw text::Error{text::ErrorKind::bad_data,
+                      fmt::format("{}: is a flight log; fantail log export writes it as a table", file.string())};
+  }
+  const files::Loaded loaded = files::load(file, files::Beside::nothing);
+  if (loaded.table.rows() == 0) {
+    throw text::Error{text::ErrorKind::bad_data, file.string() + ": no row of a table is in it"};
+  }
+  files::Converted result = files::converted_text(flight::csv_text(loaded.table), file.string(), ending);
+  result.notes.insert(result.notes.begin(), loaded.notes.begin(), loaded.notes.end());
+  return result;
 }
 
 /// No slip of the pen may lose a scenario or a log.
@@ -89,11 +98,10 @@ void convert(const ConvertOptions& o) {
   }
   const std::string ending = ending_of(o);
   const std::filesystem::path target = target_of(o, ending);
-  require_readable(o.file);
   if (o.out != "-") {
     refuse_to_replace(target, ending);
   }
-  const files::Converted converted = files::converted(o.file, ending);
+  const files::Converted converted = tool::converted(o.file, ending);
   give_up_if_interrupted();
   for (const std::string& note : converted.notes) {
     say("fantail: note: " + note + "\n");
@@ -114,7 +122,7 @@ std::string objection_to_file(const std::string& text) {
 void fill(const Verb& verb) {
   auto options = std::make_shared<ConvertOptions>();
   verb.option("FILE", options->file,
-              fmt::format("The table to read; by its extension: .csv, {} (.gz: CSV packed with gzip)",
+              fmt::format("The table to read; by its extension: {} (.gz: CSV packed with gzip), else text",
                           files::listed(files::read_endings)))
       .offers(files);
   verb.option("--to", options->format, "The format to write [extension of --out, else csv]")

@@ -102,9 +102,6 @@ std::optional<listen::Mounting> mounting_of(const ListenOptions& o, const Chosen
 }
 
 listen::ImuLog read(const ListenOptions& o) {
-  if (!o.mounting.empty()) {
-    (void)listen::parse_mounting(o.mounting);  // before a long log is read
-  }
   const files::Loaded file = files::load(o.log, files::Beside::nothing);
   const Chosen chosen = choose(o, file.table);
   listen::ImuLog log = listen::imu_log(file, chosen.sources);
@@ -168,6 +165,15 @@ std::string objection_to_map(const std::string& text) {
              : fmt::format("\"{}\" is not a map of a logger's columns; allowed: {}", text, names_of_maps());
 }
 
+std::string objection_to_mounting(const std::string& text) {
+  try {
+    (void)listen::parse_mounting(text);
+    return {};
+  } catch (const text::Error& error) {
+    return error.what();
+  }
+}
+
 void fill(const Verb& verb) {
   auto options = std::make_shared<ListenOptions>();
   verb.option("LOG", options->log,
@@ -185,6 +191,7 @@ void fill(const Verb& verb) {
   verb.option("--mounting", options->mounting,
               "How the logger sits: by which angle, in degrees, about which of the rocket's axes, as \"45 about x\". "
               "Or \"pad\": its force on the pad points to the nose")
+      .check(objection_to_mounting)
       .value_name("\"DEG about AXIS\"");
   verb.option("--barometer", options->barometer, "Separate file with the height").offers(files).value_name("FILE");
   verb.option("--barometer-columns", options->barometer_columns,

@@ -61,9 +61,9 @@ std::string scenario_command(const TuneOptions& options) {
   return command;
 }
 
-tune::Request request(const TuneOptions& options, core::OffsetRejection of_plan) {
-  return {.rejection = rejection(options.rejection, of_plan),
-          .schedule = options.schedule,
+tune::Request request(const TuneOptions& options, const core::FlightPlan& plan) {
+  return {.rejection = rejection(options.rejection, plan.offset.rejection),
+          .schedule = options.schedule || plan.gain_schedule.speeds_count > 0,
           .phase_margin_rad = text::radians(options.margin_deg),
           .settling_s = options.settling_s,
           .spread = options.spread,
@@ -152,21 +152,22 @@ void tune_scenario(const TuneOptions& options) {
   const runs::Folder kept{place};
   const std::vector<std::filesystem::path> inputs = files_of(options.scenario);
   const result::Made made = made_with(inputs, scenario.seed, changes);
-  const tune::Tuning tuning = tuned(scenario, request(options, scenario.plan.offset.rejection), place, kept);
+  const tune::Tuning tuning = tuned(scenario, request(options, scenario.plan), place, kept);
   const std::string plan_name = tuning.is_proposed() ? file.string() : "";
-  deliver(
-      tune::answer(tuning, plan_name, made),
-      {.folder = folder,
-       .name = "tune",
-       .inputs = inputs,
-       .json = options.json,
-       .last_line = plan_name.empty() ? "  plan     none written" : "           name it " + how_to_fly(options, file),
-       .when_written = [&] {
-         if (tuning.is_proposed()) {
-           write(file, tune::plan_text(tuning));
-         }
-         kept.remove();
-       }});
+  deliver(tune::answer(tuning, plan_name, made),
+          {.folder = folder,
+           .name = "tune",
+           .inputs = inputs,
+           .json = options.json,
+           .last_line = plan_name.empty()     ? "  plan     none written"
+                        : !tuning.is_better() ? "           not better in flight: the present plan can stay"
+                                              : "           name it " + how_to_fly(options, file),
+           .when_written = [&] {
+             if (tuning.is_proposed()) {
+               write(file, tune::plan_text(tuning));
+             }
+             kept.remove();
+           }});
   if (!tuning.is_proposed()) {
     throw RequirementNotMet{""};
   }
@@ -180,7 +181,7 @@ void fill(const Verb& verb) {
               "How the law rejects a fin offset [as the plan does; integral where it does not]")
       .one_of({"none", "integral", "observer"})
       .changes_result();
-  verb.flag("--schedule", options->schedule, "Let the gains change with speed").changes_result();
+  verb.flag("--schedule", options->schedule, "Let the gains change with speed [as the plan does]").changes_result();
   verb.option("--margin", options->margin_deg,
               "Phase margin in degrees that the law must have at every speed under control, over the spread")
       .range(0.0, 80.0)

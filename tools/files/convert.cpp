@@ -239,17 +239,28 @@ Read read(const std::filesystem::path& file) {
   return result;
 }
 
-Converted converted(const std::filesystem::path& file, std::string_view ending) {
+namespace {
+
+Converted run_converted(const std::string& name, const std::string& from, std::string_view to, std::string_view bytes) {
   Converted result;
   std::string said;
-  result.bytes =
-      run(file.string(), {"convert", file.extension().string(), std::string{ending}}, text::read_input(file), &said);
+  result.bytes = run(name, {"convert", from, std::string{to}}, bytes, &said);
   while (!said.empty()) {
     const std::size_t end = std::min(said.find('\n'), said.size());
     result.notes.push_back(said.substr(0, end));
     said.erase(0, end + 1);
   }
   return result;
+}
+
+}  // namespace
+
+Converted converted(const std::filesystem::path& file, std::string_view ending) {
+  return run_converted(file.string(), file.extension().string(), ending, text::read_input(file));
+}
+
+Converted converted_text(const std::string& csv, const std::string& name, std::string_view ending) {
+  return ending == ".csv" ? Converted{.bytes = csv} : run_converted(name, ".csv", ending, csv);
 }
 
 std::string exported(std::string_view flight, std::string_view format) {

@@ -70,8 +70,10 @@ struct Converted {
   std::string bytes;
   std::vector<std::string> notes{};  ///< as in Read
 };
-/// A file as one with one of written_endings.
+/// A file of one of read_endings as one with one of written_endings.
 [[nodiscard]] Converted converted(const std::filesystem::path& file, std::string_view ending);
+/// The same of the text of a table as files::load() makes it; messages call it `name`.
+[[nodiscard]] Converted converted_text(const std::string& csv, const std::string& name, std::string_view ending);
 
 /// A flight (log_export/handed_over.cpp) as "json", "parquet" or "mcap".
 [[nodiscard]] std::string exported(std::string_view flight, std::string_view format);

@@ -144,9 +144,9 @@ bool has_axial(const Logger& logger) { return logger.columns.find("axial") != st
 std::string use_without_axial(std::span<const std::string> columns) {
   if (const Logger* const logger = logger_of(columns); logger != nullptr && !has_axial(*logger)) {
     return fmt::format(
-        "its columns are those of the {}: no reading of an accelerometer is among them. Its height can stand "
+        "its columns are those of the {}: no reading of an accelerometer is among them. {}{}Its height can stand "
         "beside a log that has one: --barometer FILE --barometer-columns {}",
-        logger->about, logger->columns);
+        logger->about, logger->doubt, logger->doubt.empty() ? "" : " ", logger->columns);
   }
   constexpr std::string_view arts2_raw = "MET,Acc(HI),Baro(HI)";
   if (has_all(columns, arts2_raw)) {

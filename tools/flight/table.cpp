@@ -11,6 +11,7 @@
 #include "text/error.hpp"
 #include "text/input_file.hpp"
 #include "text/number.hpp"
+#include "text/quoting.hpp"
 
 namespace fantail::flight {
 namespace {
@@ -40,6 +41,24 @@ std::string harmless(std::string_view text) {
 }
 
 }  // namespace
+
+std::string csv_text(const Table& table) {
+  std::string text;
+  const std::vector<std::string>& names = table.columns();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool looks_like_a_remark = i == 0 && names[i].starts_with('#');
+    text += (i == 0 ? "" : ",") + (looks_like_a_remark ? '"' + names[i] + '"' : text::csv_cell(names[i]));
+  }
+  text += '\n';
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      text += i == 0 ? "" : ",";
+      text += text::csv_cell(std::string{table.cell(row, i)});
+    }
+    text += '\n';
+  }
+  return text;
+}
 
 std::string in_quotes(std::string_view text) { return '"' + harmless(text) + '"'; }
 

@@ -69,6 +69,9 @@ class Table {
   std::size_t header_line_ = 0;
 };
 
+/// Its names and cells, a row a line, as parse() reads them.
+[[nodiscard]] std::string csv_text(const Table& table);
+
 /// A piece of a file for a message: in quotes, of bearable length, without the characters that move a terminal.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

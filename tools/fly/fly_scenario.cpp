@@ -13,6 +13,7 @@
 #include "fly/describe.hpp"
 #include "fly/loop_margins.hpp"
 #include "fly/model_limits.hpp"
+#include "fly/to_ground.hpp"
 #include "replies/sentence.hpp"
 #include "sim/nearest_tick.hpp"
 #include "sim/units.hpp"
@@ -46,21 +47,6 @@ flight::Truth truth_of(const sim::World& world, bool tilts) {
           .geometric_roll_rad = truth.geometric_roll_rad,
           .tilt_from_guide_rad = path && tilts ? std::optional{path->tilt_from_guide_rad} : std::nullopt,
           .shafts_rad = world.shafts_rad()};
-}
-
-flight::PathPoint to_report(const sim::Path& path, double time_s) {
-  const sim::Vector3& at = path.position_m;
-  const sim::Vector3& speed = path.velocity_m_s;
-  return {.time_s = time_s,
-          .north_m = at.x,
-          .east_m = -at.y,
-          .height_m = at.z,
-          .north_m_s = speed.x,
-          .east_m_s = -speed.y,
-          .up_m_s = speed.z,
-          .tilt_rad = path.tilt_rad,
-          .tilt_from_guide_rad = path.tilt_from_guide_rad,
-          .angle_of_attack_rad = path.angle_of_attack_rad};
 }
 
 /// What holds the rocket stands still there, so that the specific force it feels is the vertical.
@@ -225,7 +211,7 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
     }
     if (ticks % ticks_between_points == 0) {
       if (const auto path = world.path()) {
-        flight.path.push_back(to_report(*path, time_s));
+        flight.path.push_back(path_point(*path, time_s));
       }
       if (is_held) {
         flight.turning.push_back(turn_point(world, record, time_s));
@@ -252,6 +238,9 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   }
   if (log == Log::kept) {
     keep_log(flight, world, was_armed);
+  }
+  if (!hooks.take) {
+    add_descent(flight, world, scenario);
   }
   if (!flight.tunnel && !events.liftoff) {
     flight.notes.emplace_back("The rocket never left the pad: its motor never pushed with more than its weight.");

@@ -2,6 +2,7 @@
 #include "fly/to_ground.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "sim/nearest_tick.hpp"
@@ -50,6 +51,43 @@ bool ToGround::is_ascent() const {
 }
 
 double ToGround::after_ignition_s(core::Microseconds time) const { return sim::in_seconds(time - ignition_); }
+
+flight::PathPoint path_point(const sim::Path& path, double time_s) {
+  const sim::Vector3& at = path.position_m;
+  const sim::Vector3& speed = path.velocity_m_s;
+  return {.time_s = time_s,
+          .north_m = at.x,
+          .east_m = -at.y,
+          .height_m = at.z,
+          .north_m_s = speed.x,
+          .east_m_s = -speed.y,
+          .up_m_s = speed.z,
+          .tilt_rad = path.tilt_rad,
+          .tilt_from_guide_rad = path.tilt_from_guide_rad,
+          .angle_of_attack_rad = path.angle_of_attack_rad};
+}
+
+void add_descent(flight::Flight& flight, sim::World& world, const sim::Scenario& scenario) {
+  constexpr std::int64_t ticks_between_points = 100;
+  constexpr auto longest_ticks = static_cast<std::int64_t>(1e3 * longest_fall_s);
+  if (scenario.motion != sim::FlightMotion::six_dof || scenario.path || !has_parachute(scenario.vehicle) ||
+      !world.events().apogee) {
+    return;
+  }
+  for (std::int64_t ticks = 0; ticks < longest_ticks && !world.is_on_ground(); ++ticks) {
+    if (!world.events().parachute) {
+      world.tick();  // which notes that it opens
+    } else if (ticks % ticks_between_points == 0) {
+      flight.path.push_back(path_point(*world.path(), sim::in_seconds(world.now())));
+    }
+    world.advance();
+  }
+  if (world.is_on_ground()) {
+    flight.path.push_back(path_point(*world.path(), sim::in_seconds(world.now())));
+  }
+  const auto& opened = world.events().parachute;
+  flight.events.parachute_s = opened ? std::optional{sim::in_seconds(*opened)} : std::nullopt;
+}
 
 std::optional<sim::Vector3> landing_m(const sim::Scenario& scenario) {
   ToGround flight{scenario};

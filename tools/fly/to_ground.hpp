@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "flight/flight.hpp"
 #include "sim/scenario.hpp"
 #include "sim/world.hpp"
 
@@ -40,6 +41,12 @@ class ToGround {
   bool is_finished_ = false;
   bool is_over_ = false;
 };
+
+[[nodiscard]] flight::PathPoint path_point(const sim::Path& path, double time_s);
+
+/// Takes the path of a flight in six degrees of freedom on to the ground under the parachute, however soon after apogee
+/// the scenario's own run ended, and notes when the parachute began to open. Does nothing without one.
+void add_descent(flight::Flight& flight, sim::World& world, const sim::Scenario& scenario);
 
 /// Where a flight lands. Empty: not under a parachute, or not within longest_fall_s after apogee.
 [[nodiscard]] std::optional<sim::Vector3> landing_m(const sim::Scenario& scenario);

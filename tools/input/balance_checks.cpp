@@ -70,6 +70,11 @@ void check_balance(const Document& document, const sim::Vehicle& vehicle) {
   const double full_kg = vehicle.mass_kg;
   const double propellant_kg = vehicle.motor.propellant_kg();
   const double roll_kg_m2 = vehicle.roll_plant.inertia_kg_m2;
+  if (vehicle.recovery && vehicle.recovery->position_m > airframe.length_m) {
+    Section{document, "recovery"}.refuse("position_m", "= " + plain_number(vehicle.recovery->position_m) +
+                                                           "; allowed: 0 to " + about(airframe.length_m) +
+                                                           " m, the length of the rocket");
+  }
   check_propellant(section, airframe, full_kg, propellant_kg);
   check_inertia(section, {"transverse_inertia_kg_m2", airframe.at_liftoff, full_kg, roll_kg_m2}, airframe.length_m);
   check_inertia(section,

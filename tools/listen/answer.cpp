@@ -176,8 +176,9 @@ std::vector<result::Block> phase_blocks(const H& h) {
 std::vector<result::Block> comparison(const H& h) {
   result::Figures figures = result::figures("", h, heard_fields);
   const auto since = h.since_lift_off_s(h.hardest.time_s);
-  figures["peak_axial"].remark = since ? fmt::format("{} s after lift-off", fixed(*since, 2))
-                                       : fmt::format("{} s of the log's clock", fixed(h.hardest.time_s, 2));
+  figures["peak_axial"].remark =
+      since ? fmt::format("{} s after lift-off, of all up to {}", fixed(*since, 2), h.control ? "top speed" : "apogee")
+            : fmt::format("{} s of the log's clock", fixed(h.hardest.time_s, 2));
   const result::Figures law = result::figures("law", law_of(h), side_fields);
   const result::Figures log = result::figures("log_itself", log_of(h), side_fields);
   std::vector<result::Block> all{figures, result::beside({{"the law", law}, {"the log", log}})};

@@ -23,6 +23,14 @@ std::string guess(double rest_g, const char* quantity) {
                    : "";
 }
 
+/// A force of 1 g along another axis, while the axial one is off.
+bool sits_another_way(const Heard& heard, double axial_m_s2) {
+  constexpr double about = 0.1;
+  const auto y = at_rest(heard, heard.log.lateral_y);
+  const auto z = at_rest(heard, heard.log.lateral_z);
+  return y && z && std::abs(std::hypot(axial_m_s2, y->mean_m_s2, z->mean_m_s2) / one_g_m_s2 - 1.0) < about;
+}
+
 // The sign, the unit and the axis of the columns that nothing can be heard without.
 std::string axial_doubt(const Heard& heard, const Signal& axial, const char* what, const char* quantity) {
   constexpr double most_off_g = 0.3;
@@ -31,6 +39,12 @@ std::string axial_doubt(const Heard& heard, const Signal& axial, const char* wha
     return {};
   }
   const double rest_g = rest->mean_m_s2 / one_g_m_s2;
+  if (&axial == &heard.log.axial && sits_another_way(heard, rest->mean_m_s2)) {
+    return fmt::format(
+        "{} {} reads {} g on average, and the whole force 1 g. The x axis of the logger does not point to the nose "
+        "(--mounting pad turns it there).",
+        rest->where, what, text::fixed(rest_g, 2));
+  }
   return fmt::format(
       "{} {} reads {} g on average, and a rocket in its guide reads 1 g. {}Check axis, sign and unit, and whether it "
       "includes gravity ({}) or not ({}_from_rest).",

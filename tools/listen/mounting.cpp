@@ -26,11 +26,11 @@ std::string_view trimmed(std::string_view text) {
 }
 
 [[noreturn]] void refuse(std::string_view text) {
-  throw text::Error{
-      text::ErrorKind::bad_configuration,
-      fmt::format("--mounting \"{}\": allowed: \"pad\", or angles from -360 to 360 degrees about x, y or z, as in \"45 "
-                  "about x\" or \"90 about z, 10 about x\"",
-                  text)};
+  throw text::Error{text::ErrorKind::bad_configuration,
+                    fmt::format("\"{}\" is not a mounting; allowed: \"pad\", or angles from -360 to 360 degrees about "
+                                "x, y or z: \"90 about z, 10 "
+                                "about x\"",
+                                text)};
 }
 
 /// "45 about x".
@@ -208,7 +208,8 @@ void turn_into_rocket(ImuLog& log, Mounting mounting, bool axial_is_from_rest) {
     throw text::Error{
         text::ErrorKind::bad_data,
         fmt::format("{}: --mounting \"{}\" turns the axial force, of which the reading on the pad was taken "
-                    "off; allowed with axial_from_rest: angles about x",
+                    "off; allowed with it: angles about x. A column that reads 1 g there can be turned: --columns "
+                    "axial=COLUMN:UNIT",
                     log.name, mounting.words)};
   }
   if (mounting.by_pad) {

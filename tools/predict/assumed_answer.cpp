@@ -175,8 +175,9 @@ std::vector<std::string> what_a_session_settles(const AssumedFins& all) {
                       ? "Small offsets are held by all pairs that were tried, larger ones by some or none."
                       : "Damping and torque decide whether even straight fins are held."));
   sentences.push_back(
-      "fantail tunnel steps writes what it finds to steps.csv, and fantail predict --tunnel steps.csv gives a go or a "
-      "no go.");
+      "fantail tunnel steps writes what it finds to steps.csv, and fantail predict SCENARIO --tunnel steps.csv --swirl "
+      "DEG "
+      "gives a go or a no go.");
   return sentences;
 }
 

@@ -67,6 +67,14 @@ std::string range_sentence(const Tuning& t) {
                      integral ? "integral gain" : "observer's bandwidth", brief(value, 2));
 }
 
+std::string spread_sentence(const Tuning& t) {
+  constexpr double of_a_shape = 2.0;
+  return t.is_measured || t.request.spread >= of_a_shape
+             ? ""
+             : "The scenario names no tunnel_result. Damping and torque from a shape are right within a factor of two, "
+               "which --spread 2 covers.";
+}
+
 std::string margin_sentence(const Tuning& t) {
   return t.after->least.phase_margin_rad < stability::least_phase_margin_rad
              ? fmt::format("That is little: a prediction requires {} degrees, over its own spread.",
@@ -155,8 +163,9 @@ std::string flights_sentence(const Tuning& t) {
 }
 
 std::vector<std::string> remarks(const Tuning& t) {
-  std::vector<std::string> all{t.bound_by, margin_sentence(t), range_sentence(t), limit_sentence(t),
-                               t.request.schedule ? schedules_left_out(t.speeds.range) : ""};
+  std::vector<std::string> all{t.bound_by,         spread_sentence(t),
+                               margin_sentence(t), range_sentence(t),
+                               limit_sentence(t),  t.request.schedule ? schedules_left_out(t.speeds.range) : ""};
   std::erase(all, "");
   return all;
 }

@@ -212,7 +212,8 @@ Tuning begun(const sim::Scenario& scenario, const Request& request) {
            .servo_lag_s = scenario.vehicle.servo.lag_s,
            .delay_s = stability::loop_delay_s(scenario.vehicle),
            .rest_limit_rad = scenario.rest_limit_rad,
-           .largest_offset_rad = largest_offset_rad(scenario)};
+           .largest_offset_rad = largest_offset_rad(scenario),
+           .is_measured = scenario.tunnel_result.has_value()};
   const predict::CanardReach reach = predict::canard_reach(scenario, t.largest_offset_rad);
   t.reach_rad = reach.angle_rad;
   t.limit = reach.text();

@@ -53,6 +53,7 @@ struct Tuning {
   Judged before{};
   std::optional<Judged> after{};  ///< empty as far as no law was found
   std::string bound_by{};         ///< bound_sentence() of its law
+  bool is_measured = false;       ///< the scenario names a tunnel result
   std::vector<Pair> pairs{};
   std::optional<Sum> old_alone{};  ///< flights by the old plan over the spread, where no law was found
   std::string alternative{};       ///< a sentence with a command at its end: of another kind of law that was tried and

@@ -87,7 +87,8 @@ void add_canards(BuildUp& result, const sim::Geometry& shape, const FinForces& c
     result.roll_torque_m3->low = 0.0;
   }
   if (fins) {
-    result.cant_as_canards = within_factor(fins->roll_torque_m3 / canards.roll_torque_m3, roll_factor);
+    // Both torques are right within the factor, the fins' as their damping.
+    result.cant_as_canards = within_factor(fins->roll_torque_m3 / canards.roll_torque_m3, roll_factor * roll_factor);
     if (result.roll_torque_m3->low == 0.0) {  // no angle of canards without torque pushes as the fins do
       result.cant_as_canards->high = std::numeric_limits<double>::infinity();
     }
