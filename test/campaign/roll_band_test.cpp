@@ -27,7 +27,7 @@ TEST(QuantilesOverTracks, EndWhereFewerThanTheShareGoOn) {
 }
 
 // Held against the rows of the same flights, flown whole.
-TEST(RollBand, IsTheRollOfTheRunsThatFlewBetweenLiftOffAndApogee) {
+TEST(RollBand, IsTheRollOfTheRunsThatFlewBetweenLiftOffAndTheEndOfControl) {
   const Campaign campaign{.scenario = "tasha3_launch2", .changes = {}, .seed = 3, .runs = 4};
   FlownCampaign flown;
   for (std::uint64_t run = 0; run < campaign.runs; ++run) {
@@ -57,11 +57,11 @@ TEST(RollBand, IsTheRollOfTheRunsThatFlewBetweenLiftOffAndApogee) {
     EXPECT_DOUBLE_EQ(instant->roll_rad.p50, rolls_rad[1]) << time_s;
     EXPECT_EQ(instant->reference_rad.has_value(), time_s > 0.6) << time_s;
   }
-  double last_apogee_s = 0.0;
+  double last_end_s = 0.0;
   for (const flight::Flight& flight : flights) {
-    last_apogee_s = std::max(last_apogee_s, flight.events.apogee_s.value());
+    last_end_s = std::max(last_end_s, std::min(*flight.events.apogee_s, *flight.events.control_end_s));
   }
-  EXPECT_LE(band.instants.back().time_s, last_apogee_s);
+  EXPECT_LE(band.instants.back().time_s, last_end_s);
 }
 
 }  // namespace

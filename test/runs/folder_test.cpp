@@ -182,10 +182,9 @@ TEST_F(StoredParts, ForWhichTheDiskHasNoRoomAreNotThereAndThoseBeforeStay) {
 
 TEST_F(StoredParts, AreThoseOfOneProgramAtATime) {
   const Folder first{place()};
-  EXPECT_EQ(
-      refusal(place()),
-      folder_.string() +
-          ": another run of Fantail is at work in this folder; wait until it ends, or choose another folder with --out");
+  EXPECT_EQ(refusal(place()), folder_.string() +
+                                  ": another run of Fantail is at work in this folder; wait until it ends, or choose "
+                                  "another folder with --out");
 }
 
 TEST_F(StoredParts, OfTwoThatBeginAtOnceInANewFolderOneIsRefused) {

@@ -101,9 +101,10 @@ std::vector<result::Block> roll(const RollBand& band, std::size_t runs, const re
                                                 : std::numeric_limits<double>::quiet_NaN());
   }
   picture.chart.series.push_back(std::move(reference));
-  picture.caption = band.runs == runs ? "The true roll angle of all runs."
-                                      : fmt::format("The true roll angle of the first {} that flew.",
-                                                    text::counted(band.runs, "run"));
+  picture.caption = band.runs == runs
+                        ? "The true roll angle of all runs, until control ends."
+                        : fmt::format("The true roll angle of the first {} that flew, until control ends.",
+                                      text::counted(band.runs, "run"));
   return {picture};
 }
 

@@ -18,7 +18,7 @@
 namespace fantail::campaign {
 
 /// A campaign with all that its results are made from.
-/// The true roll of the first runs, flown again.
+/// The true roll of the first runs, flown again, until control ends.
 struct RollBand {
   /// Of all that still fly, at least half of them.
   struct Instant {

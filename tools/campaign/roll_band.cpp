@@ -17,7 +17,8 @@ struct Track {
   std::vector<std::optional<double>> reference_rad{};  ///< empty outside control
 };
 
-/// The true roll from lift-off (in the tunnel from control start) to apogee, every step_s.
+/// The true roll from lift-off (in the tunnel from control start) until control ends, at apogee at the latest, every
+/// step_s.
 Track track_of(const sim::Scenario& scenario) {
   Track track;
   std::optional<double> zero_s;
@@ -26,7 +27,7 @@ Track track_of(const sim::Scenario& scenario) {
       zero_s =
           scenario.surroundings == sim::Surroundings::tunnel ? so_far.events.control_start_s : so_far.events.liftoff_s;
     }
-    if (!zero_s || !row.truth || so_far.events.apogee_s) {
+    if (!zero_s || !row.truth || so_far.events.apogee_s || so_far.events.control_end_s) {
       return;
     }
     if (row.time_s - *zero_s >= step_s * static_cast<double>(track.roll_rad.size()) - 1e-9) {
