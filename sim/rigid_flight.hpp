@@ -75,7 +75,7 @@ class RigidFlight {
   [[nodiscard]] const AscentEvents& events() const { return events_; }
   [[nodiscard]] std::optional<double> parachute_s() const { return parachute_s_; }  ///< when it began to open
   [[nodiscard]] bool has_parachute_to_open() const {
-    return parameters_.recovery && parameters_.recovery->drag_area_m2 > 0.0 && !parachute_s_ && stage_ != Stage::landed;
+    return parameters_.recovery && parameters_.recovery->drag_area_m2 > 0.0 && !parachute_s_ && !is_on_ground();
   }
 
   /// What an accelerometer at the centre of gravity reads, and how the rocket turns; frame of the rocket.

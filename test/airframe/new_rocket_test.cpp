@@ -134,7 +134,7 @@ TEST_F(NewRocketFiles, HaveASpreadForEveryRangeThatTheShapeHas) {
 TEST_F(NewRocketFiles, SayFirstWhatDecidesTheProject) {
   const model::BuildUp b = model::build_up(shipped());
   FirstGains first{};
-  first.lowest_speed_m_s = 20.0;
+  first.begin_speed_m_s = 20.0;
   first.highest_speed_m_s = 80.0;
   const double limit_rad = 9.0 * sim::radians_per_degree;
   const std::vector<std::string> said = what_decides(b, first, limit_rad);

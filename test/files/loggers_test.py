@@ -60,6 +60,11 @@ def test_a_damaged_record_of_a_flash_image_is_left_out_and_said():
     assert table.notes == ["Damaged records, which are left out: 1."]
 
 
+def test_an_image_that_is_cut_off_in_a_byte_is_read_up_to_there():
+    table = read_bytes(image([mega_flight(0), mega_sample(10, 1000), mega_sample(20, 1000)])[:-2], ".eeprom")
+    assert len(table) == 1
+
+
 def test_a_computer_without_accelerometer_has_no_acceleration_and_none_is_made_up():
     pressure, temperature = RAW_PRESSURE.to_bytes(3, "little"), RAW_TEMPERATURE.to_bytes(3, "little")
     flight = sealed(struct.pack("<cBHHxxi4x", b"F", 0, 0, 3, PRESSURE_PA))
@@ -72,7 +77,9 @@ def test_a_computer_without_accelerometer_has_no_acceleration_and_none_is_made_u
     (image([], log_format=22), "holds no flight"), (image([mega_flight(0), mega_sample(1, 0)], log_format=99), "log format 99"),
     (image([mega_flight(0), mega_sample(1, 0)], ms5607={}), "calibration of its barometer"),
     (image([mega_flight(0), mega_sample(1, 0)], accel_cal_minus=1100), "calibration of its accelerometer"),
-    (b"{\"log_format\": 22}\nzz zz", "is damaged"), (b"{", "is damaged"), (b"", "log format None")])
+    (b"{\"log_format\": 22}\nzz zz", "is damaged"), (b"{", "is damaged"), (b"", "is not the flash image"),
+    (b"PerfectFlite SL100\nData: (Time, Altitude)\n0,1\n", "is not the flash image"),
+    (image([b"A" + bytes(31)]), "damaged records: 1")])
 def test_an_image_that_holds_no_flight_is_refused_with_the_reason(content, said):
     with pytest.raises(files.BadFile, match=said):
         read_bytes(content, ".eeprom")
@@ -156,6 +163,12 @@ def test_of_several_logs_in_a_black_box_the_longest_is_read_and_rates_of_an_unkn
     assert "gyroADC[0]" not in table.columns
     assert table.notes == ["The file holds 2 logs; the longest, number 2, is read.",
                            "Its rates are in counts of an unknown size (gyro_scale is not 1); they are left out."]
+
+
+def test_a_black_box_that_is_cut_off_is_read_up_to_there():
+    whole = black_box([(i, 1000 * i + 1000, 7, 0, 0, 2048, 0, 0) for i in range(50)])
+    cut = read_bytes(whole[:whole.index(b"E\xffEnd of log") - 3], ".bbl")
+    assert 40 < len(cut) < 51
 
 
 @pytest.mark.parametrize("ending", [".bin", ".bbl", ".bfl"])

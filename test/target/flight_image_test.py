@@ -162,7 +162,7 @@ class FlightImage(unittest.TestCase):
     def test_that_was_changed_by_one_bit_says_so(self):
         data = bytearray(ELF.read_bytes())
         data[data.index(b"reset by ")] ^= 0x20
-        console, _ = run_bytes(data, 60, "it will not be armed")
+        console, _ = run_bytes(data, 60, "image_broken")
         self.assertIn("image_broken", console)
 
     def run_with(self, instructions):

@@ -60,6 +60,16 @@ const sim::PathSample& at(const Trajectory& trajectory, double time_s) {
   return trajectory.path.samples.back();
 }
 
+// Against the wind the speed over ground that RASAero writes is negative.
+TEST(Trajectory, OfRasaeroHasItsHorizontalSpeedWithoutItsSign) {
+  const Trajectory found = parse(rows("Time (sec),Altitude (ft),Vel-V (ft/sec),Vel-H (ft/sec)", [](double t) {
+    return fmt::format("{:.6f},{:.6f},{:.6f}", upright.height_m(t) / 0.3048, upright.up_m_s(t) / 0.3048,
+                       t < 0.0 ? 0.0 : -3.0 * t / 0.3048);
+  }));
+  EXPECT_NEAR(at(found, 2.0).across_m_s, 6.0, 0.05);
+  EXPECT_NEAR(at(found, 2.0).up_m_s, upright.up_m_s(2.0), 0.1);
+}
+
 TEST(Trajectory, HasTheEventsOfTheFlight) {
   const Trajectory read = parse(rows(heights_and_speeds, height_and_speed));
   EXPECT_NEAR(read.path.liftoff_s, 0.0, 1e-9);

@@ -156,7 +156,7 @@ TEST(Bound, NamesADemandThatTheNextLargerNumberMissesAndALittleLessDoesNot) {
   ASSERT_FALSE(found.laws.empty());
   std::size_t by_phase = 0;
   for (const Law& law : found.laws) {
-    const std::string said = bound_sentence(scenario, speeds, request, law);
+    const std::string said = bound_sentence(scenario, speeds, request, 0.0, law);
     std::smatch words;
     if (!std::regex_search(
             said, words,

@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
+#include "airframe/controlled_ascent.hpp"
 #include "airframe/new_rocket.hpp"
-#include "sim/ascent.hpp"
 #include "sim/scenario.hpp"
 #include "sim/units.hpp"
 #include "stability/margins_asked.hpp"
@@ -38,44 +38,15 @@ constexpr double worth_a_schedule = 1.5;
 /// The largest that leaves the margin is taken: it ends an offset soonest.
 constexpr std::array observer_bandwidths_rad_s{10.0, 7.0, 5.0, 3.0, 2.0, 1.0, 0.5};
 
-const double rest_limit_rad = sim::Scenario{}.rest_limit_rad;
+/// Farther from its reference the fins may not keep the roll without an observer.
+const double rest_limit_rad = text::radians(2.0);
 
 using Speeds = stability::SpeedRange;
-
-/// Where control begins, and the fastest after that; empty: it never does.
-std::optional<Speeds> speeds_under_control(const sim::Vehicle& vehicle, const core::FlightPlan& plan) {
-  constexpr double tick_s = 1e-3;
-  constexpr double longest_s = 600.0;
-  sim::Ascent ascent{{.mass_kg = vehicle.mass_kg,
-                      .drag_area_m2 = vehicle.drag_area_m2,
-                      .motor = vehicle.motor,
-                      .drag_over_mach = vehicle.drag_over_mach}};
-  const auto from_m = static_cast<double>(plan.guide.length_m + plan.guide.clearance_m);
-  const auto from_m_s = static_cast<double>(plan.guide.minimum_speed_m_s);
-  const auto threshold_m_s2 = static_cast<double>(plan.launch_detection.threshold_m_s2);
-  const auto hold_s = static_cast<double>(core::seconds(plan.launch_detection.hold));
-  double pushed_s = 0.0;
-  bool detected = false;
-  std::optional<Speeds> found;
-  const auto is_over = [&events = ascent.events()] { return events.burnout_s && events.apogee_s; };
-  for (int i = 0; i * tick_s < longest_s && !is_over(); ++i) {
-    ascent.advance_to(i * tick_s);
-    const double speed_m_s = ascent.speed_m_s();
-    pushed_s = ascent.axial_specific_force_m_s2() >= threshold_m_s2 ? pushed_s + tick_s : 0.0;
-    detected = detected || pushed_s >= hold_s;
-    if (detected && !found && ascent.distance_m() >= from_m && speed_m_s >= from_m_s) {
-      found = Speeds{speed_m_s, speed_m_s};
-    } else if (found) {
-      found->highest_m_s = std::max(found->highest_m_s, speed_m_s);
-    }
-  }
-  return found;
-}
 
 /// Of every corner of the ranges. Canards that lose their torque to the fins turn the rocket less and, without an
 /// observer, swing less: half of the computed torque stands for all that is below it.
 stability::LoopsAtSpeeds loops(const sim::Vehicle& vehicle, const model::BuildUp& computed,
-                               const core::FlightPlan& plan, const Speeds& range) {
+                               const core::FlightPlan& plan, const ControlledAscent& ascent) {
   const model::Estimate& damping = computed.roll_damping_m4;
   const double torque_m3 = computed.roll_torque_m3->value;
   std::vector inertias_kg_m2{vehicle.roll_plant.inertia_kg_m2};
@@ -87,15 +58,17 @@ stability::LoopsAtSpeeds loops(const sim::Vehicle& vehicle, const model::BuildUp
   scenario.vehicle = vehicle;
   sim::RollPlant& plant = scenario.vehicle.roll_plant;
   stability::LoopsAtSpeeds all;
-  for (const double speed_m_s : stability::speeds_between(plan, range, speeds - 1)) {
+  for (const double speed_m_s : stability::speeds_between(plan, ascent.range, speeds - 1)) {
     std::vector<stability::RollLoop> at_speed;
     for (const double inertia_kg_m2 : inertias_kg_m2) {
-      for (const double damping_m4 : {damping.low, damping.value, damping.high}) {
-        for (const double torque : {0.5 * torque_m3, torque_m3, computed.roll_torque_m3->high}) {
-          plant.inertia_kg_m2 = inertia_kg_m2;
-          plant.damping_m2 = damping_m4 / plant.reference_area_m2;
-          plant.torque_m = torque / plant.reference_area_m2;
-          at_speed.push_back(stability::loop_at_speed(scenario, speed_m_s));
+      plant.inertia_kg_m2 = inertia_kg_m2;
+      for (const double air : {1.0, ascent.thinner(speed_m_s)}) {
+        for (const double damping_m4 : {damping.low, damping.value, damping.high}) {
+          for (const double torque : {0.5 * torque_m3, torque_m3, computed.roll_torque_m3->high}) {
+            plant.damping_m2 = air * damping_m4 / plant.reference_area_m2;
+            plant.torque_m = air * torque / plant.reference_area_m2;
+            at_speed.push_back(stability::loop_at_speed(scenario, speed_m_s));
+          }
         }
       }
     }
@@ -106,23 +79,30 @@ stability::LoopsAtSpeeds loops(const sim::Vehicle& vehicle, const model::BuildUp
 
 /// Of the vehicle as it was computed, alone.
 stability::LoopsAtSpeeds computed_loops(const sim::Vehicle& vehicle, const core::FlightPlan& plan,
-                                        const Speeds& range) {
+                                        const ControlledAscent& ascent) {
+  const Speeds& range = ascent.range;
   sim::Scenario scenario;
   scenario.plan = plan;
   scenario.vehicle = vehicle;
   stability::LoopsAtSpeeds all;
   for (const double speed_m_s : {slower_in_wind * range.lowest_m_s, range.lowest_m_s,
                                  0.5 * (range.lowest_m_s + range.highest_m_s), range.highest_m_s}) {
-    all.push_back({stability::loop_at_speed(scenario, speed_m_s)});
+    std::vector<stability::RollLoop> at_speed;
+    for (const double air : {1.0, ascent.thinner(speed_m_s)}) {
+      scenario.vehicle.roll_plant.damping_m2 = air * vehicle.roll_plant.damping_m2;
+      scenario.vehicle.roll_plant.torque_m = air * vehicle.roll_plant.torque_m;
+      at_speed.push_back(stability::loop_at_speed(scenario, speed_m_s));
+    }
+    all.push_back(std::move(at_speed));
   }
   return all;
 }
 
 /// Nearest to those of the plan: with the margin over all ranges, and with more than that where some gains have it.
 std::optional<stability::Gains> gains_for(const sim::Vehicle& vehicle, const model::BuildUp& computed,
-                                          const core::FlightPlan& plan, const Speeds& range) {
-  const stability::LoopsAtSpeeds all = loops(vehicle, computed, plan, range);
-  const stability::LoopsAtSpeeds as_computed = computed_loops(vehicle, plan, range);
+                                          const core::FlightPlan& plan, const ControlledAscent& ascent) {
+  const stability::LoopsAtSpeeds all = loops(vehicle, computed, plan, ascent);
+  const stability::LoopsAtSpeeds as_computed = computed_loops(vehicle, plan, ascent);
   std::optional<stability::Gains> least;
   for (const double more_deg : {0.0, 5.0, 10.0, 15.0}) {
     const auto found = stability::nearest_gains(all, gains_of(plan), stability::largest_gains(),
@@ -154,12 +134,12 @@ double rest_rad(double fin_offset_rad, const stability::Gains& gains) {
 /// The fastest observer with which any gains have the margin. Unlike integral action it needs no schedule: its model
 /// says how much stronger the canards are in faster air.
 void add_observer(FirstGains& first, const sim::Vehicle& vehicle, const model::BuildUp& computed, core::FlightPlan plan,
-                  const Speeds& range, double fin_offset_rad) {
+                  const ControlledAscent& ascent, double fin_offset_rad) {
   plan.offset.rejection = core::OffsetRejection::observer;
   plan.roll_model = roll_model(vehicle, computed);
   for (const double bandwidth_rad_s : observer_bandwidths_rad_s) {
     plan.offset.observer_bandwidth_rad_s = static_cast<float>(bandwidth_rad_s);
-    const auto found = gains_for(vehicle, computed, plan, range);
+    const auto found = gains_for(vehicle, computed, plan, ascent);
     if (found) {
       first.gains = *found;
       first.rest_rad = rest_rad(fin_offset_rad, *found);
@@ -193,18 +173,19 @@ bool rests_near(const FirstGains& first) {
 
 /// With the schedule of the plan, or without one.
 FirstGains scheduled(const sim::Vehicle& vehicle, const model::BuildUp& computed, const core::FlightPlan& plan,
-                     const Speeds& range, double fin_offset_rad) {
-  const auto found = gains_for(vehicle, computed, plan, range);
+                     const ControlledAscent& ascent, double fin_offset_rad) {
+  const auto found = gains_for(vehicle, computed, plan, ascent);
   FirstGains first{.gains = found.value_or(gains_of(plan)),
                    .schedule = plan.gain_schedule,
                    .reach_phase_margin = found.has_value(),
-                   .lowest_speed_m_s = range.lowest_m_s,
-                   .highest_speed_m_s = range.highest_m_s,
+                   .begin_speed_m_s = ascent.begin_m_s,
+                   .lowest_speed_m_s = ascent.range.lowest_m_s,
+                   .highest_speed_m_s = ascent.range.highest_m_s,
                    .servo_lag_s = vehicle.servo.lag_s};
   first.rest_rad = rest_rad(fin_offset_rad, first.gains);
   const auto reach_rad = static_cast<double>(plan.controller.canard_limit.radians());
   if (found && first.rest_rad > rest_limit_rad && std::abs(fin_offset_rad) < reach_rad) {
-    add_observer(first, vehicle, computed, plan, range, fin_offset_rad);
+    add_observer(first, vehicle, computed, plan, ascent, fin_offset_rad);
   }
   return first;
 }
@@ -218,20 +199,21 @@ stability::Gains gains_of(const core::FlightPlan& plan) {
 
 std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::BuildUp& computed,
                                       const core::FlightPlan& plan, double fin_offset_rad) {
-  const auto range = speeds_under_control(vehicle, plan);
-  if (!range || !computed.roll_torque_m3) {
+  const auto ascent = controlled_ascent(vehicle, plan);
+  if (!ascent || !computed.roll_torque_m3) {
     return std::nullopt;
   }
-  FirstGains best = scheduled(vehicle, computed, plan, *range, fin_offset_rad);
-  double best_per_s = best.reach_phase_margin ? slowest_return_per_s(vehicle, plan, best, *range) : 0.0;
+  const Speeds& range = ascent->range;
+  FirstGains best = scheduled(vehicle, computed, plan, *ascent, fin_offset_rad);
+  double best_per_s = best.reach_phase_margin ? slowest_return_per_s(vehicle, plan, best, range) : 0.0;
   for (const double exponent : stability::schedule_exponents) {
-    if (!stability::has_room_for_schedule(*range) || !stability::is_within_plan(exponent, *range)) {
+    if (!stability::has_room_for_schedule(range) || !stability::is_within_plan(exponent, range)) {
       continue;
     }
     core::FlightPlan with_schedule = plan;
-    with_schedule.gain_schedule = stability::gain_schedule(exponent, *range);
-    const FirstGains other = scheduled(vehicle, computed, with_schedule, *range, fin_offset_rad);
-    const double per_s = slowest_return_per_s(vehicle, with_schedule, other, *range);
+    with_schedule.gain_schedule = stability::gain_schedule(exponent, range);
+    const FirstGains other = scheduled(vehicle, computed, with_schedule, *ascent, fin_offset_rad);
+    const double per_s = slowest_return_per_s(vehicle, with_schedule, other, range);
     if (other.reach_phase_margin && (rests_near(other) || !rests_near(best)) && per_s > worth_a_schedule * best_per_s) {
       best = other;
       best_per_s = per_s;
@@ -270,10 +252,11 @@ std::string sentence(const FirstGains& first) {
                                              "roll {}{} deg from its reference.",
                                              rows == 0 ? "" : "up to ", text::fixed(text::degrees(first.rest_rad), 0))
                                        : "";
-  const std::string where =
-      fmt::format("from {} to {} m/s, with damping and torque anywhere within a factor of two and a servo lag of {} ms",
-                  text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0),
-                  brief(1e3 * first.servo_lag_s, 1));
+  const std::string where = fmt::format(
+      "from {} to {} m/s up to apogee, with damping and torque anywhere within a factor of two and a servo lag of {} "
+      "ms",
+      text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0),
+      brief(1e3 * first.servo_lag_s, 1));
   return first.reach_phase_margin
              ? fmt::format("Gains of {}: in the loop model a phase margin of {} degrees or more {}.{}", gains,
                            brief(text::degrees(phase_margin_rad), 0), where, why_observer)

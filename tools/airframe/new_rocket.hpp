@@ -18,14 +18,15 @@ struct FirstGains {
   stability::Gains gains;
   core::GainSchedulePlan
       schedule{};  ///< where it brings the roll back much faster at the speed at which that is slowest
-  /// Where the roll would rest too far from its reference without: as fast as leaves the phase margin.
+  /// Where the roll would rest farther than two degrees from its reference without: as fast as leaves the phase margin.
   std::optional<double> observer_bandwidth_rad_s{};
   core::RollModelPlan roll_model{};  ///< of the observer
   double rest_rad = 0.0;             ///< how far these gains alone let the fin offset keep the roll from its reference
   /// With them the loop has a phase margin of 30 degrees at every speed of a straight ascent, with damping and torque
   /// anywhere in their ranges. If not, no gains that a plan may have do, and these are those of the plan.
   bool reach_phase_margin = false;
-  double lowest_speed_m_s = 0.0;  ///< where control may begin
+  double begin_speed_m_s = 0.0;   ///< where control may begin
+  double lowest_speed_m_s = 0.0;  ///< of control, until apogee: 20 m/s, or where it begins
   double highest_speed_m_s = 0.0;
   double servo_lag_s = 0.0;
 };
@@ -33,8 +34,8 @@ struct FirstGains {
 [[nodiscard]] stability::Gains gains_of(const core::FlightPlan& plan);
 
 /// For `vehicle` with the roll model that its shape gives: the gains nearest to those of `plan`. With an observer
-/// where such gains leave the roll farther from its reference than a scenario allows, because of fins that are as
-/// crooked as canards at this angle, and with a schedule where the speeds differ much. Empty without canards, and where
+/// where such gains leave the roll more than two degrees from its reference, because of fins that are as crooked as
+/// canards at this angle, and with a schedule where the speeds differ much. Empty without canards, and where
 /// control never begins in a straight ascent.
 [[nodiscard]] std::optional<FirstGains> first_gains(const sim::Vehicle& vehicle, const model::BuildUp& computed,
                                                     const core::FlightPlan& plan, double fin_offset_rad);

@@ -35,7 +35,7 @@ std::vector<std::string> what_decides(const model::BuildUp& b, const std::option
     sentences.push_back(
         fmt::format("At that limit the canards turn the rocket at up to {} deg/s at {} m/s, where control may begin. "
                     "At {} m/s, its top speed, it is {} deg/s; both are right within a factor of four.",
-                    fixed(rate_deg_s(first->lowest_speed_m_s), 0), fixed(first->lowest_speed_m_s, 0),
+                    fixed(rate_deg_s(first->begin_speed_m_s), 0), fixed(first->begin_speed_m_s, 0),
                     fixed(first->highest_speed_m_s, 0), fixed(rate_deg_s(first->highest_speed_m_s), 0)));
   }
   return sentences;

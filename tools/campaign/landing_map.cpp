@@ -118,7 +118,8 @@ page::Chart landing_map(const Landings& of) {
 std::vector<std::string> landing_sentences(const Landings& of) {
   std::vector<std::string> all;
   const std::string flown =
-      of.landed.size() == of.runs
+      of.runs == 1 && of.landed.size() == 1 ? "The first run lands under the parachute"
+      : of.landed.size() == of.runs
           ? fmt::format("All of the first {} land under the parachute", text::counted(of.runs, "run"))
           : fmt::format(
                 "{} of the first {} land under the parachute; the others fall, and where is "

@@ -35,6 +35,7 @@ constexpr std::array known_exports{
     ExportedColumn{"Attitude Angle", Q::tilt, "RocketPy, \"attitude_angle\""},
     ExportedColumn{"Axial Acceleration", Q::acceleration_along_the_axis, "RocketPy, \"axial_acceleration\""},
     ExportedColumn{"Vel-V", Q::vertical_speed, "RASAero II"},
+    ExportedColumn{"Vel-H", Q::horizontal_speed, "RASAero II"},
     ExportedColumn{"Velocity", Q::air_speed, "RASAero II"},
     ExportedColumn{"Pitch Attitude", Q::tilt, "RASAero II"},
     // As OpenRocket writes them in its other languages.

@@ -179,7 +179,7 @@ sim::Quaternion by_pad(const ImuLog& log) {
         text::ErrorKind::bad_data,
         fmt::format(
             "{}: which way the logger sits is not known, without {} s at rest ({} to {} g) before the first push; "
-            "allowed: --mounting \"90 about z\"",
+            "allowed: --mounting \"DEG about AXIS\"",
             log.name, shortest_s, least_g, most_g)};
   }
   return to_nose((1.0 / length(sum)) * sum);

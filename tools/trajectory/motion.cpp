@@ -79,7 +79,8 @@ class Plane {
 
   std::optional<Values> horizontal() {
     if (const Values* across = take(Quantity::horizontal_speed)) {
-      return *across;
+      // RASAero's has a sign.
+      return made(count_, [&](std::size_t i) { return std::abs((*across)[i]); });
     }
     if (series_.find(Quantity::speed_to_the_east) == nullptr || series_.find(Quantity::speed_to_the_north) == nullptr) {
       return std::nullopt;

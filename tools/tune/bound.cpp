@@ -47,12 +47,13 @@ std::optional<double> next_larger(double value, double most) {
   return {};
 }
 
-std::string missed(LinearTrial& trial, const Request& request, const Law& law) {
-  if (const auto least = trial.least_margin(law); least.phase_margin_rad < request.phase_margin_rad) {
-    return fmt::format("the phase margin at {} m/s would be {} degrees, and {} are required",
+std::string missed(LinearTrial& trial, const Request& request, double reserve_rad, const Law& law) {
+  if (const auto least = trial.least_margin(law); least.phase_margin_rad < request.phase_margin_rad + reserve_rad) {
+    return fmt::format("the phase margin at {} m/s would be {} degrees, and {} are required, {} of them in reserve",
                        text::fixed(least.speed_m_s, 0),
                        text::fixed(std::floor(10.0 * text::degrees(least.phase_margin_rad)) / 10.0, 1),
-                       brief(text::degrees(request.phase_margin_rad), 1));
+                       brief(text::degrees(request.phase_margin_rad + reserve_rad), 1),
+                       brief(text::degrees(reserve_rad), 1));
   }
   if (!trial.has_gain_margin(law)) {
     return "the gain margin would be below two";
@@ -65,7 +66,7 @@ std::string missed(LinearTrial& trial, const Request& request, const Law& law) {
 }  // namespace
 
 std::string bound_sentence(const sim::Scenario& scenario, const SpeedsFlown& speeds, const Request& request,
-                           const Law& law) {
+                           double reserve_rad, const Law& law) {
   Law more = law;
   const Number number = number_of(request.rejection, more);
   const auto larger = next_larger(*number.value, number.most);
@@ -76,7 +77,7 @@ std::string bound_sentence(const sim::Scenario& scenario, const SpeedsFlown& spe
   *number.value = *larger;
   LinearTrial trial{scenario, speeds, request};
   trial.set_exponent(law.schedule_exponent);
-  const std::string why = missed(trial, request, more);
+  const std::string why = missed(trial, request, reserve_rad, more);
   const std::string with =
       fmt::format("With {} of {}{} (now {})", number.name, brief(*larger, 3), number.unit, brief(now, 3));
   return why.empty() ? fmt::format(

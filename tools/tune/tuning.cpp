@@ -123,7 +123,8 @@ void say_why_not_found(Tuning& t, const Found& found) {
         "No tried {} with {} settles fast enough. Required: {} s after a step of the reference, at the median speed of "
         "{} m/s and above; {}. {}. Tried: {}.",
         law, asked, brief(t.request.settling_s, 2), fixed(t.speeds.median_m_s, 0),
-        found.shortest_settling_s ? fmt::format("the shortest time found is {} s", fixed(*found.shortest_settling_s, 2))
+        found.shortest_settling_s ? fmt::format("the shortest time found is {} s",
+                                                fixed(std::ceil(100.0 * *found.shortest_settling_s) / 100.0, 2))
                                   : fmt::format("none settles in {} s", brief(3.0 * t.request.settling_s, 2)),
         given, found.tried);
   }
@@ -225,7 +226,7 @@ void search_and_fly(Tuning& t, const sim::Scenario& scenario, const Look& look) 
   if (const auto law = best_law(t, scenario, look)) {
     const core::FlightPlan plan = with_law(scenario, t.request.rejection, *law, t.speeds.range);
     t.after = judged(scenario, plan, t.speeds, t.request.spread);
-    t.bound_by = bound_sentence(scenario, t.speeds, t.request, *law);
+    t.bound_by = bound_sentence(scenario, t.speeds, t.request, reserve_rad, *law);
     t.pairs = fly_pairs(scenario, plan, t.request, [&look](std::size_t done) { look(Stage::flying, done); });
   }
 }
@@ -235,7 +236,7 @@ void search_and_fly(Tuning& t, const sim::Scenario& scenario, const Look& look) 
 bool Tuning::is_proposed() const {
   const Sum old_plan = flown_before();
   const Sum new_plan = flown_after();
-  return after && new_plan.steady >= old_plan.steady && new_plan.held >= old_plan.held;
+  return after && new_plan.steady > 0 && new_plan.steady >= old_plan.steady && new_plan.held >= old_plan.held;
 }
 
 bool Tuning::is_old_enough() const {

@@ -34,12 +34,14 @@ def read_eeprom(stream: BinaryIO) -> Table:
     text = stream.read().decode("ascii", "replace")
     about, records, broken = _json_image(text) if text.lstrip().startswith("{") else _text_image(text)
     form = about.get("log_format")
+    if form is None:
+        raise BadFile("is not the flash image of a computer of Altus Metrum")
     if form not in (*MINI, *METRUM, *METRUM_1, *MEGA):
         raise BadFile(f"has the log format {form}, which is not read; AltosUI makes a table of it: File, Export data")
     flight = next((record for record in records if record.kind == "F"), None)
     sensors = [record for record in _unwrapped(records) if record.kind == "A"]
     if flight is None or not sensors:
-        raise BadFile("holds no flight")
+        raise BadFile(f"holds no flight that can be read; damaged records: {broken}" if broken else "holds no flight")
     columns: dict[str, Any] = {"time": _time_s(sensors, flight.tick)}
     try:
         _pressure_and_height(columns, about, form, flight, sensors)
@@ -61,9 +63,15 @@ def _table(columns: dict[str, Any], about: dict[str, Any], form: Any, notes: lis
 def _json_image(text: str) -> tuple[dict[str, Any], list[Record], int]:
     try:
         about, end = json.JSONDecoder().raw_decode(text.lstrip())
-        image = bytes.fromhex(text.lstrip()[end:])
     except ValueError:
-        raise BadFile("is damaged: neither its settings nor its bytes can be read") from None
+        raise BadFile("is damaged: its settings cannot be read") from None
+    tokens = text.lstrip()[end:].split()
+    if tokens and len(tokens[-1]) == 1:  # cut off in a byte
+        tokens.pop()
+    try:
+        image = bytes.fromhex("".join(tokens))
+    except ValueError:
+        raise BadFile("is damaged: what stands behind its settings are not the bytes of a flash") from None
     config = about.get("config_data", about)
     about = {name: value for name, value in (about | config).items() if value != NO_VALUE}
     form = about.get("log_format")

@@ -63,28 +63,35 @@ def read_blackbox(stream: BinaryIO) -> Table:
     if begin != b"H ":
         raise BadFile("is not a black box of Betaflight")
     import orangebox
-    best: tuple[list[Any], list[str], dict[str, Any], int] | None = None
+    best: tuple[list[Any], list[str], dict[str, Any], int, bool] | None = None
     logs = 0
-    try:
-        with _as_file(stream) as name:
+    with _as_file(stream) as name:
+        try:
             parser = orangebox.Parser.load(name)
             logs = parser.reader.log_count
-            for number in range(1, logs + 1):
+        except Exception:  # of a damaged file that may be anything
+            raise BadFile("is damaged: its header cannot be read") from None
+        for number in range(1, logs + 1):
+            frames: list[Any] = []
+            is_whole = True
+            try:
                 parser.set_log_index(number)
-                frames = [frame.data for frame in parser.frames()]
-                if best is None or len(frames) > len(best[0]):
-                    best = frames, list(parser.field_names), dict(parser.headers), number
-    except Exception as error:
-        raise BadFile(f"is damaged: {' '.join(str(error).split())[:200] or type(error).__name__}") from None
-    if best is None or not best[0]:
-        raise BadFile("holds no frame")
+                frames.extend(frame.data for frame in parser.frames())
+            except Exception:
+                is_whole = False
+            if frames and (best is None or len(frames) > len(best[0])):
+                best = frames, list(parser.field_names), dict(parser.headers), number, is_whole
+    if best is None:
+        raise BadFile("holds no frame that can be read")
     return _of_frames(*best, logs)
 
 
-def _of_frames(frames: list[Any], names: list[str], headers: dict[str, Any], number: int, logs: int) -> Table:
+def _of_frames(frames: list[Any], names: list[str], headers: dict[str, Any], number: int, is_whole: bool, logs: int) -> Table:
     wanted = [name for name in ("time", *(f"{what}[{i}]" for what in ("accSmooth", "gyroADC") for i in range(3))) if name in names]
     columns = {name: numpy.array([frame[names.index(name)] for frame in frames], float) for name in wanted}
     notes = [f"The file holds {logs} logs; the longest, number {number}, is read."] if logs > 1 else []
+    if not is_whole:
+        notes.append(f"The log is damaged or cut off behind {len(frames)} frames; these are read.")
     finer = 10.0 if headers.get("blackbox_high_resolution") else 1.0
     scale = struct.unpack("<f", struct.pack("<I", int(headers.get("gyro_scale", 0)) & 0xFFFFFFFF))[0]
     for name in [name for name in columns if name.startswith("gyroADC")]:
