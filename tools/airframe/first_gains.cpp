@@ -253,12 +253,12 @@ std::string sentence(const FirstGains& first) {
                                              rows == 0 ? "" : "up to ", text::fixed(text::degrees(first.rest_rad), 0))
                                        : "";
   const std::string where = fmt::format(
-      "from {} to {} m/s up to apogee, with damping and torque anywhere within a factor of two and a servo lag of {} "
+      "from {} to {} m/s up to apogee. Damping and torque may be anywhere within a factor of two; the servo lag is {} "
       "ms",
       text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0),
       brief(1e3 * first.servo_lag_s, 1));
   return first.reach_phase_margin
-             ? fmt::format("Gains of {}: in the loop model a phase margin of {} degrees or more {}.{}", gains,
+             ? fmt::format("Gains of {}. In the loop model their phase margin is {} degrees or more {}.{}", gains,
                            brief(text::degrees(phase_margin_rad), 0), where, why_observer)
              : fmt::format(
                    "Gains of {}, the usual ones: no gains of a plan have a phase margin of {} degrees in the loop "

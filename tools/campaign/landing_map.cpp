@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "campaign/landing.hpp"
+#include "page/map.hpp"
 #include "text/bearing.hpp"
 #include "text/number.hpp"
 
@@ -98,20 +99,7 @@ page::Chart landing_map(const Landings& of) {
   }
   map.series.push_back(series("launch guide", Role::reference, Mark::cross, {OverGround{}}));
   std::erase_if(map.series, [](const page::Series& one) { return one.x.empty(); });
-  // As far either way: a metre to the east is as long as one to the north.
-  std::optional<page::Range> east;
-  std::optional<page::Range> north;
-  for (const page::Series& one : map.series) {
-    std::ranges::for_each(one.x, [&](double value) { page::include(east, value); });
-    std::ranges::for_each(one.y, [&](double value) { page::include(north, value); });
-  }
-  const double reach_m = 0.53 * std::max({east->high - east->low, north->high - north->low, 1.0});
-  const auto around = [reach_m](const page::Range& range) {
-    const double middle = 0.5 * (range.low + range.high);
-    return page::Range{middle - reach_m, middle + reach_m};
-  };
-  map.x_range = around(*east);
-  map.y_range = around(*north);
+  page::give_one_scale(map);
   return map;
 }
 

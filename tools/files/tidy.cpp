@@ -108,11 +108,10 @@ class Tidier {
 
   /// "# MET Acc Vel": as many words as the rows have cells.
   [[nodiscard]] bool has_words(std::string_view line, std::size_t wanted) const {
-    const auto cells = cells_of(spelt_with_spaces(line), ' ');
+    const auto cells = cells_of(text::trimmed(without_mark(line)), ' ');
     return is_comment(line) && wanted > 2 && cells.size() == wanted && !is_row(without_mark(line), ' ') &&
            std::ranges::none_of(cells, [](std::string_view cell) { return cell.empty(); });
   }
-  static std::string_view spelt_with_spaces(std::string_view line) { return text::trimmed(without_mark(line)); }
 
   void find_header() {
     const std::size_t end = first_row_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "page/map.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 
 #include "hardover/study.hpp"
@@ -54,31 +55,17 @@ page::Chart map_of(const Study& study, const char* label, OverGround (*place_of)
   }
   add(healthy, of_healthy);
   add(guide, {0.0, 0.0});
-  const page::Series reach = circle(of_healthy, reach_of_failure_m);
   const double width = study.has_parachute ? page::half_page : lone_map_width;  // two stand beside each other
-  // As far either way: a metre to the east is as long as one to the north.
-  std::optional<page::Range> east;
-  std::optional<page::Range> north;
-  for (const page::Series* const series :
-       std::initializer_list<const page::Series*>{&reach, &positive, &negative, &healthy, &guide}) {
-    std::ranges::for_each(series->x, [&](double value) { page::include(east, value); });
-    std::ranges::for_each(series->y, [&](double value) { page::include(north, value); });
-  }
-  const double reach_m = 0.55 * std::max({east->high - east->low, north->high - north->low, 1.0});
-  const auto around = [reach_m](const page::Range& range) {
-    const double middle = 0.5 * (range.low + range.high);
-    return page::Range{middle - reach_m, middle + reach_m};
-  };
-  std::vector<page::Series> series{reach, positive, negative, healthy, guide};
+  std::vector<page::Series> series{circle(of_healthy, reach_of_failure_m), positive, negative, healthy, guide};
   std::erase_if(series, [](const page::Series& one) { return one.x.empty(); });
-  return {.label = label,
-          .x_label = "to the east / m",
-          .y_label = "to the north / m",
-          .width = width,
-          .height = width + 45.0,  // for the legend and the ticks: the frame is about square
-          .series = std::move(series),
-          .x_range = around(*east),
-          .y_range = around(*north)};
+  page::Chart map{.label = label,
+                  .x_label = "to the east / m",
+                  .y_label = "to the north / m",
+                  .width = width,
+                  .height = width + 45.0,  // for the legend and the ticks: the frame is about square
+                  .series = std::move(series)};
+  page::give_one_scale(map);
+  return map;
 }
 
 }  // namespace

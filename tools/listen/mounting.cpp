@@ -19,12 +19,6 @@ namespace {
 
 constexpr double whole_turn_deg = 360.0;
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-  const std::size_t end = text.find_last_not_of(' ');
-  return end == std::string_view::npos ? std::string_view{} : text.substr(begin, end + 1 - begin);
-}
-
 [[noreturn]] void refuse(std::string_view text) {
   throw text::Error{text::ErrorKind::bad_configuration,
                     fmt::format("\"{}\" is not a mounting; allowed: \"pad\", or angles from -360 to 360 degrees about "
@@ -40,8 +34,8 @@ sim::Quaternion one_turn(std::string_view turn, std::string_view all, char& axis
   if (at == std::string_view::npos) {
     refuse(all);
   }
-  const auto angle_deg = text::number(trimmed(turn.substr(0, at)));
-  const std::string_view which = trimmed(turn.substr(at + about.size()));
+  const auto angle_deg = text::number(text::trimmed(turn.substr(0, at)));
+  const std::string_view which = text::trimmed(turn.substr(at + about.size()));
   if (!angle_deg || !(std::abs(*angle_deg) <= whole_turn_deg) || which.size() != 1 ||
       std::string_view{"xyz"}.find(which) == std::string_view::npos) {
     refuse(all);
@@ -196,7 +190,7 @@ Mounting parse_mounting(std::string_view text) {
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
     char axis = 'x';
-    mounting.to_rocket = one_turn(trimmed(text.substr(begin, comma - begin)), text, axis) * mounting.to_rocket;
+    mounting.to_rocket = one_turn(text::trimmed(text.substr(begin, comma - begin)), text, axis) * mounting.to_rocket;
     mounting.turns_axis = mounting.turns_axis || axis != 'x';
     begin = comma + 1;
   }

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "flight/path.hpp"
+#include "page/map.hpp"
 #include "page/page.hpp"
 #include "report/chart_drawer.hpp"
 #include "report/phase_colors.hpp"
@@ -44,18 +45,6 @@ page::Series series(const std::vector<PathPoint>& path, std::string name, Role r
 double heading_rad(const std::vector<PathPoint>& path) {
   const PathPoint& farthest = *std::ranges::max_element(path, {}, flight::distance_m);
   return std::atan2(farthest.east_m, farthest.north_m);
-}
-
-page::Range extent(const std::vector<PathPoint>& path, double PathPoint::* member) {
-  const auto [low, high] = std::ranges::minmax(path, {}, member);
-  return {low.*member, high.*member};
-}
-
-// The same span for both axes, so that a bearing looks like one.
-page::Range around(const std::vector<PathPoint>& path, double PathPoint::* member, double span_m) {
-  const page::Range all = extent(path, member);
-  const double middle_m = 0.5 * (all.low + all.high);
-  return {middle_m - 0.5 * span_m, middle_m + 0.5 * span_m};
 }
 
 /// From lift-off, where the rocket begins to move, to the landing; a fall without a parachute, outside the model, is
@@ -139,19 +128,15 @@ result::Section path_section(const flight::Flight& flight) {
   const std::string direction = bearing_deg % 45 == 0 ? compass(*std::ranges::max_element(path, {}, flight::distance_m))
                                                       : fmt::format("{}\u00b0", bearing_deg);
   Chart side = from_the_side(path, fmt::format("distance towards {} / m", direction), along);
-  const double span_m =
-      1.1 * std::max({extent(path, &PathPoint::east_m).high - extent(path, &PathPoint::east_m).low,
-                      extent(path, &PathPoint::north_m).high - extent(path, &PathPoint::north_m).low, 1.0});
   Chart above{.label = "Path from above",
               .x_label = "east / m",
               .y_label = "north / m",
               .width = page::half_page,
               .height = square,
-              .series = {series(path, "path", Role::measured, &PathPoint::east_m, &PathPoint::north_m)},
-              .x_range = around(path, &PathPoint::east_m, span_m),
-              .y_range = around(path, &PathPoint::north_m, span_m)};
+              .series = {series(path, "path", Role::measured, &PathPoint::east_m, &PathPoint::north_m)}};
   add_places(side, flight, along, &PathPoint::height_m);
   add_places(above, flight, &PathPoint::east_m, &PathPoint::north_m);
+  page::give_one_scale(above);
   // As the charts over time above: a descent of minutes would squeeze the ascent.
   const auto [begin_s, end_s] = plot_window(flight);
   std::vector<PathPoint> ascent = path;
