@@ -253,7 +253,8 @@ std::string sentence(const FirstGains& first) {
                                              rows == 0 ? "" : "up to ", text::fixed(text::degrees(first.rest_rad), 0))
                                        : "";
   const std::string where = fmt::format(
-      "from {} to {} m/s up to apogee. Damping and torque may be anywhere within a factor of two; the servo lag is {} "
+      "from {} to {} m/s up to apogee. Damping and torque may be anywhere within a factor of two, with a servo lag of "
+      "{} "
       "ms",
       text::fixed(first.lowest_speed_m_s, 0), text::fixed(first.highest_speed_m_s, 0),
       brief(1e3 * first.servo_lag_s, 1));
