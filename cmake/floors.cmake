@@ -45,7 +45,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   foreach(with_strings IN ITEMS precompiled precompiled_sanitized precompiled_tools)
     # Of std::string out of a precompiled header GCC 12 says so without reason. Clang and the sanitizers look too.
     if(TARGET ${with_strings})
-      target_compile_options(${with_strings} INTERFACE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+      target_compile_options(${with_strings} INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
     endif()
   endforeach()
 endif()

@@ -13,6 +13,8 @@ set(FANTAIL_COMPILED_APART
   "test/avionics|flight_memory_bytes_test.cpp flight_memory_flights_test.cpp flight_memory_test.cpp two_gyros_state_test.cpp"
   "test/bench|exercise_test.cpp zero_test.cpp"
   "test/bench|filling_sheet_test.cpp measurement_test.cpp sent_wave_test.cpp sheet_page_test.cpp sheet_test.cpp"
+  "test/board|board_in_world.cpp device_trial.cpp flip_table.cpp"
+  "test/board|flip_trial.cpp"
   "test/campaign|merge_test.cpp spread_test.cpp statistics_test.cpp"
   "test/core|canard_mixer_test.cpp launch_detector_pair_test.cpp launch_detector_test.cpp"
   "test/core|canard_monitor_test.cpp motion_estimator_test.cpp trig_test.cpp"
@@ -71,7 +73,8 @@ function(fantail_compiled_together name)
 endfunction()
 
 # fantail_level(<option> <file>...): files of this folder that are optimised at a level of their own, and so are compiled
-# with each other and not with the rest of their target. The precompiled header was read for another level.
+# with each other and not with the rest of their target. They have the precompiled header that was read for that level, where
+# there is one.
 function(fantail_level option)
   if(CMAKE_CROSSCOMPILING OR FANTAIL_ONE_BY_ONE)
     set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS ${option})
@@ -107,6 +110,13 @@ function(fantail_groups name folder sources)
       set(compiled ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity/unity_${group}_cxx.cxx)
     endif()
     if(level)
+      get_target_property(is_twin ${name} FANTAIL_IS_TWIN)
+      if(FANTAIL_PRECOMPILED_LEVEL AND NOT is_twin)
+        get_target_property(headers ${FANTAIL_PRECOMPILED_LEVEL} BINARY_DIR)
+        string(APPEND headers /CMakeFiles/${FANTAIL_PRECOMPILED_LEVEL}.dir/cmake_pch.hxx)
+        list(APPEND level -include ${headers} $<TARGET_PROPERTY:${FANTAIL_PRECOMPILED_LEVEL},INTERFACE_COMPILE_OPTIONS>)
+        set_property(SOURCE ${compiled} PROPERTY OBJECT_DEPENDS ${headers}.gch)
+      endif()
       set_property(SOURCE ${compiled} PROPERTY COMPILE_OPTIONS ${options} ${level})
       set_property(SOURCE ${compiled} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
     endif()

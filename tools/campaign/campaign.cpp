@@ -68,7 +68,10 @@ FlownCampaign fly_campaign(const Campaign& campaign, const std::filesystem::path
                       .plan = middle.plan_name,
                       .quantities = quantity_names(spreads),
                       .runs = {}};
-  const Identity identity = identity_of(campaign, files, spreads, version);
+  Identity identity = identity_of(campaign, files, spreads, version);
+  if (campaign.stop) {
+    std::ranges::find(identity, "stop", &Identity::value_type::first)->second = campaign.stop->text();
+  }
   runs::Place place{.folder = folder, .identity = identity};
   place.identity.insert(place.identity.begin(), {"kind", "campaign"});
   require_no_other(folder, identity);

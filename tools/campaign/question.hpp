@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "campaign/flown_run.hpp"
-
 namespace fantail::campaign {
+
+struct FlownRun;
 
 enum class Relation : std::uint8_t { is, at_least, at_most };
 
@@ -31,5 +31,7 @@ struct Question {
 
 /// "outcome=held", "apogee_m>=900", "largest_hold_error_deg<=5". Throws text::Error (usage).
 [[nodiscard]] Question parse_question(std::string_view text);
+/// Why it does not take this; empty: it does.
+[[nodiscard]] std::string objection_to_question(const std::string& text);
 
 }  // namespace fantail::campaign

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/campaign.hpp"
 #include "campaign/setup.hpp"
 #include "runs/runner.hpp"
 #include "text/error.hpp"

@@ -8,7 +8,7 @@
 namespace fantail::campaign {
 namespace {
 
-constexpr std::size_t most_runs = 50;  // a band of 5 to 95 % needs no more, and each is flown again
+constexpr std::size_t most_runs_of_band = 50;  // a band of 5 to 95 % needs no more, and each is flown again
 constexpr double step_s = 0.05;
 constexpr double least_share = 0.5;  // where fewer still fly, their quantiles are those of another group
 
@@ -55,7 +55,7 @@ RollBand roll_band_of(const Campaign& campaign, const FlownCampaign& flown, cons
   RollBand band;
   std::vector<Track> tracks;
   for (const FlownRun& run : flown.runs) {
-    if (tracks.size() == most_runs) {
+    if (tracks.size() == most_runs_of_band) {
       break;
     }
     if (run.outcome == "refused") {

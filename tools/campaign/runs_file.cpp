@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "json/value.hpp"
+#include "campaign/setup.hpp"
 #include "text/deflate.hpp"
 #include "text/error.hpp"
 
@@ -44,39 +44,10 @@ std::optional<std::vector<FlownRun>> whole(const std::string& rows, const std::v
 
 }  // namespace
 
-void require_no_other(const fs::path& folder, const Identity& identity) {
-  std::error_code ignored;
-  if (!fs::exists(folder / identity_name, ignored)) {
-    return;
-  }
-  if (const std::string differs = runs::difference(read_identity(folder), "there", identity, "here");
-      !differs.empty()) {
-    throw text::Error{text::ErrorKind::bad_configuration, folder.string() + ": holds another campaign: " + differs +
-                                                              "; take another folder, or remove that one"};
-  }
-}
-
-std::string file_content(const fs::path& file, std::size_t most) {
-  return text::read_if_there(file, text::InputKind::data, most).value_or(std::string{});
-}
-
 std::size_t most_bytes(const Stretch& runs) {
   constexpr std::size_t of_header = std::size_t{1} << 20U;
   constexpr std::size_t of_a_run = 4096;  // ten times what one has
   return of_header + of_a_run * static_cast<std::size_t>(runs.count);
-}
-
-Identity read_identity(const fs::path& folder) {
-  const fs::path file = folder / identity_name;
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
-    throw text::Error{text::ErrorKind::no_such_input, file.string() + ": no such file, so no campaign was flown there"};
-  }
-  try {
-    return runs::parse_identity(file_content(file));
-  } catch (const json::Error& error) {
-    throw text::Error{text::ErrorKind::bad_data, file.string() + ": was not written by a campaign: " + error.what()};
-  }
 }
 
 std::string packed_rows(std::span<const FlownRun> runs) {

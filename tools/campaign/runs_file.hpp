@@ -11,29 +11,17 @@
 
 #include "campaign/flown_run.hpp"
 #include "runs/runner.hpp"
-#include "text/input_file.hpp"
 
 namespace fantail::campaign {
 
-using runs::Identity;
-using runs::Shard;
 using runs::Stretch;
 
 /// Runs that are flown and stored together; which run is in which part depends on nothing but its number.
 inline constexpr std::uint64_t runs_of_a_part = 64;
 
-/// What a finished campaign's runs are called, and the file that says which campaign they are of.
+/// What a finished campaign's runs are called.
 inline constexpr const char* runs_name = "runs.csv.gz";
-inline constexpr const char* identity_name = "campaign.json";
 
-/// Throws text::Error (bad_configuration) when campaign.json in `folder` is of another campaign, naming what differs.
-void require_no_other(const std::filesystem::path& folder, const Identity& identity);
-/// Of a folder. Throws text::Error: no_such_input without one, bad_data for one that cannot be read.
-[[nodiscard]] Identity read_identity(const std::filesystem::path& folder);
-
-/// Empty where there is no file. Throws as text::read_input() does for one with more than `most` bytes.
-[[nodiscard]] std::string file_content(const std::filesystem::path& file,
-                                       std::size_t most = text::most_bytes(text::InputKind::data));
 /// The rows of so many runs do not have more, packed or not.
 [[nodiscard]] std::size_t most_bytes(const Stretch& runs);
 

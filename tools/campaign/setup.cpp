@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <span>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "input/vehicle_file.hpp"
+#include "json/value.hpp"
 #include "text/error.hpp"
+#include "text/input_file.hpp"
 #include "text/sha256.hpp"
 
 namespace fantail::campaign {
@@ -70,7 +73,7 @@ Identity identity_of(const Campaign& campaign, const input::ScenarioFiles& files
           {"seed", fmt::format("{}", campaign.seed)},
           {"runs", fmt::format("{}", campaign.runs)},
           {"sampling", "independent"},
-          {"stop", campaign.stop ? campaign.stop->text() : "never"},
+          {"stop", "never"},
           {"changes", lines_of(campaign.changes)},
           {"scenario", hash_of(file_content(files.scenario().file()))},
           {"plan", hash_of(file_content(files.plan().file()))},
@@ -102,6 +105,35 @@ std::vector<Spread> spreads_of(const Campaign& campaign, const input::ScenarioFi
     }
   }
   return spreads;
+}
+
+void require_no_other(const std::filesystem::path& folder, const Identity& identity) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder / identity_name, ignored)) {
+    return;
+  }
+  if (const std::string differs = runs::difference(read_identity(folder), "there", identity, "here");
+      !differs.empty()) {
+    throw text::Error{text::ErrorKind::bad_configuration, folder.string() + ": holds another campaign: " + differs +
+                                                              "; take another folder, or remove that one"};
+  }
+}
+
+std::string file_content(const std::filesystem::path& file, std::size_t most) {
+  return text::read_if_there(file, text::InputKind::data, most).value_or(std::string{});
+}
+
+Identity read_identity(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / identity_name;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) {
+    throw text::Error{text::ErrorKind::no_such_input, file.string() + ": no such file, so no campaign was flown there"};
+  }
+  try {
+    return runs::parse_identity(file_content(file));
+  } catch (const json::Error& error) {
+    throw text::Error{text::ErrorKind::bad_data, file.string() + ": was not written by a campaign: " + error.what()};
+  }
 }
 
 }  // namespace fantail::campaign

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/campaign.hpp"
+#include "campaign/setup.hpp"
 #include "fantail/board_replay.hpp"
 #include "fantail/deliver.hpp"
 #include "fantail/flight_computer_option.hpp"
