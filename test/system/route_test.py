@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The way of a student with a rocket of her own, from a design of OpenRocket to the brief, for five rockets of other sizes than the shipped ones.
 
-Usage: route_test.py FANTAIL
+Usage: route_test.py FANTAIL [ROCKET...]
 """
 
 import json

@@ -85,7 +85,7 @@ soak() {
   prover_of_proofs || refuse "the model checker could not be installed (see above), and the soak has every proof in it"
   host_options=FANTAIL_TESTS
   arm_build "the image for the virtual board" fantail-stm32f405
-  host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core test_dormancy test_gates fantail fantail-campaign \
+  host_build "the soak tests" test_avionics test_memory_campaign test_sil test_core test_dormancy test_gates verbs \
     board_flips board_sweep board_faults board_timing
   build "the fuzzers" build/fuzz 600 fuzz_commands
   leave_turn

@@ -37,6 +37,8 @@ STEPS = [
     ("faults", "Every device broken in every phase of a launch", "campaign", 1,
      "{host}/fantail campaign faults tasha3_launch2 --every {every} --threads 1 --out build/soak/out_faults", {},
      [("flights", r"(\d+) flights in \d+ cells\."), ("cells red for a known limit", r"because of a known limit: (\d+) cells?")]),
+    ("routes", "From a design to the brief, for five rockets of other sizes", "way of each", 1,
+     "/usr/bin/python3 -B test/system/route_test.py {host}/fantail", {}, []),
     *[(name, title, unit, n, "{host}/test/board/" + command, {}, reads) for name, title, unit, n, command, reads in [
         ("board_flips", "Bits flipped in memory and registers under the flashed image", "flips", 10_000,
          "board_flips build/arm/fantail-stm32f405.elf {n} {seed}",

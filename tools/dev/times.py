@@ -43,7 +43,11 @@ def main(build):
             print(f"  {seconds:6.1f}  {name}")
     cases = []
     for file in (build / "host/test-times").glob("*.json"):
-        for suite in json.loads(file.read_text())["testsuites"]:
+        try:
+            suites = json.loads(file.read_text())["testsuites"]
+        except json.JSONDecodeError:  # two shards of a program wrote it at once
+            continue
+        for suite in suites:
             cases += [(float(case["time"].rstrip("s")), f"{suite['name']}.{case['name']}") for case in suite["testsuite"]]
     if cases:
         print(f"\nSlowest of {len(cases)} cases")
