@@ -7,31 +7,25 @@
 #include <span>
 
 #include "avionics/flight_memory.hpp"
+#include "sim/inside_avionics.hpp"
 
 namespace fantail::sim {
 
-// Where the avionics keeps what decides about the canards, for whoever damages it. The one way that the language has to
-// name a private member is an explicit instantiation.
-namespace in_avionics {
+// Where the avionics keeps what decides about the canards, for whoever damages it.
+namespace inside {
 
-struct Law;
-struct Plan;
-std::optional<core::Autopilot> avionics::Avionics::* member(Law* tag);
-core::FlightPlan avionics::Avionics::* member(Plan* tag);
-
-template <typename Tag, auto pointer>
-struct Open {
-  friend auto member(Tag* /*tag*/) -> decltype(pointer) { return pointer; }
+struct Law {
+  using Pointer = std::optional<core::Autopilot> Avionics::*;
 };
-template struct Open<Law, &avionics::Avionics::autopilot_>;
-template struct Open<Plan, &avionics::Avionics::plan_>;
+Law::Pointer member(Law tag);
+template struct Open<Law, &Avionics::autopilot_>;
+struct Plan {
+  using Pointer = core::FlightPlan Avionics::*;
+};
+Plan::Pointer member(Plan tag);
+template struct Open<Plan, &Avionics::plan_>;
 
-template <typename Tag>
-auto& part_of(avionics::Avionics& avionics) {
-  return avionics.*member(static_cast<Tag*>(nullptr));
-}
-
-}  // namespace in_avionics
+}  // namespace inside
 
 namespace {
 
@@ -96,9 +90,9 @@ Microseconds SimulatedBoard::restart(const Reset& reset) {
 
 void SimulatedBoard::flip_bit(MemoryPart part, std::uint64_t choice) {
   if (part == MemoryPart::plan) {
-    flip(std::as_writable_bytes(std::span{&in_avionics::part_of<in_avionics::Plan>(*avionics_), 1}), choice);
+    flip(std::as_writable_bytes(std::span{&inside::of<inside::Plan>(*avionics_), 1}), choice);
   } else {
-    flip(std::as_writable_bytes(std::span{&*in_avionics::part_of<in_avionics::Law>(*avionics_), 1}), choice);
+    flip(std::as_writable_bytes(std::span{&*inside::of<inside::Law>(*avionics_), 1}), choice);
   }
 }
 

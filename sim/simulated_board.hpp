@@ -12,7 +12,7 @@
 namespace fantail::sim {
 
 /// The avionics in this process, on simulated hardware.
-class SimulatedBoard final : public FlightComputer {
+class SimulatedBoard : public FlightComputer {
  public:
   /// `plan` has passed core::validate(); it is in force unless the flash holds another.
   SimulatedBoard(const core::FlightPlan& plan, const BoardPorts& ports, const avionics::Identity& identity = {});
@@ -32,10 +32,16 @@ class SimulatedBoard final : public FlightComputer {
   core::FlightPlan plan_;
   BoardPorts ports_;
   avionics::Identity identity_;
+
+ protected:
   hal::sim::Devices devices_;
+
+ private:
   hal::sim::NoBackupMemory no_backup_memory_;
   hal::sim::BackupDomain backup_domain_{devices_.clock};
-  std::optional<avionics::Avionics> avionics_;
+
+ protected:
+  std::optional<avionics::Avionics> avionics_;  ///< never empty
 };
 
 }  // namespace fantail::sim

@@ -39,14 +39,7 @@ const core::TickRecord& Avionics::tick() {
 
   const FlashFacts flash = flash_.facts();
   tell_person(record);
-  situation_ = {.time = now,
-                .phase = record.phase,
-                .reason = record.reason,
-                .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
-                .moves = record.motion.at_rest_for == core::Microseconds{0},
-                .arm_switch_closed = inputs.arm_switch_closed,
-                .arm_switch_open = devices_.arm_switch.open(),
-                .abort = abort_state(plan_.run.abort_input, devices_.abort_contact)};
+  note_situation(record, inputs);
   watch_board(record, flash);
   arming_.update(situation_);
   self_test_.update(inputs, record, flash, situation_.board_faulty);
@@ -71,6 +64,17 @@ const core::TickRecord& Avionics::tick() {
   // Last: only a tick that came this far proves that the loop is alive.
   devices_.watchdog.feed();
   return record;
+}
+
+void Avionics::note_situation(const core::TickRecord& record, const core::Inputs& inputs) {
+  situation_ = {.time = inputs.time,
+                .phase = record.phase,
+                .reason = record.reason,
+                .at_rest = record.motion.at_rest_for >= plan_.motion.rest_time,
+                .moves = record.motion.at_rest_for == core::Microseconds{0},
+                .arm_switch_closed = inputs.arm_switch_closed,
+                .arm_switch_open = devices_.arm_switch.open(),
+                .abort = abort_state(plan_.run.abort_input, devices_.abort_contact)};
 }
 
 void Avionics::look_for_new_plan() {

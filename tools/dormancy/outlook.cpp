@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "fly/describe.hpp"
+#include "sim/lean_board.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::dormancy {
@@ -137,7 +138,7 @@ std::optional<double> last_thrust_s(const sim::ThrustCurve& motor) {
 }
 
 Outlook outlook(const sim::Scenario& scenario) {
-  sim::World world{scenario};
+  sim::World world{scenario, sim::World::small_flash, sim::unrecorded_board(scenario)};
   Ascent ascent{scenario};
   while (!world.over()) {
     const core::TickRecord& record = world.tick();

@@ -23,8 +23,9 @@ std::optional<double> settles_at_rad(const Row& row, const core::FlightPlan& pla
     return std::nullopt;
   }
   const auto speed_m_s = static_cast<float>(std::isfinite(row.speed_m_s) ? row.speed_m_s : 0.0);
-  const float gain =
-      core::gain_factor(plan.gain_schedule, speed_m_s, speed_is_lower_bound) * plan.controller.proportional_gain;
+  const core::GainSchedulePlan& schedule = plan.gain_schedule;  // asked in every row: most plans have none
+  const float factor = schedule.speeds_count == 0 ? 1.0F : core::gain_factor(schedule, speed_m_s, speed_is_lower_bound);
+  const float gain = factor * plan.controller.proportional_gain;
   if (!row.truth || gain == 0.0F) {
     return std::nullopt;
   }

@@ -15,6 +15,7 @@
 #include "fly/model_limits.hpp"
 #include "fly/to_ground.hpp"
 #include "replies/sentence.hpp"
+#include "sim/lean_board.hpp"
 #include "sim/nearest_tick.hpp"
 #include "sim/units.hpp"
 #include "sim/world.hpp"
@@ -181,6 +182,9 @@ flight::Flight fly(const sim::Scenario& scenario, const Hooks& hooks, Log log, c
   const std::int64_t ticks_per_line = std::llround(scenario.log_period_s * 1e3);
   const std::int64_t ticks_per_row = flight.tunnel ? ticks_per_line : 1;
   flight.rows_per_line = static_cast<std::size_t>(ticks_per_line / ticks_per_row);
+  if (const auto length_s = expected_length_s(scenario); length_s && !hooks.take) {
+    flight.rows.reserve(static_cast<std::size_t>(*length_s * 1e3) / static_cast<std::size_t>(ticks_per_row) + 1);
+  }
   sim::World world{scenario, log == Log::kept ? sim::World::large_flash : sim::World::small_flash, make};
   const bool is_held = scenario.surroundings == sim::Surroundings::gimbal || scenario.pin;
   const bool tilts = !cannot_tilt(scenario);
@@ -272,7 +276,7 @@ flight::Flight fly_scenario(const sim::Scenario& scenario, const Look& look, con
 }
 
 flight::Flight fly_without_rows(const sim::Scenario& scenario, const TakeRow& take) {
-  return fly(scenario, {.look = {}, .observe = {}, .take = take}, Log::dropped, sim::simulated_board);
+  return fly(scenario, {.look = {}, .observe = {}, .take = take}, Log::dropped, sim::unrecorded_board(scenario));
 }
 
 std::vector<double> speeds_under_control_m_s(const sim::Scenario& scenario) {

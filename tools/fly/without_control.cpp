@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "fly/fly_scenario.hpp"
+#include "sim/lean_board.hpp"
 #include "sim/world.hpp"
 
 namespace fantail::fly {
@@ -35,7 +36,7 @@ std::vector<flight::FreeRollPoint> roll_without_control(const sim::Scenario& sce
     return points;
   }
   const sim::Scenario free = uncontrolled(scenario);
-  sim::World world{free};
+  sim::World world{free, sim::World::small_flash, sim::unrecorded_board(free)};
   for (std::int64_t ticks = 0; !world.over(); ++ticks) {
     (void)world.tick();
     if (ticks % ticks_between_points == 0) {
