@@ -55,6 +55,7 @@ set(FANTAIL_LAYERS
   "tools/dormancy|core sim text flight report stability fly runs|fmt/"
   "tools/hardover|core sim text json page result flight fly runs|fmt/"
   "tools/campaign|sim text distributions json linear page result input flight report fly runs dormancy hardover|fmt/"
+  "tools/rare|core sim text distributions page result input flight report runs campaign|fmt/"
   "tools/brief|core hal sim text json page result flight report fly campaign hardover|fmt/"
   "tools/predict|core sim text distributions json page result flight report stability airframe/model fly runs dormancy campaign|fmt/"
   "tools/tune|core protocol sim text json page result input flight report stability fly runs campaign predict|fmt/"
@@ -63,7 +64,7 @@ set(FANTAIL_LAYERS
   "tools/faults|core sim text json page result input flight fly runs campaign|fmt/"
   "tools/playground|core sim text json input flight report fly|fmt/"
   "tools/rules|core sim text result input flight airframe/model|fmt/"
-  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input files flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults rules brief dormancy|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
+  "tools/fantail|core protocol avionics hal/linux sim text json manual page result input files flight report flight_log logs identify identify/model identify/result tunnel replies link trajectory stability fly hil telemetry live gateway log_export bench runs campaign hardover predict tune paper airframe airframe/openrocket listen detection faults rules brief dormancy rare|fmt/ fcntl\\.h poll\\.h sys/ unistd\\.h"
   "python/bindings|core protocol sim text json manual input flight report flight_log logs fly runs campaign fantail|nanobind/")
 
 # Headers of others that only one file of a folder includes, behind a header of ours. Of our own folders there is no exception.

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "distributions/quantiles.hpp"
 #include "runs/runner.hpp"
 #include "spread_files.hpp"
 #include "text/error.hpp"
@@ -212,6 +213,29 @@ TEST(UnitCoordinates, OfTwoDimensionsDoNotDependOnEachOtherAndAreNeitherZeroNorO
     sum += (first - 0.5) * (unit_coordinate(11, run, 1) - 0.5);
   }
   EXPECT_NEAR(12.0 * sum / static_cast<double>(runs), 0.0, five_deviations);
+}
+
+// What a search for rare failures draws at a point is what a run draws there.
+TEST(Draws, AtStandardNormalNumbersAreThoseOfARunWithTheSameNumbers) {
+  const std::vector<Spread> spreads =
+      spreads_of(one("law = \"normal\"\neffect = \"factor\"\nstandard_deviation = 0.02\n") +
+                 "[[spread]]\nfield = \"servo.lag_s\"\nlaw = \"uniform\"\nlow = 0.01\nhigh = 0.03\n"
+                 "[[spread]]\nfield = \"motor.thrust_factor\"\nlaw = \"triangular\"\nlow = 0.9\nmode = 1.0\n"
+                 "high = 1.05\n");
+  const Drawer drawer{spreads, 3};
+  ASSERT_EQ(drawer.dimensions(), 3U);
+  for (std::uint64_t run = 0; run < 200; ++run) {
+    std::vector<double> normals;
+    for (std::size_t i = 0; i < drawer.dimensions(); ++i) {
+      normals.push_back(distributions::normal_quantile(unit_coordinate(3, run, i)));
+    }
+    const auto there = drawer.draw_at(normals);
+    ASSERT_TRUE(there.has_value());
+    const Draw drawn = drawer.draw(run);
+    for (std::size_t i = 0; i < drawn.numbers.size(); ++i) {
+      EXPECT_NEAR(there->numbers[i], drawn.numbers[i], 1e-9 * std::abs(drawn.numbers[i]));
+    }
+  }
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "identify/result/answer.hpp"
 #include "listen/answer.hpp"
 #include "predict/answer.hpp"
+#include "rare/study.hpp"
 #include "report/answer.hpp"
 #include "rules/judge.hpp"
 #include "tune/results.hpp"
@@ -90,6 +91,7 @@ TEST(ResultsPage, HasEveryFieldOfTheVerbsWhoseResultsAreTables) {
       {"campaign detection", detection::listed_fields()},
       {"campaign faults", faults::listed_fields()},
       {"campaign hardover", hardover::listed_fields()},
+      {"campaign rare", rare::listed_fields()},
       {"compare, report of two flights", tool::listed_comparison()},
       {"fly, report", report::listed_fields()},
       {"identify", identify::result::listed_fields()},

@@ -67,6 +67,9 @@ TEST(Answer, OfEveryVerbIsAMemberOfItsJson) {
                     folder)["answer"],
             "yes");
   EXPECT_EQ(said_by({"campaign", "hardover", "--step", "9", "--json"}, folder)["answer"], "none");
+  EXPECT_EQ(said_by({"campaign", "rare", "--flights", "100", "--share", "apogee_m>=440", "--at-most", "0.9", "--json"},
+                    folder)["answer"],
+            "yes");
 }
 
 }  // namespace

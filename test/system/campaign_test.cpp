@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <fmt/core.h>
 #include <sys/resource.h>
 
 #include "json/value.hpp"
@@ -154,6 +155,41 @@ TEST(CampaignHardover, TakesChangesThatPlayAPartInSixDegreesOfFreedomAlone) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("wind.from_deg=180, launch_guide.azimuth_deg=90"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("flight.motion"), std::string::npos) << "nobody has asked for that";
+}
+
+TEST(CampaignRare, FindsWhatIsRareAndItsFlightsAreThemselvesAgain) {
+  const Folder folder;
+  const Outcome outcome = fantail({"campaign", "rare", "--flights", "200", "--share", "apogee_m>=320", "--at-most",
+                                   "1e-9", "--out", folder / "r", "--json"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const json::Value said = json::parse(outcome.out);
+  EXPECT_EQ(said["answer"], "no");
+  EXPECT_GT(said["levels"].size(), 2U);
+  EXPECT_LT(said["probability"].number(), 1e-2);
+  EXPECT_LT(said["low_95"].number(), said["probability"].number());
+  // The likeliest failure, from its seed and what was drawn.
+  Words again{"fly",    "--json",
+              "--out",  folder / "again",
+              "--seed", fmt::format("{:.0f}", said["likeliest"][0]["seed"].number())};
+  std::istringstream changes{said["likeliest"][0]["changes"].text()};
+  for (std::string change; changes >> change;) {
+    while (std::ranges::count(change, '[') > std::ranges::count(change, ']')) {  // of a list, which has spaces
+      std::string rest;
+      ASSERT_TRUE(changes >> rest);
+      change += ' ' + rest;
+    }
+    again.insert(again.end(), {"--set", change});
+  }
+  const Outcome alone = fantail(again);
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_NEAR(json::parse(alone.out)["apogee_m"].number() - 320.0, said["likeliest"][0]["margin"].number(), 1e-4);
+}
+
+TEST(CampaignRare, RefusesWhatItCannotSearch) {
+  Refusal({}, {"campaign", "rare", "--share", "outcome=cut_short"}, 64, {"no figure tells how far", "outcome=held"});
+  Refusal({}, {"campaign", "rare", "--share", "nonsense"}, 64, {"nonsense"});
+  Refusal({}, {"campaign", "rare", "--flights", "99"}, 64, {"--flights"});
+  Refusal({}, {"campaign", "rare", "tunnel_steps"}, 78, {"no [[spread]] table"});
 }
 
 TEST(CampaignDetection, OneEventTakesNoOptionOfTheWholeCampaign) {

@@ -36,11 +36,12 @@ TEST_P(Help, ShowsThreeExamplesOfItsOwn) {
 INSTANTIATE_TEST_SUITE_P(EachVerb, Help,
                          testing::Values(Words{}, Words{"fly"}, Words{"identify"}, Words{"paper"}, Words{"predict"},
                                          Words{"campaign"}, Words{"campaign", "faults"}, Words{"campaign", "hardover"},
-                                         Words{"campaign", "detection"}, Words{"compare"}, Words{"plan"},
-                                         Words{"plan", "check"}, Words{"plan", "show"}, Words{"plan", "compile"},
-                                         Words{"tunnel"}, Words{"tunnel", "flow"}, Words{"tunnel", "swirl"},
-                                         Words{"tunnel", "steps"}, Words{"tunnel", "stability"}, Words{"airframe"},
-                                         Words{"new"}, Words{"listen"}),
+                                         Words{"campaign", "detection"}, Words{"campaign", "rare"}, Words{"compare"},
+                                         Words{"plan"}, Words{"plan", "check"}, Words{"plan", "show"},
+                                         Words{"plan", "compile"}, Words{"tunnel"}, Words{"tunnel", "flow"},
+                                         Words{"tunnel", "swirl"}, Words{"tunnel", "steps"},
+                                         Words{"tunnel", "stability"}, Words{"airframe"}, Words{"new"},
+                                         Words{"listen"}),
                          [](const auto& one) {
                            std::string name = "fantail";
                            for (const std::string& word : one.param) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -24,13 +25,13 @@ constexpr int most_draws = 1'000;
 /// The middle of a step, so that neither 0 nor 1 is ever drawn.
 double open_unit(std::uint64_t random_bits) { return (static_cast<double>(random_bits >> 12U) + 0.5) * 0x1p-52; }
 
-std::vector<double> normal(const Spread& spread, std::span<const double> unit) {
+std::vector<double> normal(const Spread& spread, std::span<const double> normals) {
   std::vector<double> numbers = spread.means;
   std::size_t place = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     double sum = 0.0;
     for (std::size_t k = 0; k <= i; ++k) {
-      sum += spread.correlation_root[place++] * distributions::normal_quantile(unit[k]);
+      sum += spread.correlation_root[place++] * normals[k];
     }
     numbers[i] += spread.standard_deviations[i] * sum;
   }
@@ -44,20 +45,31 @@ double triangular(const Spread& spread, double unit) {
                                  : spread.high - std::sqrt((1.0 - unit) * width * (spread.high - spread.mode));
 }
 
-std::vector<double> numbers_of(const Spread& spread, std::span<const double> unit) {
-  switch (spread.law) {
-    case Law::normal: return normal(spread, unit);
-    case Law::uniform: return {spread.low + unit[0] * (spread.high - spread.low)};
-    case Law::triangular: return {triangular(spread, unit[0])};
-    case Law::next_row: {
-      std::vector<double> normals(unit.size());
-      std::ranges::transform(unit, normals.begin(), distributions::normal_quantile);
-      return spread.next_row->draw(normals);
-    }
-    case Law::rows: break;
+/// Laws that are made of standard normal numbers; the others are made of one that is even between 0 and 1.
+bool takes_normals(const Spread& spread) { return spread.law == Law::normal || spread.law == Law::next_row; }
+
+std::vector<double> numbers_of_normals(const Spread& spread, std::span<const double> normals) {
+  return spread.law == Law::normal ? normal(spread, normals) : spread.next_row->draw(normals);
+}
+
+std::vector<double> numbers_of_unit(const Spread& spread, double unit) {
+  if (spread.law == Law::uniform) {
+    return {spread.low + unit * (spread.high - spread.low)};
   }
-  const auto row = static_cast<std::size_t>(unit[0] * static_cast<double>(spread.rows.size()));
+  if (spread.law == Law::triangular) {
+    return {triangular(spread, unit)};
+  }
+  const auto row = static_cast<std::size_t>(unit * static_cast<double>(spread.rows.size()));
   return spread.rows[std::min(row, spread.rows.size() - 1)];
+}
+
+std::vector<double> numbers_of(const Spread& spread, std::span<const double> unit) {
+  if (!takes_normals(spread)) {
+    return numbers_of_unit(spread, unit[0]);
+  }
+  std::vector<double> normals(unit.size());
+  std::ranges::transform(unit, normals.begin(), distributions::normal_quantile);
+  return numbers_of_normals(spread, normals);
 }
 
 std::vector<double> after(Effect effect, const input::NumberField& field, double number) {
@@ -86,11 +98,19 @@ std::optional<Leaves> first_outside(const Spread& spread, const std::vector<doub
   return std::nullopt;
 }
 
-[[noreturn]] void refuse(const Spread& spread, std::uint64_t run, const Leaves& leaves, const char* advice) {
-  throw text::Error{
-      text::ErrorKind::bad_configuration,
-      fmt::format("{}: run {} draws {} = {}; allowed: {} to {}; {}", spread.where, run, leaves.field->name(),
-                  leaves.value, leaves.field->range.minimum, leaves.field->range.maximum, advice)};
+constexpr const char* truncate_instead = "outside = \"truncate\" draws again instead";
+
+[[noreturn]] void refuse(const Spread& spread, const std::string& who, const Leaves& leaves, const char* advice) {
+  throw text::Error{text::ErrorKind::bad_configuration,
+                    fmt::format("{}: {} draws {} = {}; allowed: {} to {}; {}", spread.where, who, leaves.field->name(),
+                                leaves.value, leaves.field->range.minimum, leaves.field->range.maximum, advice)};
+}
+
+void take(Draw& draw, const Spread& spread, const std::vector<double>& numbers) {
+  for (std::size_t i = 0; i < spread.fields.size(); ++i) {
+    draw.numbers.push_back(numbers[i]);
+    draw.changes.push_back(spread.fields[i].with(after(spread.effect, spread.fields[i], numbers[i])));
+  }
 }
 
 }  // namespace
@@ -114,10 +134,11 @@ Draw Drawer::draw(std::uint64_t run) const {
     int draws = 1;
     for (auto left = first_outside(spread, numbers); left; left = first_outside(spread, numbers)) {
       if (spread.outside == Outside::refuse) {
-        refuse(spread, run, *left, "outside = \"truncate\" draws again instead");
+        refuse(spread, fmt::format("run {}", run), *left, truncate_instead);
       }
       if (++draws > most_draws) {
-        refuse(spread, run, *left, "a thousand draws in a row were outside: so is nearly all of the law");
+        refuse(spread, fmt::format("run {}", run), *left,
+               "a thousand draws in a row were outside: so is nearly all of the law");
       }
       for (double& coordinate : unit) {
         coordinate = open_unit(random.bits());
@@ -125,12 +146,36 @@ Draw Drawer::draw(std::uint64_t run) const {
       numbers = numbers_of(spread, unit);
       ++draw.drawn_again;
     }
-    for (std::size_t i = 0; i < spread.fields.size(); ++i) {
-      draw.numbers.push_back(numbers[i]);
-      draw.changes.push_back(spread.fields[i].with(after(spread.effect, spread.fields[i], numbers[i])));
-    }
+    take(draw, spread, numbers);
   }
   return draw;
+}
+
+std::optional<Draw> Drawer::draw_at(std::span<const double> normals) const {
+  Draw draw;
+  for (const Spread& spread : spreads_) {
+    const std::span<const double> own = normals.first(spread.dimensions());
+    normals = normals.subspan(own.size());
+    const std::vector<double> numbers =
+        takes_normals(spread) ? numbers_of_normals(spread, own)
+                              : numbers_of_unit(spread, 0.5 * std::erfc(-own[0] * std::numbers::sqrt2 / 2));
+    if (const auto left = first_outside(spread, numbers)) {
+      if (spread.outside == Outside::refuse) {
+        refuse(spread, "a flight of the search", *left, truncate_instead);
+      }
+      return std::nullopt;
+    }
+    take(draw, spread, numbers);
+  }
+  return draw;
+}
+
+std::size_t Drawer::dimensions() const {
+  std::size_t all = 0;
+  for (const Spread& spread : spreads_) {
+    all += spread.dimensions();
+  }
+  return all;
 }
 
 }  // namespace fantail::campaign

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,12 @@ class Drawer {
   /// Throws text::Error (bad_configuration) for a value that its field does not allow, naming run, field, value, range,
   /// and the spread's place; with Outside::truncate when a thousand draws in a row left it.
   [[nodiscard]] Draw draw(std::uint64_t run) const;
+
+  /// How many independent standard normal numbers make a draw, whatever its laws.
+  [[nodiscard]] std::size_t dimensions() const;
+  /// The draw of dimensions() of them: independent ones have the laws of the spreads. Empty where it leaves what a
+  /// field allows. Throws as draw() does for a spread that refuses it.
+  [[nodiscard]] std::optional<Draw> draw_at(std::span<const double> normals) const;
 
  private:
   std::vector<Spread> spreads_;

@@ -148,11 +148,13 @@ flight::Extremes extremes_of(const FlownRun& run) {
 }
 
 FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_t master_seed, std::uint64_t run) {
-  Draw draw = drawer.draw(run);
-  FlownRun flown{.run = run,
-                 .seed = runs::seed_of_run(master_seed, run),
-                 .numbers = std::move(draw.numbers),
-                 .drawn_again = draw.drawn_again};
+  FlownRun flown = fly_drawn(files, drawer.draw(run), runs::seed_of_run(master_seed, run));
+  flown.run = run;
+  return flown;
+}
+
+FlownRun fly_drawn(input::ScenarioFiles& files, Draw draw, std::uint64_t seed, const LookAtFlight& look) {
+  FlownRun flown{.seed = seed, .numbers = std::move(draw.numbers), .drawn_again = draw.drawn_again};
   sim::Scenario scenario;
   try {
     for (const input::Override& change : draw.changes) {
@@ -167,7 +169,11 @@ FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_
   }
   scenario.seed = flown.seed;
   scenario.changed_values = draw.changes.size();
-  take_figures(flown, fly_and_judge(scenario));
+  const JudgedFlight judged = fly_and_judge(scenario);
+  take_figures(flown, judged);
+  if (look) {
+    look(scenario, flown, judged);
+  }
   return flown;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -88,6 +89,12 @@ struct FlownRun {
 /// text::Error for a draw that a field does not allow (Drawer::draw).
 [[nodiscard]] FlownRun fly_run(input::ScenarioFiles& files, const Drawer& drawer, std::uint64_t master_seed,
                                std::uint64_t run);
+
+using LookAtFlight =
+    std::function<void(const sim::Scenario& scenario, const FlownRun& run, const JudgedFlight& judged)>;
+/// The same of what has been drawn, without a number. `look` is called at the end, where there was a flight.
+[[nodiscard]] FlownRun fly_drawn(input::ScenarioFiles& files, Draw draw, std::uint64_t seed,
+                                 const LookAtFlight& look = {});
 
 /// The columns of what is drawn. A number that is not a value itself has the word of its effect behind its field:
 /// body.mass_kg_factor.

@@ -55,6 +55,15 @@ Question parse_question(std::string_view text) {
           .bound = *bound};
 }
 
+std::string objection_to_question(const std::string& text) {
+  try {
+    (void)parse_question(text);
+    return "";
+  } catch (const text::Error& error) {
+    return error.what();
+  }
+}
+
 bool Question::is_met_by(const FlownRun& run) const {
   if (run.outcome == "not_finite") {
     return false;  // some of its figures may be numbers, but nobody can trust them

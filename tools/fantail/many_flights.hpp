@@ -29,6 +29,9 @@ void fill_detection(const Verb& verb);
 /// `campaign faults`.
 void fill_faults(const Verb& verb);
 
+/// `campaign rare`: how probable a failure is that no ordinary campaign meets.
+void fill_rare(const Verb& verb);
+
 /// `campaign hardover`: what one canard that fails does to the flight.
 void fill_hardover(const Verb& verb);
 

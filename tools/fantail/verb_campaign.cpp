@@ -61,15 +61,6 @@ std::string objection_to_shard(const std::string& text) {
   return parse_shard(text) ? "" : '"' + text + "\" is not a shard; allowed: NUMBER/OF, 1/4 to 4/4";
 }
 
-std::string objection_to_question(const std::string& text) {
-  try {
-    (void)campaign::parse_question(text);
-    return "";
-  } catch (const text::Error& error) {
-    return error.what();
-  }
-}
-
 std::optional<double> share(const std::optional<double>& percent) {
   return percent ? std::optional{*percent / 100.0} : std::nullopt;
 }
@@ -194,7 +185,7 @@ void fill(const Verb& verb) {
   verb.section("Question and when to stop");
   verb.option("--share", options->question,
               "Which runs are counted: outcome=WORD, or a figure with >= or <= and a number, as in apogee_m>=900")
-      .check(objection_to_question)
+      .check(campaign::objection_to_question)
       .value_name("QUESTION")
       .show_default();
   auto at_least =
@@ -236,6 +227,7 @@ void fill(const Verb& verb) {
   fill_merge(verb.verb("merge", "Put the shards of a campaign together"));
   fill_hardover(verb.verb("hardover", "Effect of one failed canard on the flight"));
   fill_detection(verb.verb("detection", "How often an armed rocket detects a false launch, or misses its launch"));
+  fill_rare(verb.verb("rare", "How often in a million a flight fails, and by what"));
   verb.action([options] { fly_campaign(*options); });
 }
 
