@@ -34,6 +34,10 @@ std::string chance(double probability) {
   return "1 in " + grouped;
 }
 
+std::string of_flights(double probability) {
+  return chance(probability) + (probability >= 0.01 ? " of flights" : " flights");
+}
+
 constexpr auto study_fields = result::fields<Study>({
     {"probability", "probability", u::none, 9,
      [](const Study& s) { return s.estimate.end == End::found ? Cell{s.estimate.probability} : Cell{}; },
@@ -178,8 +182,8 @@ std::string sentence(const Study& study) {
   switch (found.end) {
     case End::found: {
       std::string all =
-          fmt::format("\"{}\" fails in {} flights (probability {:.2g}, 95 % interval {:.2g} to {:.2g}), by {}.",
-                      question, chance(found.probability), found.probability, found.low, found.high, flights);
+          fmt::format("\"{}\" fails in {} (probability {:.2g}, 95 % interval {:.2g} to {:.2g}), by {}.", question,
+                      of_flights(found.probability), found.probability, found.low, found.high, flights);
       if (study.events_unseen && *study.events_unseen > found.low) {
         all += fmt::format(
             " Failures that no figure announces are not in it: none of {} plain flights had one, so they can be as "
@@ -191,18 +195,18 @@ std::string sentence(const Study& study) {
     }
     case End::never_fails:
       return fmt::format(
-          "In {} no failure of \"{}\" was reached: the search ended at a margin that {} flights fall below. A failure "
+          "In {} no failure of \"{}\" was reached: the search ended at a margin that {} fall below. A failure "
           "that no "
           "margin announces would not be seen.",
-          flights, question, chance(found.probability));
+          flights, question, of_flights(found.probability));
     case End::always_fails: return fmt::format("All of {} fail \"{}\": this is not rare.", flights, question);
     case End::does_not_advance: break;
   }
   return fmt::format(
       "The search for failures of \"{}\" stopped after {}. More than half of the flights of a level have the same "
       "margin, "
-      "{:.4g}, so no flight leads to the next. {} flights fall below the last level that was reached.",
-      question, flights, found.stuck_at, chance(found.probability));
+      "{:.4g}, so no flight leads to the next. {} fall below the last level that was reached.",
+      question, flights, found.stuck_at, of_flights(found.probability));
 }
 
 std::vector<std::string> limits(const Study& study) {
@@ -217,8 +221,7 @@ std::vector<std::string> limits(const Study& study) {
         "{} (probability {:.1g}). This is estimated from the direction of the failures, not flown.",
         chance(*study.with_heavier_tails), *study.with_heavier_tails));
   } else if (found.end == End::found && found.levels.size() > 1) {
-    all.emplace_back(
-        "Heavier tails make failures more frequent; by how much is not estimated where failures have several causes.");
+    all.emplace_back("Heavier tails than these can make failures more frequent; by how much is not estimated here.");
   }
   if (study.options.question.relation == campaign::Relation::is) {
     all.emplace_back(
@@ -231,7 +234,7 @@ std::vector<std::string> limits(const Study& study) {
     if (study.options.question.relation == campaign::Relation::is) {
       all.back() += fmt::format(" {} % of the failed flights failed so.", share);
     } else {
-      all.push_back(share + " % of the failed flights have no such figure, as after a failed ascent.");
+      all.push_back(share + " % of the failed flights have no such figure.");
     }
   }
   if (!study.discrete.empty()) {
