@@ -6,8 +6,10 @@
 // What the avionics keeps to itself, for who damages it and for who leaves out of its tick what nobody looks at. The
 // one way that the language has to name a private member is an explicit instantiation:
 //
-//   struct Plan { using Pointer = core::FlightPlan Avionics::*; };
-//   Plan::Pointer member(Plan tag);
+//   struct Plan {
+//     using Pointer = core::FlightPlan Avionics::*;
+//     friend Pointer member(Plan tag);
+//   };
 //   template struct Open<Plan, &Avionics::plan_>;
 //   of<Plan>(avionics)
 namespace fantail::sim::inside {

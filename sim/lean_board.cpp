@@ -11,70 +11,54 @@ namespace fantail::sim {
 
 namespace inside {
 
-using avionics::FlashFacts;
 using core::Inputs;
 using core::Microseconds;
 using core::TickRecord;
 
 struct LookForNewPlan {
   using Pointer = void (Avionics::*)();
+  friend Pointer member(LookForNewPlan tag);
 };
-LookForNewPlan::Pointer member(LookForNewPlan tag);
 template struct Open<LookForNewPlan, &Avionics::look_for_new_plan>;
 struct Listen {
   using Pointer = void (Avionics::*)(Microseconds);
+  friend Pointer member(Listen tag);
 };
-Listen::Pointer member(Listen tag);
 template struct Open<Listen, &Avionics::listen>;
 struct ReadDevices {
   using Pointer = Inputs (Avionics::*)(Microseconds);
+  friend Pointer member(ReadDevices tag);
 };
-ReadDevices::Pointer member(ReadDevices tag);
 template struct Open<ReadDevices, &Avionics::read_devices>;
 struct FlyingLaw {
   using Pointer = std::optional<core::Autopilot> Avionics::*;
+  friend Pointer member(FlyingLaw tag);
 };
-FlyingLaw::Pointer member(FlyingLaw tag);
 template struct Open<FlyingLaw, &Avionics::autopilot_>;
-struct NoteSituation {
-  using Pointer = void (Avionics::*)(const TickRecord&, const Inputs&);
+struct Follow {
+  using Pointer = void (Avionics::*)(const TickRecord&, const Inputs&, const avionics::FlashFacts&);
+  friend Pointer member(Follow tag);
 };
-NoteSituation::Pointer member(NoteSituation tag);
-template struct Open<NoteSituation, &Avionics::note_situation>;
+template struct Open<Follow, &Avionics::follow>;
 struct Situation {
   using Pointer = avionics::Situation Avionics::*;
+  friend Pointer member(Situation tag);
 };
-Situation::Pointer member(Situation tag);
 template struct Open<Situation, &Avionics::situation_>;
-struct WatchBoard {
-  using Pointer = void (Avionics::*)(const TickRecord&, const FlashFacts&);
-};
-WatchBoard::Pointer member(WatchBoard tag);
-template struct Open<WatchBoard, &Avionics::watch_board>;
-struct Arming {
-  using Pointer = avionics::Arming Avionics::*;
-};
-Arming::Pointer member(Arming tag);
-template struct Open<Arming, &Avionics::arming_>;
-struct SelfTest {
-  using Pointer = avionics::SelfTest Avionics::*;
-};
-SelfTest::Pointer member(SelfTest tag);
-template struct Open<SelfTest, &Avionics::self_test_>;
 struct Flash {
   using Pointer = avionics::FlashService Avionics::*;
+  friend Pointer member(Flash tag);
 };
-Flash::Pointer member(Flash tag);
 template struct Open<Flash, &Avionics::flash_>;
 struct PlanMayChange {
   using Pointer = bool (Avionics::*)() const;
+  friend Pointer member(PlanMayChange tag);
 };
-PlanMayChange::Pointer member(PlanMayChange tag);
 template struct Open<PlanMayChange, &Avionics::plan_may_change>;
 struct Send {
   using Pointer = void (Avionics::*)(const TickRecord&, const Inputs&);
+  friend Pointer member(Send tag);
 };
-Send::Pointer member(Send tag);
 template struct Open<Send, &Avionics::report>;
 
 }  // namespace inside
@@ -106,11 +90,7 @@ class LeanBoard final : public SimulatedBoard {
       return record;
     }
     avionics::FlashService& flash = inside::of<inside::Flash>(avionics);
-    const avionics::FlashFacts facts = flash.facts();
-    inside::call<inside::NoteSituation>(avionics, record, inputs);
-    inside::call<inside::WatchBoard>(avionics, record, facts);
-    inside::of<inside::Arming>(avionics).update(situation);
-    inside::of<inside::SelfTest>(avionics).update(inputs, record, facts, situation.board_faulty);
+    inside::call<inside::Follow>(avionics, record, inputs, flash.facts());
     flash.update(now, inside::call<inside::PlanMayChange>(avionics), {.safe = false, .session = {}});
     inside::call<inside::Send>(avionics, record, inputs);
     return record;

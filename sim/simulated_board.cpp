@@ -16,13 +16,13 @@ namespace inside {
 
 struct Law {
   using Pointer = std::optional<core::Autopilot> Avionics::*;
+  friend Pointer member(Law tag);
 };
-Law::Pointer member(Law tag);
 template struct Open<Law, &Avionics::autopilot_>;
 struct Plan {
   using Pointer = core::FlightPlan Avionics::*;
+  friend Pointer member(Plan tag);
 };
-Plan::Pointer member(Plan tag);
 template struct Open<Plan, &Avionics::plan_>;
 
 }  // namespace inside

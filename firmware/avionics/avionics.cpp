@@ -39,10 +39,7 @@ const core::TickRecord& Avionics::tick() {
 
   const FlashFacts flash = flash_.facts();
   tell_person(record);
-  note_situation(record, inputs);
-  watch_board(record, flash);
-  arming_.update(situation_);
-  self_test_.update(inputs, record, flash, situation_.board_faulty);
+  follow(record, inputs, flash);
   flash_.recorder().note({.raw = raw_,
                           .scales = scales_,
                           .inputs = inputs,
@@ -66,7 +63,8 @@ const core::TickRecord& Avionics::tick() {
   return record;
 }
 
-void Avionics::note_situation(const core::TickRecord& record, const core::Inputs& inputs) {
+// What arming and the self-test look at, and both.
+void Avionics::follow(const core::TickRecord& record, const core::Inputs& inputs, const FlashFacts& flash) {
   situation_ = {.time = inputs.time,
                 .phase = record.phase,
                 .reason = record.reason,
@@ -75,6 +73,9 @@ void Avionics::note_situation(const core::TickRecord& record, const core::Inputs
                 .arm_switch_closed = inputs.arm_switch_closed,
                 .arm_switch_open = devices_.arm_switch.open(),
                 .abort = abort_state(plan_.run.abort_input, devices_.abort_contact)};
+  watch_board(record, flash);
+  arming_.update(situation_);
+  self_test_.update(inputs, record, flash, situation_.board_faulty);
 }
 
 void Avionics::look_for_new_plan() {

@@ -80,7 +80,7 @@ class Avionics {
   [[nodiscard, gnu::cold]] std::optional<hal::ImuSample> read_second_imu();
   [[nodiscard, gnu::cold]] std::optional<hal::BarometerSample> read_barometer(core::Microseconds now);
   [[nodiscard]] core::Inputs read_devices(core::Microseconds now);
-  void note_situation(const core::TickRecord& record, const core::Inputs& inputs);
+  void follow(const core::TickRecord& record, const core::Inputs& inputs, const FlashFacts& flash);
   void watch_board(const core::TickRecord& record, const FlashFacts& flash);
   void report(const core::TickRecord& record, const core::Inputs& inputs);
   void tell_person(const core::TickRecord& record);

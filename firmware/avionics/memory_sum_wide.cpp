@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "avionics/memory_sum.hpp"
+#include "avionics/memory_sum_words.hpp"
 
 namespace fantail::avionics {
 namespace {
@@ -46,12 +47,7 @@ std::uint32_t memory_sum(std::span<const std::byte> memory) {
   for (int i = 0; i < 4; ++i) {
     sum = std::rotl(sum, 1) ^ lanes[i];
   }
-  for (; at != end; at += 4) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, at, 4);
-    sum = std::rotl(sum, 1) ^ word;
-  }
-  return sum;
+  return add_words(sum, at, end);
 }
 
 }  // namespace fantail::avionics

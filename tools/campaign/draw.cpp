@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 
@@ -156,9 +155,9 @@ std::optional<Draw> Drawer::draw_at(std::span<const double> normals) const {
   for (const Spread& spread : spreads_) {
     const std::span<const double> own = normals.first(spread.dimensions());
     normals = normals.subspan(own.size());
-    const std::vector<double> numbers =
-        takes_normals(spread) ? numbers_of_normals(spread, own)
-                              : numbers_of_unit(spread, 0.5 * std::erfc(-own[0] * std::numbers::sqrt2 / 2));
+    const std::vector<double> numbers = takes_normals(spread)
+                                            ? numbers_of_normals(spread, own)
+                                            : numbers_of_unit(spread, distributions::normal_tail(-own[0]));
     if (const auto left = first_outside(spread, numbers)) {
       if (spread.outside == Outside::refuse) {
         refuse(spread, "a flight of the search", *left, truncate_instead);

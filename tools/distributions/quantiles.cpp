@@ -103,10 +103,12 @@ double place_of(double probability, double low, double high, const Share& share)
 double normal_quantile(double probability) {
   // One step of Halley's method.
   const double guess = first_guess(probability);
-  const double error = 0.5 * std::erfc(-guess / std::numbers::sqrt2) - probability;
+  const double error = normal_tail(-guess) - probability;
   const double step = error * std::sqrt(2.0 * std::numbers::pi) * std::exp(0.5 * guess * guess);
   return guess - step / (1.0 + 0.5 * guess * step);
 }
+
+double normal_tail(double number) { return 0.5 * std::erfc(number / std::numbers::sqrt2); }
 
 double chi_square_quantile(double probability, double degrees_of_freedom) {
   const auto share = [&](double value) { return chi_square_probability(value, degrees_of_freedom); };

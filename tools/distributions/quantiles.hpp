@@ -7,6 +7,8 @@ namespace fantail::distributions {
 
 /// Mean 0 and variance 1; exact to a few units in the last place of 1.
 [[nodiscard]] double normal_quantile(double probability);
+/// The other way: how probable it is that such a number is larger than this. Exact far out, too.
+[[nodiscard]] double normal_tail(double number);
 /// normal_quantile(0.975): 95 % lie between it and its negative.
 inline constexpr double normal_975 = 1.959963984540054;
 

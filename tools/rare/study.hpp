@@ -31,7 +31,6 @@ struct Options {
 /// A flight that failed, or came nearest to it.
 struct Found {
   Point point{};
-  std::vector<double> sigmas{};        ///< of each quantity, in standard deviations from its mean
   std::vector<std::string> changes{};  ///< "body.mass_kg=4.1": with the seed they are the flight again
   double margin = 0.0;
   std::string outcome{};

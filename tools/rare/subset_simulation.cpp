@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "distributions/quantiles.hpp"
@@ -133,22 +135,13 @@ void add_to_curve(Estimate& found, const std::vector<Sample>& all, std::size_t f
   }
 }
 
-std::optional<double> accepted_of(const std::vector<Chain>& chains) {
-  std::uint64_t moves = 0;
-  std::uint64_t accepted = 0;
-  for (const Chain& chain : chains) {
-    moves += chain.moves;
-    accepted += chain.accepted;
-  }
-  return moves == 0 ? std::nullopt : std::optional{static_cast<double>(accepted) / static_cast<double>(moves)};
+std::uint64_t sum_of(const std::vector<Chain>& chains, std::uint64_t Chain::* count) {
+  return std::transform_reduce(chains.begin(), chains.end(), std::uint64_t{0}, std::plus{}, std::mem_fn(count));
 }
 
-std::uint64_t moves_of(const std::vector<Chain>& chains) {
-  std::uint64_t moves = 0;
-  for (const Chain& chain : chains) {
-    moves += chain.moves;
-  }
-  return moves;
+std::optional<double> accepted_of(const std::vector<Chain>& chains) {
+  const auto moves = static_cast<double>(sum_of(chains, &Chain::moves));
+  return moves == 0.0 ? std::nullopt : std::optional{static_cast<double>(sum_of(chains, &Chain::accepted)) / moves};
 }
 
 /// So many samples in so many chains: the first few are one longer where it does not divide.
@@ -193,12 +186,12 @@ Estimate estimate(const Settings& settings, const Margin& margin, const MakeAll&
         static_cast<std::size_t>(std::ranges::lower_bound(all, 0.0, {}, &Sample::margin) - all.begin());
     const auto kept = static_cast<std::size_t>(share_kept * static_cast<double>(count));
     const std::optional<double> accepted = accepted_of(chains);
-    found.points += level == 0 ? count : moves_of(chains);
+    found.points += level == 0 ? count : sum_of(chains, &Chain::moves);
     if (level == 0) {
       std::ranges::transform(all, std::back_inserter(found.plain_margins), &Sample::margin);
     }
     const auto note = [&](double threshold, std::size_t below) {
-      const double share = static_cast<double>(below) / static_cast<double>(std::max<std::size_t>(count, 1));
+      const double share = static_cast<double>(below) / static_cast<double>(count);
       found.levels.push_back({.samples = count,
                               .threshold = threshold,
                               .share = share,
@@ -206,10 +199,11 @@ Estimate estimate(const Settings& settings, const Margin& margin, const MakeAll&
                               .accepted = accepted});
       found.probability *= share;
     };
-    if (count == 0 || failing == count || failing >= std::max<std::size_t>(kept, 1)) {
+    found.failing = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(failing)};
+    const bool is_last = level + 1 == settings.most_levels;
+    if (failing >= kept || (is_last && failing > 0)) {
       add_to_curve(found, all, 0);
       note(std::nextafter(0.0, -1.0), failing);
-      found.failing = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(failing)};
       found.end = level == 0 && failing == count ? End::always_fails : End::found;
       break;
     }
@@ -219,14 +213,12 @@ Estimate estimate(const Settings& settings, const Margin& margin, const MakeAll&
     if (2 * below > count) {
       found.end = End::does_not_advance;
       found.stuck_at = threshold;
-      found.failing = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(failing)};
       break;
     }
     add_to_curve(found, all, below);
     note(threshold, below);
-    if (level + 1 == settings.most_levels) {
+    if (is_last) {
       found.end = End::never_fails;
-      found.failing = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(failing)};
       break;
     }
     const std::vector<Sample> begin{all.begin(), all.begin() + static_cast<std::ptrdiff_t>(below)};

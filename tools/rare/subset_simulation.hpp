@@ -53,8 +53,8 @@ inline constexpr double share_kept = 0.1;
 using Margin = std::function<std::optional<double>(const Point& point)>;
 
 /// Makes `chains` items by calling `make` for each number below, in any order and on any thread: each depends on
-/// nothing but its number. `batch` is another one at every call, in their order. A chain without samples: a thousand
-/// points in a row were excluded.
+/// nothing but its number. `batch` is another one at every call, in their order. A chain that `make`
+/// returns without samples (a thousand points in a row were excluded) it may not return: it throws.
 using MakeAll = std::function<std::vector<Chain>(std::size_t batch, std::size_t chains,
                                                  const std::function<Chain(std::size_t)>& make)>;
 
