@@ -24,6 +24,9 @@ class Clock final : public hal::Clock {
 
   [[nodiscard]] Microseconds now() const override;
 
+  /// How long ago the latest millisecond began, below 1 ms.
+  [[nodiscard]] Microseconds since_tick() const { return (now() - base_) % Microseconds{1'000}; }
+
   /// Returns when the next millisecond since the last call has begun; how many others have begun meanwhile, unseen. A
   /// loop that comes too late begins at once. What bounds this wait is the watchdog.
   std::uint32_t wait_for_tick();

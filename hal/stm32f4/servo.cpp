@@ -2,6 +2,7 @@
 #include "hal/stm32f4/servo.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 
 namespace fantail::hal::stm32f4 {
@@ -9,7 +10,7 @@ namespace {
 
 using namespace registers;
 
-constexpr std::uint32_t frame_ms = 3;
+constexpr auto frame_ms = static_cast<std::uint32_t>(Servo::frame / std::chrono::milliseconds{1});
 constexpr std::uint32_t most_counts = 1U << 16U;
 
 constexpr std::uint32_t counting = tim_cr1_cen | tim_cr1_arpe;
@@ -47,6 +48,12 @@ Servo::Servo(Tim& timer, std::uint32_t timer_hz) : timer_{&timer} {
   timer.ccer.write(all_channels());
   timer.egr.write(tim_egr_ug);  // all of these are preloaded; this takes them over
   timer.cr1.write(counting);
+}
+
+void Servo::begin_frame_in(Microseconds time) {
+  const std::uint32_t counts = timer_->arr.read() + 1;
+  const auto ahead = static_cast<std::uint32_t>(time.count() * counts / frame.count());
+  timer_->cnt.write((counts - ahead) % counts);
 }
 
 void Servo::write(const std::array<std::optional<Pulse>, canards>& pulses) {

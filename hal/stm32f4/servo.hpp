@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "hal/clock.hpp"
 #include "hal/servo.hpp"
 #include "hal/stm32f4/registers/tim.hpp"
 
@@ -17,6 +18,8 @@ namespace fantail::hal::stm32f4 {
 /// resistors keep them low.
 class Servo final : public hal::Servo {
  public:
+  /// So often a frame begins: in every third tick.
+  static constexpr Microseconds frame{3'000};
   /// What a hobby servo understands. Nothing else is ever driven.
   static constexpr Pulse shortest{500'000};
   static constexpr Pulse longest{2'500'000};
@@ -24,6 +27,10 @@ class Servo final : public hal::Servo {
 
   /// `timer_hz`: what the timer counts before its prescaler.
   [[gnu::cold]] Servo(registers::Tim& timer, std::uint32_t timer_hz);
+
+  /// A frame begins that much later, in 0 to 3 ms, and from then on every 3 ms. Before the first pulse: it would be
+  /// cut.
+  [[gnu::cold]] void begin_frame_in(Microseconds time);
 
   /// A servo that is asked for a pulse outside of its range keeps the one it has: that is a broken command or a broken
   /// plan, and of all answers to it the end of the range would be the hardest kick.

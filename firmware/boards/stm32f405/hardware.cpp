@@ -26,6 +26,9 @@ using namespace hal::stm32f4;  // NOLINT(google-build-using-namespace): this fil
 constexpr Battery::Wiring battery_wiring{.channel = 12, .reference_mv = 3'300, .divider = 11};
 constexpr std::uint32_t buzzer_hz = 2'700;  // where a small piezo is loudest
 
+/// In a tick: behind its commands, as long as an instruction takes less than 4 cycles (board_timing).
+constexpr hal::Microseconds frame_begins{400};
+
 enum Interrupt : std::uint8_t { can1_tx = 19, can1_rx0 = 20, can1_sce = 22, usart1_all = 37 };
 
 Hardware* running = nullptr;
@@ -123,6 +126,8 @@ void Hardware::start(SensorStart how) {
     let_in(interrupt);
   }
   registers::unmask_interrupts();
+  // Whatever of the millisecond is left now, at every boot the same of it is left when a frame begins.
+  servo_.begin_frame_in((frame_begins - clock_.since_tick() + hal::Microseconds{1'000}) % hal::Microseconds{1'000});
 }
 
 void Hardware::wait_for_tick() {

@@ -47,6 +47,11 @@ class FakeTimer {
       pass(counts_per_access);
       return static_cast<std::uint32_t>(counter_);
     });
+    world.on_write(registers.cnt, [this](std::uint32_t value) {
+      pass(counts_per_access);
+      counter_ = value;
+      now_ = Frame{.driven = {true, true, true, true}};
+    });
     for (std::size_t i = 0; i < 4; ++i) {
       world.on_write(registers.ccr[i], [this, i](std::uint32_t value) {
         pass(counts_per_access);
@@ -56,6 +61,7 @@ class FakeTimer {
         }
       });
     }
+    world.on_read(registers.arr, [this] { return written_.arr; });
     world.on_write(registers.arr, [this](std::uint32_t value) {
       written_.arr = value;
       if ((cr1_ & 0x80U) == 0) {
