@@ -48,6 +48,11 @@ TEST(RareAnswer, IsAYesOnlyWhereFailuresWithoutAFigureAreAsRareToo) {
   EXPECT_EQ(answer(study).verdict.answer, result::Answer::yes);
   study.events_unseen = 0.001;
   EXPECT_EQ(answer(study).verdict.answer, result::Answer::undecided);
+  const std::string sentence = answer(study).verdict.sentence;
+  EXPECT_NE(sentence.find("Not decided: the interval meets it, but failures without a figure are only known to be "
+                          "rarer than 1 in 1 000. With --flights 3"),
+            std::string::npos)
+      << sentence;
   study.options.at_most = 1e-7;
   EXPECT_EQ(answer(study).verdict.answer, result::Answer::no);
   study.options.at_most = 1e-6;
@@ -55,9 +60,21 @@ TEST(RareAnswer, IsAYesOnlyWhereFailuresWithoutAFigureAreAsRareToo) {
 }
 
 TEST(RareAnswer, SaysWhereTheSearchEndedWhenItFoundNoProbability) {
-  Study study = of({.end = End::never_fails, .probability = 1e-12, .points = 30'000});
-  study.options.at_most = 0.5;
+  Study study = of({.end = End::never_fails,
+                    .probability = 1e-12,
+                    .plain_margins = std::vector<double>(3000, 1.0),
+                    .points = 30'000});
+  study.led_to = "Mach number";
+  study.options.at_most = 0.01;
   EXPECT_EQ(answer(study).verdict.heading, "No failure found");
+  // The levels went where they went: what bounds failures of any kind are the plain flights.
+  const std::string sentence = answer(study).verdict.sentence;
+  EXPECT_NE(sentence.find("None of the first 3000 failed"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("rarer than 1 in 1 000 (95 %)"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("towards the limit of Mach number"), std::string::npos) << sentence;
+  EXPECT_EQ(sentence.find("1 000 000"), std::string::npos) << sentence;
+  EXPECT_EQ(answer(study).verdict.answer, result::Answer::yes);
+  study.options.at_most = 1e-4;
   EXPECT_EQ(answer(study).verdict.answer, result::Answer::undecided);
   study.estimate = {.end = End::always_fails, .probability = 1.0, .points = 100};
   EXPECT_EQ(answer(study).verdict.heading, "Every flight fails");

@@ -86,13 +86,15 @@ void fill_rare(const Verb& verb) {
   add_scenario_options(verb, options->scenario);
   verb.section("Question");
   verb.option("--share", options->question,
-              "Which flights do not fail: outcome=held, or a figure with >= or <= and a number, as in apogee_m>=400")
+              "Which flights are good, so that the others fail: outcome=held, or a figure with >= or <= and a number. "
+              "How often is "
+              "it above 400 m? apogee_m<=400")
       .check(objection_to_search)
       .value_name("QUESTION")
       .show_default()
       .changes_result();
   verb.option("--at-most", options->at_most,
-              "Require at most this probability of a failure; exit code 1 unless the whole interval is below it")
+              "Require at most this probability of a failure; exit code 1 unless that is met, interval and all")
       .range(0.0, 1.0)
       .value_name("PROBABILITY");
   verb.section("Flights");

@@ -7,6 +7,7 @@
 #include "campaign/results.hpp"
 #include "flight/fly_command.hpp"
 #include "page/chart.hpp"
+#include "rare/margin.hpp"
 #include "rare/sentences.hpp"
 
 namespace fantail::rare {
@@ -63,6 +64,9 @@ struct QuantityOfMode {
   const Mode* mode;
   const Quantity* quantity;
 };
+const char* direction(const Quantity& quantity) {
+  return !quantity.is_one_way() ? "either way" : quantity.mean_sigmas > 0.0 ? "higher" : "lower";
+}
 constexpr auto quantity_fields = result::fields<QuantityOfMode>({
     {"criterion", "failed by", u::none, 0,
      [](const QuantityOfMode& q) { return Cell{result::Named{q.mode->criterion, words_of(q.mode->criterion)}}; },
@@ -74,15 +78,18 @@ constexpr auto quantity_fields = result::fields<QuantityOfMode>({
        return Cell{result::Named{q.quantity->name, campaign::column_words(q.quantity->name).words}};
      },
      "what was drawn, as in runs.csv of a campaign"},
-    {"mean", "mean", u::none, 2, [](const QuantityOfMode& q) { return Cell{q.quantity->mean_sigmas}; },
-     "mean over these flights, in standard deviations of its law; 0 in all flights"},
-    {"deviation", "deviation", u::none, 2, [](const QuantityOfMode& q) { return Cell{q.quantity->deviation_sigmas}; },
-     "standard deviation over these flights, in that of its law; 1 in all flights"},
+    {"distance", "distance", u::none, 2, [](const QuantityOfMode& q) { return Cell{q.quantity->far_sigmas()}; },
+     "how far it is from its mean in these flights (root of the mean square), in standard deviations of its law; 1 in "
+     "all flights"},
+    {"direction", "direction", u::none, 0,
+     [](const QuantityOfMode& q) { return Cell{std::string{direction(*q.quantity)}}; },
+     "higher or lower than its mean, or either way"},
 });
 
 Cell words_or_none(const std::string& words) { return words.empty() ? Cell{} : Cell{words}; }
 constexpr auto found_fields = result::fields<Found>({
-    {"margin", "margin", u::none, 4, &Found::margin, "margin of the flight; below 0 it fails"},
+    {"margin", "margin", u::none, 4, [](const Found& f) { return f.margin >= just_failed ? Cell{} : Cell{f.margin}; },
+     "margin of the flight; below 0 it fails; null: no figure measures by what it fails, or it is just at a limit"},
     {"outcome", "outcome", u::none, 0, [](const Found& f) { return words_or_none(f.outcome); },
      "outcome of the flight, flown again alone"},
     {"seed", "seed", u::none, 0, [](const Found& f) { return Cell{f.point.seed}; }, "its seed"},
@@ -109,8 +116,8 @@ page::Chart curve_of(const Study& study) {
 
 std::string margin_words(const Study& study) {
   return study.options.question.relation == campaign::Relation::is
-             ? "Margin: the smallest of 1 - figure / limit over largest hold error, rest error, Mach number and gyro "
-               "bias. Below 0 a flight fails; -1 is a failure without a figure."
+             ? "Margin: how far the figure that is nearest to its limit is from it, in standard deviations of that "
+               "figure over 100 plain flights. Below 0 a flight fails."
              : "Margin: distance of the figure from its bound, in its unit. Below 0 a flight fails.";
 }
 
@@ -130,7 +137,8 @@ result::Links links_of(const Study& study) {
     links.all.push_back(
         {.href = found.folder.empty() ? "" : found.folder + "/report.html",
          .text = name,
-         .about = fmt::format(": {}, margin {:.4g}", campaign::outcome_words(found.outcome), found.margin)});
+         .about = fmt::format(": {}{}", campaign::outcome_words(found.outcome),
+                              found.margin >= just_failed ? "" : fmt::format(", margin {:.4g}", found.margin))});
   };
   if (study.likeliest) {
     add(*study.likeliest, "likeliest failure");
@@ -159,7 +167,9 @@ result::Document answer(const Study& study) {
   std::vector<QuantityOfMode> quantities;
   for (const Mode& mode : study.modes) {
     for (std::size_t i = 0; i < std::min(quantities_shown, mode.quantities.size()); ++i) {
-      quantities.push_back({&mode, &mode.quantities[i]});
+      if (mode.quantities[i].has_moved()) {
+        quantities.push_back({&mode, &mode.quantities[i]});
+      }
     }
   }
   const auto likeliest = study.likeliest ? std::vector{*study.likeliest} : std::vector<Found>{};

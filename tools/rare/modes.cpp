@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "distributions/quantiles.hpp"
+#include "rare/tails.hpp"
 #include "sim/random.hpp"
 
 namespace fantail::rare {
@@ -80,16 +81,6 @@ std::vector<Quantity> quantities_of(const Task& task, const std::vector<std::vec
   return all;
 }
 
-/// The standard normal number that is as rare as this one is with five degrees of freedom, both of variance 1.
-double as_rare_with_student_5(double number) {
-  const double t = std::abs(number) * std::sqrt(5.0 / 3.0);
-  const double share = 1.0 / (1.0 + t * t / 5.0);
-  const double from_middle =
-      (std::atan(t / std::sqrt(5.0)) + t / std::sqrt(5.0) * share * (1.0 + 2.0 / 3.0 * share)) / std::numbers::pi;
-  const double normal = -distributions::normal_quantile(std::max(0.5 - from_middle, 1e-300));
-  return number < 0.0 ? -normal : normal;
-}
-
 }  // namespace
 
 std::vector<Mode> modes_of(const Task& task, const std::vector<Sample>& failing, const std::function<void()>& look) {
@@ -126,21 +117,22 @@ std::optional<double> heavier_tails(const Task& task, const Estimate& estimate) 
   }
   const double length = std::sqrt(std::inner_product(mean.begin(), mean.end(), mean.begin(), 0.0));
   const double reach = -distributions::normal_quantile(estimate.probability);
-  bool any = false;
-  double squares = 0.0;
+  // Where failures lie on all sides, or by chance alone, their mean is near the middle.
+  if (length < 0.7 * reach) {
+    return std::nullopt;
+  }
+  constexpr double plays_no_part = 1e-3;
+  std::vector<Part> parts;
   std::size_t dimension = 0;
   for (const campaign::Spread& spread : task.spreads) {
     for (std::size_t i = 0; i < spread.dimensions(); ++i, ++dimension) {
-      double number = reach * mean[dimension] / length;
-      if (spread.law == campaign::Law::normal) {
-        number = as_rare_with_student_5(number);
-        any = true;
+      const double factor = std::abs(mean[dimension]) / length;
+      if (factor > plays_no_part) {
+        parts.push_back({.factor = factor, .is_student = spread.law == campaign::Law::normal});
       }
-      squares += number * number;
     }
   }
-  // Where failures lie on all sides, or by chance alone, their mean is near the middle.
-  return any && length > 0.7 * reach ? std::optional{distributions::normal_tail(std::sqrt(squares))} : std::nullopt;
+  return std::ranges::any_of(parts, &Part::is_student) ? std::optional{tail_of_sum(parts, reach)} : std::nullopt;
 }
 
 }  // namespace fantail::rare

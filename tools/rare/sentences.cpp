@@ -8,6 +8,7 @@
 
 #include "campaign/criteria.hpp"
 #include "campaign/results.hpp"
+#include "distributions/shares.hpp"
 #include "text/number.hpp"
 
 namespace fantail::rare {
@@ -36,23 +37,26 @@ std::string of_flights(double probability) {
 
 /// "disturbance -3.2, trim 1.5 either way"; empty: no quantity moved much.
 std::string how_it_is_lost(const Mode& mode) {
-  constexpr double worth_saying = 0.5;
   std::string all;
   for (std::size_t i = 0; i < std::min<std::size_t>(mode.quantities.size(), 3); ++i) {
     const Quantity& quantity = mode.quantities[i];
-    const bool one_way = std::abs(quantity.mean_sigmas) > 0.7 * quantity.far_sigmas();
-    if (one_way ? std::abs(quantity.mean_sigmas) >= worth_saying : quantity.far_sigmas() >= 1.0 + worth_saying) {
+    if (quantity.has_moved()) {
       all += fmt::format("{}{} {}", all.empty() ? "" : ", ", campaign::column_words(quantity.name).words,
-                         one_way ? fmt::format("{:+.1f}", quantity.mean_sigmas)
-                                 : fmt::format("{:.1f} either way", quantity.far_sigmas()));
+                         quantity.is_one_way() ? fmt::format("{:+.1f}", quantity.mean_sigmas)
+                                               : fmt::format("{:.1f} either way", quantity.far_sigmas()));
     }
   }
   return all;
 }
 
-/// " By: control never began 62 % (imu: rate bias 3.3 either way), ...".
+/// " Of the failed flights: control never began, 62 % (imu: rate bias 3.3 either way); ...".
 std::string modes_text(const Study& study) {
   constexpr std::size_t most = 3;
+  constexpr const char* in_sigmas = " standard deviations from the mean of all flights";
+  if (study.options.question.relation != campaign::Relation::is) {
+    const std::string how = study.modes.empty() ? "" : how_it_is_lost(study.modes.front());
+    return how.empty() ? "" : fmt::format(" Failed flights have, in{}: {}.", in_sigmas, how);
+  }
   std::string all;
   for (std::size_t i = 0; i < std::min(most, study.modes.size()); ++i) {
     const Mode& mode = study.modes[i];
@@ -60,30 +64,80 @@ std::string modes_text(const Study& study) {
     all += fmt::format("{}{}, {} %{}", all.empty() ? " It fails by: " : "; ", words_of(mode.criterion),
                        fixed(100.0 * mode.share, 0), how.empty() ? "" : " (" + how + ")");
   }
-  return all.empty() ? "" : all + ". In brackets: standard deviations from the mean of all flights.";
+  return all.empty() ? "" : fmt::format("{}. In brackets:{}.", all, in_sigmas);
+}
+
+/// The most frequent that failures can be which no figure announces: nothing leads to them.
+double unseen(const Study& study) {
+  return study.options.question.relation == campaign::Relation::is ? study.events_unseen.value_or(0.0) : 0.0;
+}
+
+/// So many plain flights without a failure bound failures to this.
+std::uint64_t flights_for(double probability) {
+  std::uint64_t flights = 1;
+  while (distributions::upper_bound_95(0, flights) > probability) {
+    flights += 1 + flights / 20;
+  }
+  return flights;
+}
+
+std::string required_text(const Study& study) {
+  if (!study.options.at_most) {
+    return "";
+  }
+  const double required = *study.options.at_most;
+  const std::string asked = fmt::format(" Required: at most {:.4g}. ", required);
+  const Estimate& found = study.estimate;
+  switch (answer_of(study)) {
+    case Answer::yes: return asked + "Met.";
+    case Answer::no: return asked + "Not met.";
+    default: break;
+  }
+  if (found.end == End::found && found.high > required) {
+    return asked + "Not decided: it lies within the interval.";
+  }
+  const std::string why =
+      found.end == End::found
+          ? fmt::format("the interval meets it, but failures without a figure are only known to be rarer than {}",
+                        chance(unseen(study)))
+          : std::string{"no plain flight failed, but too few were flown to say that"};
+  constexpr std::uint64_t most_flights = 1'000'000;
+  const std::uint64_t needed = required > 1e-7 ? flights_for(required) : most_flights + 1;
+  return fmt::format("{}Not decided: {}.{}", asked, why,
+                     needed > most_flights || found.end == End::does_not_advance
+                         ? ""
+                         : fmt::format(" With --flights {} that can be decided.", needed));
 }
 
 }  // namespace
+
+double plain_bound(const Estimate& found) {
+  return distributions::upper_bound_95(static_cast<std::uint64_t>(std::ranges::count_if(
+                                           found.plain_margins, [](double margin) { return margin < 0.0; })),
+                                       found.plain_margins.size());
+}
 
 std::string words_of(const std::string& criterion) {
   const campaign::Criterion* found = campaign::find_criterion(criterion);
   return found == nullptr ? "the bound of the question is not met" : std::string{found->words};
 }
+
 Answer answer_of(const Study& study) {
   const Estimate& found = study.estimate;
   if (!study.options.at_most) {
     return Answer::none;
   }
-  if (found.end == End::always_fails) {
-    return Answer::no;
-  }
-  if (found.end != End::found) {
-    return Answer::undecided;
-  }
   const double required = *study.options.at_most;
-  return found.low > required                                                      ? Answer::no
-         : found.high <= required && study.events_unseen.value_or(0.0) <= required ? Answer::yes
-                                                                                   : Answer::undecided;
+  switch (found.end) {
+    case End::found:
+      return found.low > required                                  ? Answer::no
+             : found.high <= required && unseen(study) <= required ? Answer::yes
+                                                                   : Answer::undecided;
+    case End::never_fails: return plain_bound(found) <= required ? Answer::yes : Answer::undecided;
+    case End::always_fails: return required < 1.0 ? Answer::no : Answer::yes;
+    case End::does_not_advance: break;
+  }
+  return Answer::undecided;
 }
 
 std::string heading(const Study& study) {
@@ -105,55 +159,63 @@ std::string sentence(const Study& study) {
       std::string all =
           fmt::format("\"{}\" fails in {} (probability {:.2g}, 95 % interval {:.2g} to {:.2g}), by {}.", question,
                       of_flights(found.probability), found.probability, found.low, found.high, flights);
-      if (study.events_unseen && *study.events_unseen > found.low) {
+      if (unseen(study) > found.low) {
         all += fmt::format(
-            " Failures that no figure announces are not in it: none of {} plain flights had one, so they can be as "
+            " Failures that no figure announces are {} in it: none of {} plain flights had one, so they can be as "
             "frequent as {}.",
-            found.plain_margins.size(), chance(*study.events_unseen));
+            study.events_share > 0.0 ? "only partly" : "not", found.plain_margins.size(), chance(unseen(study)));
       }
-      all += modes_text(study);
-      return all;
+      return all + modes_text(study) + required_text(study);
     }
     case End::never_fails:
       return fmt::format(
-          "In {} no failure of \"{}\" was reached: the search ended at a margin that {} fall below. A failure that "
-          "no margin announces would not be seen.",
-          flights, question, of_flights(found.probability));
-    case End::always_fails: return fmt::format("All of {} fail \"{}\": this is not rare.", flights, question);
+          "In {} no failure of \"{}\" was found. None of the first {} failed, which were drawn plainly: failures are "
+          "rarer than {} (95 %). The others were led towards {}, without reaching one. How rare a failure of another "
+          "kind is they do not tell.{}",
+          flights, question, found.plain_margins.size(), chance(plain_bound(found)),
+          study.led_to ? "the limit of " + *study.led_to : "the bound", required_text(study));
+    case End::always_fails:
+      return fmt::format("All of {} fail \"{}\": this is not rare.{}", flights, question, required_text(study));
     case End::does_not_advance: break;
   }
   return fmt::format(
       "The search for failures of \"{}\" stopped after {}. More than half of the flights of a level have the same "
-      "margin, "
-      "{:.4g}, so no flight leads to the next. {} fall below the last level that was reached{}.",
+      "margin, {:.4g}, so no flight leads to the next. {} fall below the last level that was reached{}.{}",
       question, flights, found.stuck_at, of_flights(found.probability),
-      found.failing.empty() ? "" : fmt::format("; {} of its flights failed", found.failing.size()));
+      found.failing.empty() ? "" : fmt::format("; {} of its flights failed", found.failing.size()),
+      study.options.at_most ? fmt::format(" Required: at most {:.4g}. Not decided.", *study.options.at_most) : "");
 }
 
 std::vector<std::string> limits(const Study& study) {
   const Estimate& found = study.estimate;
+  if (found.end == End::always_fails) {
+    return {"What the file does not vary is exactly as it says."};
+  }
   std::vector<std::string> all{
       "The probability follows from the tables [[spread]] of the scenario, far out in their tails, where no "
       "measurement reaches. What the file does not vary is exactly as it says."};
   if (study.with_heavier_tails) {
     all.push_back(fmt::format(
-        "If every normal law had the tails of Student's t distribution with five degrees of freedom, it would be about "
-        "{} (probability {:.1g}). This is estimated from the direction of the failures, not flown.",
+        "If every normal law had the tails of Student's t distribution with five degrees of freedom, and the same "
+        "standard deviation, it would be about {} (probability {:.2g}). This is estimated from the direction of the "
+        "failures, not flown.",
         chance(*study.with_heavier_tails), *study.with_heavier_tails));
   } else if (found.end == End::found && found.levels.size() > 1) {
-    all.emplace_back("Heavier tails than these can make failures more frequent; by how much is not estimated here.");
+    all.emplace_back(
+        "Heavier tails than these can make failures more frequent. By how much is not estimated here: failures do not "
+        "lie in one direction, or no law is normal.");
   }
   if (study.options.question.relation == campaign::Relation::is) {
     all.emplace_back(
-        "The search follows hold error, rest error, Mach number and gyro bias. Failures by something without a figure, "
-        "such as canards that oscillate, are found by chance only.");
+        "The search follows hold error, rest error, fin offset, phase margin, tilt, Mach number, angle of attack and "
+        "gyro bias. Failures by something else, or that come at once, are found by chance only.");
   }
   if (study.events_share > 0.0) {
     const std::string share = fixed(100.0 * study.events_share, 0);
     if (study.options.question.relation == campaign::Relation::is) {
       all.back() += fmt::format(" {} % of the failed flights failed so.", share);
     } else {
-      all.push_back(share + " % of the failed flights have no such figure.");
+      all.push_back(share + " % of the failed flights do not have the figure of the question.");
     }
   }
   if (!study.discrete.empty()) {

@@ -21,6 +21,7 @@ namespace fantail::rare {
 namespace {
 
 constexpr std::size_t worst_shown = 3;
+constexpr std::size_t flights_of_yardstick = 100;
 constexpr std::size_t samples_of_a_part = 40;
 constexpr std::size_t chains_of_a_part = 4;  // each of ten flights
 
@@ -37,6 +38,18 @@ Found found_at(const Task& task, const Sample& sample) {
   return found;
 }
 
+/// Flown first, on as many threads as all others.
+Yardstick yardstick_of(const Task& task, const Settings& settings, const std::function<void()>& look) {
+  std::vector<Left> plain(flights_of_yardstick);
+  const runs::Flights flights =
+      runs::rows_into<Left>(plain, samples_of_a_part, "yardstick_", [&](std::uint64_t number) {
+        const auto flown = task.fly(plain_point(settings, static_cast<std::size_t>(number)));
+        return flown ? flown->left : Left{};
+      });
+  (void)runs::run(flights, task.options.kept, task.options.threads, [&](std::uint64_t /*done*/) { look(); });
+  return {task.options.question, plain};
+}
+
 }  // namespace
 
 Study search(const Options& options, const std::function<void(std::uint64_t)>& look) {
@@ -45,6 +58,10 @@ Study search(const Options& options, const std::function<void(std::uint64_t)>& l
   }
   const Task task{options};
   std::atomic<std::uint64_t> flown{0};
+  const Settings settings{.master_seed = options.campaign.seed,
+                          .dimensions = task.drawer.dimensions(),
+                          .samples_a_level = options.flights_a_level};
+  const Yardstick yardstick = yardstick_of(task, settings, [&] { look(++flown); });
   const MakeAll make_all = [&](std::size_t batch, std::size_t count, const std::function<Chain(std::size_t)>& make) {
     std::vector<Chain> chains(count);
     const runs::Flights flights = runs::rows_into<Chain>(
@@ -59,13 +76,10 @@ Study search(const Options& options, const std::function<void(std::uint64_t)>& l
     }
     return chains;
   };
-  const Settings settings{.master_seed = options.campaign.seed,
-                          .dimensions = task.drawer.dimensions(),
-                          .samples_a_level = options.flights_a_level};
   const Margin margin = [&](const Point& point) {
     const auto found = task.fly(point);
     flown += found ? 1 : 0;
-    return found ? std::optional{found->margin} : std::nullopt;
+    return found ? std::optional{yardstick.margin(found->left, found->is_failed)} : std::nullopt;
   };
   Study study{.scenario = task.middle.name,
               .vehicle = task.middle.vehicle.name,
@@ -81,8 +95,15 @@ Study search(const Options& options, const std::function<void(std::uint64_t)>& l
   if (std::ranges::count(study.estimate.plain_margins, failed_by_an_event) == 0) {
     study.events_unseen = distributions::upper_bound_95(0, study.estimate.plain_margins.size());
   }
+  if (study.estimate.nearest) {
+    const auto nearest = task.fly(study.estimate.nearest->point);
+    const auto which = yardstick.nearest(nearest->left);
+    study.led_to = which && options.question.relation == campaign::Relation::is
+                       ? std::optional{std::string{followed[*which]}}
+                       : std::nullopt;
+  }
   const std::vector<Sample>& failing = study.estimate.failing;
-  if (failing.empty()) {
+  if (failing.empty() || study.estimate.end == End::always_fails) {
     return study;
   }
   study.likeliest = found_at(task, *std::ranges::min_element(failing, {}, distance));
@@ -111,7 +132,7 @@ void fly_again(Study& study, const std::filesystem::path& folder, const std::fun
     std::optional<sim::Scenario> scenario;  // empty: the files refuse what was drawn together
     const auto flown =
         task.fly(found.point, [&](const sim::Scenario& as_flown, const auto&, const auto&) { scenario = as_flown; });
-    if (!flown || flown->margin != found.margin) {
+    if (!flown || !flown->is_failed) {
       throw std::logic_error{"a flight of the search is another one when it is flown again"};
     }
     found.outcome = flown->run.outcome;

@@ -37,7 +37,8 @@ struct Found {
   std::string folder{};  ///< of its flight report; empty: none was written
 };
 
-/// One quantity over flights that failed.
+/// One quantity over flights that failed. In two places at once (a bias of either sign) its mean says how many flights
+/// are in which, by chance of the search: how far it moved is what counts then.
 struct Quantity {
   std::string name{};             ///< as runs.csv has it
   double mean_sigmas = 0.0;       ///< 0 in all flights, failed or not
@@ -45,6 +46,9 @@ struct Quantity {
 
   /// Of both: how far it is from its mean, in whatever direction; 1 in all flights.
   [[nodiscard]] double far_sigmas() const { return std::hypot(mean_sigmas, deviation_sigmas); }
+  [[nodiscard]] bool is_one_way() const { return std::abs(mean_sigmas) > 0.7 * far_sigmas(); }
+  /// More than the samples of a search are off by chance.
+  [[nodiscard]] bool has_moved() const { return is_one_way() ? std::abs(mean_sigmas) >= 0.5 : far_sigmas() >= 1.5; }
 };
 
 /// Of the failed flights those that fail by one thing.
@@ -64,12 +68,13 @@ struct Study {
   std::optional<Found> likeliest{};     ///< of the failed flights the one nearest to the middle of all laws
   std::vector<Found> worst{};           ///< the most negative margins
   std::vector<std::string> discrete{};  ///< fields that are drawn from rows of a table
+  std::optional<std::string> led_to{};  ///< of `followed`: to what the search came nearest; of outcome=held
   double events_share = 0.0;            ///< of the failed flights: by something that no figure measures
   /// No flight of the first level failed by such a thing, so that up to so many can (95 %); empty: some did, and the
   /// levels behind them count them.
   std::optional<double> events_unseen{};
   /// What the probability would be if each normal law had the tails of Student's t distribution with five degrees of
-  /// freedom and the same standard deviation: of the half space behind the likeliest failure.
+  /// freedom and the same standard deviation: of the half space of this probability where the failures are.
   std::optional<double> with_heavier_tails{};
   result::Made made{};  ///< the caller's
 };

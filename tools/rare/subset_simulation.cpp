@@ -16,6 +16,7 @@
 namespace fantail::rare {
 namespace {
 
+constexpr std::uint64_t plain_stream = 3'999;
 constexpr std::uint64_t first_stream = 4'000;  // one a level; those of a campaign and of the world are others
 constexpr int most_draws = 1'000;              // of a point that the laws exclude
 constexpr double best_acceptance = 0.44;
@@ -29,12 +30,17 @@ sim::Random random_of(const Settings& settings, std::size_t level, std::size_t c
   return {runs::key_of_run(settings.master_seed, chain), first_stream + level};
 }
 
+Point point_from(sim::Random& random, std::size_t dimensions) {
+  Point point{.normals = std::vector<double>(dimensions)};
+  std::ranges::generate(point.normals, [&] { return random.gaussian(); });
+  point.seed = seed_from(random);
+  return point;
+}
+
 Chain plain_sample(const Settings& settings, const Margin& margin, std::size_t number) {
   sim::Random random = random_of(settings, 0, number);
   for (int draws = 0; draws < most_draws; ++draws) {
-    Sample sample{.point = {.normals = std::vector<double>(settings.dimensions), .seed = 0}};
-    std::ranges::generate(sample.point.normals, [&] { return random.gaussian(); });
-    sample.point.seed = seed_from(random);
+    Sample sample{.point = point_from(random, settings.dimensions)};
     if (const auto found = margin(sample.point)) {
       sample.margin = *found;
       return {.samples = {std::move(sample)}};
@@ -174,6 +180,11 @@ void conclude(Estimate& found) {
 
 }  // namespace
 
+Point plain_point(const Settings& settings, std::size_t number) {
+  sim::Random random{runs::key_of_run(settings.master_seed, number), plain_stream};
+  return point_from(random, settings.dimensions);
+}
+
 Estimate estimate(const Settings& settings, const Margin& margin, const MakeAll& make_all) {
   Estimate found{.probability = 1.0};
   double factor = first_step;
@@ -200,10 +211,11 @@ Estimate estimate(const Settings& settings, const Margin& margin, const MakeAll&
       found.probability *= share;
     };
     found.failing = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(failing)};
+    found.nearest = all.front();
     const bool is_last = level + 1 == settings.most_levels;
     if (failing >= kept || (is_last && failing > 0)) {
       add_to_curve(found, all, 0);
-      note(std::nextafter(0.0, -1.0), failing);
+      note(0.0, failing);
       found.end = level == 0 && failing == count ? End::always_fails : End::found;
       break;
     }

@@ -48,8 +48,8 @@ struct Settings {
 };
 inline constexpr double share_kept = 0.1;
 
-/// The margin of a point; empty for one that the laws of its numbers exclude. From any thread. One margin is another
-/// flight: what it costs is counted by whoever flies.
+/// The margin of a point, never exactly zero; empty for one that the laws of its numbers exclude. From any thread. One
+/// margin is another flight: what it costs is counted by whoever flies.
 using Margin = std::function<std::optional<double>(const Point& point)>;
 
 /// Makes `chains` items by calling `make` for each number below, in any order and on any thread: each depends on
@@ -81,12 +81,16 @@ struct Estimate {
   double high = 1.0;
   std::vector<Level> levels{};
   std::vector<Sample> failing{};        ///< of the last level, the most negative margin first
+  std::optional<Sample> nearest{};      ///< of the last level that with the smallest margin
   double stuck_at = 0.0;                ///< of does_not_advance: the margin that most samples have
   std::vector<double> plain_margins{};  ///< of the first level
   std::uint64_t points = 0;             ///< that were looked at
   /// How probable a margin of at most so much is, the largest margin first.
   std::vector<std::pair<double, double>> curve{};
 };
+
+/// The plain sample of this number: another than those of estimate(), which come from other streams.
+[[nodiscard]] Point plain_point(const Settings& settings, std::size_t number);
 
 [[nodiscard]] Estimate estimate(const Settings& settings, const Margin& margin, const MakeAll& make_all);
 

@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "rare/margin.hpp"
-
 namespace fantail::rare {
 
 Task::Task(const Options& asked) : Task{asked, campaign::files_of(asked.campaign)} {}
@@ -28,15 +26,16 @@ std::optional<Task::Flown> Task::fly(const Point& point, const campaign::LookAtF
   if (!files) {
     files = std::make_unique<input::ScenarioFiles>(campaign::files_of(options.campaign));
   }
-  Flown flown{.margin = failed_by_an_event};
+  Flown flown;
   flown.run = campaign::fly_drawn(
       *files, *std::move(draw), point.seed,
       [&](const sim::Scenario& scenario, const campaign::FlownRun& run, const campaign::JudgedFlight& judged) {
-        flown.margin = margin(options.question, scenario, run, judged);
+        flown.left = left_of(options.question, scenario, run, judged);
         if (look) {
           look(scenario, run, judged);
         }
       });
+  flown.is_failed = options.question.is_failed_by(flown.run);
   const std::lock_guard lock{mutex_};
   idle_.push_back(std::move(files));
   return flown;

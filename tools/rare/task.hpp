@@ -9,11 +9,12 @@
 #include "campaign/draw.hpp"
 #include "campaign/flown_run.hpp"
 #include "input/scenario_file.hpp"
+#include "rare/margin.hpp"
 #include "rare/study.hpp"
 
 namespace fantail::rare {
 
-/// What a search flies: a point becomes a flight and its margin. The options outlive it.
+/// What a search flies: a point becomes a flight, and what is left to its limits. The options outlive it.
 class Task {
  public:
   /// Throws text::Error for files without spread, or that do not fly.
@@ -21,7 +22,8 @@ class Task {
 
   struct Flown {
     campaign::FlownRun run{};
-    double margin = 0.0;
+    Left left{};
+    bool is_failed = false;
   };
   /// From any thread. Empty where the laws exclude the point. `look` as campaign::fly_drawn() calls it. Throws
   /// text::Error where a field refuses the point.
