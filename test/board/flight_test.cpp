@@ -77,6 +77,29 @@ TEST_F(FlashedImage, HasPulsesAgainWithinTenMillisecondsOfAnyResetAndFortyWithou
   EXPECT_TRUE(flight.board().violations().empty()) << flight.board().violations().front();
 }
 
+TEST_F(FlashedImage, BeginsItsPulsesAtTheSameInstantOfATickBehindItsCommandsBeforeAndAfterAnyReset) {
+  const Image image{image_file};
+  const auto scenario = input::load_scenario("tasha3_launch2", {});
+  std::optional<TickMeter> meter;
+  BoardFlight flight{image, scenario};
+  meter.emplace(image, flight.board());
+  ASSERT_TRUE(flight.fly_to(core::Phase::controlling, 30.0));
+  const auto begins_s = [&] {
+    flight.fly_for(0.1);
+    return std::fmod(flight.board().chip.pulses().back().begin_s - meter->began_s() + 0.1, 1e-3);
+  };
+  meter->forget();
+  EXPECT_NEAR(begins_s(), 0.5e-3, 20e-6);
+  EXPECT_LT(meter->last_written_s(), 0.3e-3);
+  for (const ResetCase& each : all_resets(image)) {
+    if (each.flies_on) {
+      flight.board().processor.run_for(0.37e-3);
+      each.happens(flight.board());
+      EXPECT_NEAR(begins_s(), 0.5e-3, 20e-6) << each.name;
+    }
+  }
+}
+
 TEST_F(FlashedImage, WithoutTheAddressSpaceThatTheEmulatorWantsItSaysSo) {
   const test::Folder folder;
   const test::Outcome outcome = test::fantail({"fly", "tasha3_launch2", "--on", "board", "--image", image_file},

@@ -34,6 +34,7 @@ class TickMeter {
   TickMeter& operator=(const TickMeter&) = delete;
 
   void forget() { longest_s_ = last_written_s_ = 0.0; }
+  [[nodiscard]] double began_s() const { return began_s_; }  ///< the latest tick
   [[nodiscard]] double longest_s() const { return longest_s_; }
   /// From the beginning of a tick to its pulses in the registers of the timer, at most.
   [[nodiscard]] double last_written_s() const { return last_written_s_; }

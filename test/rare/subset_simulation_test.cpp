@@ -104,6 +104,18 @@ TEST(SubsetSimulation, AgreesWithPlainSamplesOfOneInAThousand) {
   EXPECT_GE(all.covered, 0.85);
 }
 
+// As a roll that is held until the canards do not suffice.
+TEST(SubsetSimulation, FindsFailuresThatBeginBeforeTheMarginThatLedThereIsUsedUp) {
+  const double begins = 3.6;
+  const Repeats all = repeat(100, {.master_seed = 1, .dimensions = 5, .samples_a_level = 1000}, upper_tail(begins),
+                             [=](const Point& point) {
+                               const double z = point.normals[1];
+                               return std::optional{z > begins ? -100.0 * z : 4.0 - z};
+                             });
+  EXPECT_NEAR(all.mean, upper_tail(begins), 0.1 * upper_tail(begins));
+  EXPECT_GE(all.covered, 0.85);
+}
+
 TEST(SubsetSimulation, LeavesOutWhatALawExcludes) {
   // Of the half that is allowed one in 740 lies beyond three.
   const Margin half = [](const Point& point) {

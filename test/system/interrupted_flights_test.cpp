@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "summary.json",
                              true},
                     Question{"hardover", {"campaign", "hardover", "--step", "2"}, "hardover_parts", "hardover.json"},
-                    Question{"rare", {"campaign", "rare", "--flights", "100"}, "rare_parts", "rare.json"},
+                    Question{"rare", {"campaign", "rare", "--flights", "100", "--share", "apogee_m>=340"}, "rare_parts", "rare.json"},
                     Question{
                         "predict", {"predict", "tasha3_launch2", "--runs", "100"}, "predict_parts", "predict.json"}),
     [](const auto& one) { return std::string{one.param.name}; });

@@ -150,7 +150,7 @@ constexpr auto fields = std::to_array<Field<sim::Vehicle>>({
   {section, "specific_force_bias_m_s2", number("m/s2", {-5, 5}), may, AT(sensor.specific_force_bias_m_s2), "Added to every axis."}, \
   {section, "full_scale_g", number(g, {2, 400}), may, AT(sensor.full_scale_m_s2), "Largest specific force that it can measure."}, \
   {section, "misalignment_deg", number(deg, {0, 10}), may, AT(sensor.misalignment_rad), "The package is turned by this about a random axis across the rocket."}, \
-  {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "Delay from measurement to delivery."}, \
+  {section, "delay_s", number("s", {0, 0.02}), may, AT(sensor.delay_s), "Delay from measurement to delivery; of an IMU its filters, its sampling, and a tick up to its commands."}, \
   {section, "to_nose", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.to_nose), "Which of its axes truly points to the nose; the plan has what the avionics assume."}, \
   {section, "along_y", choice(core::plan_table::sensor_axis_names), may, AT(sensor.mounting.along_y), "Which of its axes truly points along the rocket's y; the third follows."}, \
   {section, "position_m", number("m", {0, 30}), may, AT(feels.position_m), "Position from the tip of the nose; absent: at the centre of gravity. Used in six degrees of freedom."}, \

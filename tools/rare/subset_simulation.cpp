@@ -22,7 +22,8 @@ constexpr int most_draws = 1'000;              // of a point that the laws exclu
 constexpr double best_acceptance = 0.44;
 constexpr double first_step = 0.8;
 constexpr double smallest_step = 0.02;
-constexpr std::size_t groups = 5;  // of chains: each begins with the step that the ones before it found
+constexpr double largest_factor = 10.0;  // where one number alone decides, those that begin are close together
+constexpr std::size_t groups = 5;        // of chains: each begins with the step that the ones before it found
 
 std::uint64_t seed_from(sim::Random& random) { return random.bits() >> 11U; }  // 53 bits, as of every flight
 
@@ -93,7 +94,7 @@ std::vector<double> steps_from(const std::vector<Sample>& begin, double factor) 
       squares += sample.point.normals[i] * sample.point.normals[i];
     }
     const double variance = std::max(0.0, squares / count - sum * sum / (count * count));
-    steps[i] = factor * std::min(1.0, std::sqrt(variance));
+    steps[i] = std::min(1.0, factor * std::sqrt(variance));
   }
   return steps;
 }
@@ -245,7 +246,7 @@ Estimate estimate(const Settings& settings, const Margin& margin, const MakeAll&
                     moves);
       });
       if (const auto accepted_of_group = accepted_of(own)) {
-        factor = std::clamp(factor * std::exp(*accepted_of_group - best_acceptance), smallest_step, 1.0);
+        factor = std::clamp(factor * std::exp(*accepted_of_group - best_acceptance), smallest_step, largest_factor);
       }
       std::ranges::move(own, std::back_inserter(chains));
     }

@@ -26,8 +26,8 @@ using namespace hal::stm32f4;  // NOLINT(google-build-using-namespace): this fil
 constexpr Battery::Wiring battery_wiring{.channel = 12, .reference_mv = 3'300, .divider = 11};
 constexpr std::uint32_t buzzer_hz = 2'700;  // where a small piezo is loudest
 
-/// In a tick: behind its commands, as long as an instruction takes less than 4 cycles (board_timing).
-constexpr hal::Microseconds frame_begins{400};
+/// In a tick: behind its commands, as long as an instruction takes at most 3.5 cycles (board_timing).
+constexpr hal::Microseconds frame_begins{500};
 
 enum Interrupt : std::uint8_t { can1_tx = 19, can1_rx0 = 20, can1_sce = 22, usart1_all = 37 };
 

@@ -55,6 +55,15 @@ TEST_F(TheClock, GoesOnWhereItIsTold) {
   EXPECT_EQ(clock.now(), 61s + 1'700us);
 }
 
+TEST_F(TheClock, SaysHowLongAgoAMillisecondBeganWhateverTimeItGoesOnAt) {
+  pass(2'300us);
+  EXPECT_EQ(clock.since_tick(), 300us);
+  clock.begin_at(Microseconds{61'000'123});
+  EXPECT_EQ(clock.since_tick(), 300us);
+  pass(900us);
+  EXPECT_EQ(clock.since_tick(), 200us);
+}
+
 TEST_F(TheClock, IsRightWhileItsInterruptHasToWait) {
   pass(990us);
   systick.processor.masked = true;

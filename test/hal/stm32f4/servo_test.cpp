@@ -36,6 +36,18 @@ TEST_F(TheServo, TheFrameIsThreeMillisecondsAndAStepFinerThanATenthOfAMicrosecon
   EXPECT_LT(nanoseconds(1), 100.0);
 }
 
+TEST_F(TheServo, AFrameBeginsWhenItIsToldAndThenEveryThreeMilliseconds) {
+  for (const Microseconds wait : {0us, 1us, 400us, 2'999us}) {
+    timer.pass(1'234);
+    servo.begin_frame_in(wait);
+    const std::uint64_t told = timer.clocks();
+    timer.finish_frame();
+    const double waited_us = static_cast<double>(timer.clocks() - told) / full_speed_hz * 1e6;
+    EXPECT_NEAR(std::fmod(waited_us, 3'000.0), static_cast<double>(wait.count()), 0.05);
+    EXPECT_DOUBLE_EQ(nanoseconds(timer.counts_per_frame()), 3e6);
+  }
+}
+
 TEST_F(TheServo, OutputsAreOffUntilTheFirstPulse) {
   EXPECT_EQ(timer.next_frame().driven, nothing_driven);
   servo.write({});
