@@ -93,7 +93,7 @@ TEST_F(FlashedImage, BeginsItsPulsesAtTheSameInstantOfATickBehindItsCommandsBefo
   EXPECT_LT(meter->last_written_s(), 0.3e-3);
   for (const ResetCase& each : all_resets(image)) {
     if (each.flies_on) {
-      flight.board().processor.run_for(0.37e-3);
+      flight.board().run_until(flight.board().now_s() + 0.37e-3);
       each.happens(flight.board());
       EXPECT_NEAR(begins_s(), 0.5e-3, 20e-6) << each.name;
     }

@@ -41,7 +41,8 @@ struct Figures {
   std::optional<double> centring_error_rad;  ///< mean of the two; of a sine: of before and after it
   std::optional<double> backlash_rad;        ///< difference of the two, without sign
   std::optional<double> stands_at_rad;       ///< mean of all readings at rest
-  std::optional<double> drift_rad_s;         ///< fastest still seen long after the command stood, without sign
+  std::optional<double> drift_rad_s;         ///< fastest still seen long after the command stood, without
+                                             ///< sign, and without what noise can be of it
 
   std::optional<double> slew_rad_s;     ///< fastest 10 ms of the widest step
   std::optional<double> slew_way_rad;   ///< command change of that step, without sign

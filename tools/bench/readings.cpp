@@ -100,8 +100,10 @@ std::optional<Rest> rest_of(const CanardTrace& trace, const Window& window) {
   if (line.readings < fewest_at_rest) {
     return std::nullopt;
   }
+  const double variance_rad2 = std::max(line.left_over, 0.0) / (line.readings - 2.0);
   return Rest{.drift_rad_s = line.slope,
-              .variance_rad2 = std::max(line.left_over, 0.0) / (line.readings - 2.0),
+              .drift_error_rad_s = std::sqrt(variance_rad2 / (line.variance * line.readings)),
+              .variance_rad2 = variance_rad2,
               .readings = line.readings};
 }
 

@@ -51,6 +51,7 @@ struct LineFit {
 /// Drift and noise around a straight line over time.
 struct Rest {
   double drift_rad_s = 0.0;
+  double drift_error_rad_s = 0.0;  ///< standard error
   double variance_rad2 = 0.0;
   double readings = 0.0;
 };

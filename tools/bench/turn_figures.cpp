@@ -146,6 +146,7 @@ void add_centre(const CanardTrace& trace, Figures& f) {
 }
 
 void add_rest(const CanardTrace& trace, Figures& f) {
+  constexpr double by_chance = 5.0;  // standard errors: a PC that stalled may have left 20 readings of a rest
   double squares = 0.0;
   double readings = 0.0;
   double levels = 0.0;
@@ -156,7 +157,8 @@ void add_rest(const CanardTrace& trace, Figures& f) {
     if (const auto rest = rest_of(trace, window)) {
       squares += rest->variance_rad2 * (rest->readings - 2.0);
       readings += rest->readings - 2.0;
-      f.drift_rad_s = std::max(f.drift_rad_s.value_or(0.0), std::abs(rest->drift_rad_s));
+      f.drift_rad_s =
+          std::max(f.drift_rad_s.value_or(0.0), std::abs(rest->drift_rad_s) - by_chance * rest->drift_error_rad_s);
     }
     if (const auto level = level_rad(trace, window)) {
       levels += *level;
