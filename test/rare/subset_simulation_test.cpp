@@ -68,6 +68,19 @@ TEST(SubsetSimulation, FindsOneInAMillionBehindAPlane) {
   EXPECT_GE(all.covered, 0.85);
 }
 
+TEST(SubsetSimulation, FindsWhatOneNumberAloneDecides) {
+  const double distance = 4.75;
+  for (const std::size_t samples : {300, 1000, 3000}) {
+    const Repeats all =
+        repeat(100, {.master_seed = 1, .dimensions = 1, .samples_a_level = samples}, upper_tail(distance),
+               [=](const Point& point) { return std::optional{distance - point.normals[0]}; });
+    EXPECT_GE(all.covered, 0.8) << samples;
+    if (samples == 3000) {
+      EXPECT_NEAR(all.mean, upper_tail(distance), 0.1 * upper_tail(distance));
+    }
+  }
+}
+
 TEST(SubsetSimulation, FindsOneInAThousandOnTwoSidesWhereTheSeedDecidesToo) {
   const double distance = 3.0;
   const auto noise = [](std::uint64_t seed) {

@@ -68,21 +68,22 @@ TEST_P(InterruptedFlights, GoOnWhenTheSameCommandIsGivenAgain) {
 
 INSTANTIATE_TEST_SUITE_P(
     Of, InterruptedFlights,
-    testing::Values(Question{"campaign", {"campaign", "--runs", "192"}, "parts", "runs.csv.gz"},
-                    Question{"detection",
-                             {"campaign", "detection", "--kind", "launch", "--launches", "4096"},
-                             "parts",
-                             "summary.json",
-                             true},
-                    Question{"faults",
-                             {"campaign", "faults", "tasha3_launch2", "--device", "arm_switch", "--every", "1000"},
-                             "parts",
-                             "summary.json",
-                             true},
-                    Question{"hardover", {"campaign", "hardover", "--step", "2"}, "hardover_parts", "hardover.json"},
-                    Question{"rare", {"campaign", "rare", "--flights", "100", "--share", "apogee_m>=340"}, "rare_parts", "rare.json"},
-                    Question{
-                        "predict", {"predict", "tasha3_launch2", "--runs", "100"}, "predict_parts", "predict.json"}),
+    testing::Values(
+        Question{"campaign", {"campaign", "--runs", "192"}, "parts", "runs.csv.gz"},
+        Question{"detection",
+                 {"campaign", "detection", "--kind", "launch", "--launches", "4096"},
+                 "parts",
+                 "summary.json",
+                 true},
+        Question{"faults",
+                 {"campaign", "faults", "tasha3_launch2", "--device", "arm_switch", "--every", "1000"},
+                 "parts",
+                 "summary.json",
+                 true},
+        Question{"hardover", {"campaign", "hardover", "--step", "2"}, "hardover_parts", "hardover.json"},
+        Question{
+            "rare", {"campaign", "rare", "--flights", "100", "--share", "apogee_m>=340"}, "rare_parts", "rare.json"},
+        Question{"predict", {"predict", "tasha3_launch2", "--runs", "100"}, "predict_parts", "predict.json"}),
     [](const auto& one) { return std::string{one.param.name}; });
 
 }  // namespace

@@ -40,10 +40,11 @@ inline void fields(runs::RowText& text, Left& left) { text(left.of); }
                            const campaign::FlownRun& run, const campaign::JudgedFlight& judged);
 
 /// The margin of a flight that fails by something that no figure measures: never armed for want of a sensor, canards
-/// that oscillate. Nothing leads there, and such flights are found by chance only.
-inline constexpr double failed_by_an_event = -std::numeric_limits<double>::min();
+/// that oscillate, no such figure. Nothing leads there, so the levels of a search leave such flights out: how frequent
+/// they are the plain flights say.
+inline constexpr double failed_by_an_event = std::numeric_limits<double>::infinity();
 /// Of one that noise has tipped over a limit which its gyro bias had all but reached.
-inline constexpr double just_failed = 2.0 * failed_by_an_event;
+inline constexpr double just_failed = -std::numeric_limits<double>::min();
 
 /// Makes one number of all that is left. Figures of different units and spreads are comparable as so many of their own
 /// standard deviations: a limit that no flight ever comes near must not hide the one that is reached first.
@@ -52,7 +53,7 @@ class Yardstick {
   /// Of flights that were drawn plainly. Of a question about a figure the unit stays that of the figure.
   Yardstick(const campaign::Question& question, std::span<const Left> plain);
 
-  /// How far a flight is from failing: below zero exactly where it fails.
+  /// How far a flight is from failing: below zero exactly where it fails by a figure.
   [[nodiscard]] double margin(const Left& left, bool is_failed) const;
   /// Which of `followed` is nearest to its limit, or farthest beyond; empty: none has a figure.
   [[nodiscard]] std::optional<std::size_t> nearest(const Left& left) const;

@@ -123,16 +123,19 @@ std::optional<double> heavier_tails(const Task& task, const Estimate& estimate) 
   }
   constexpr double plays_no_part = 1e-3;
   std::vector<Part> parts;
+  bool is_cut = false;  // no tails beyond
   std::size_t dimension = 0;
   for (const campaign::Spread& spread : task.spreads) {
     for (std::size_t i = 0; i < spread.dimensions(); ++i, ++dimension) {
       const double factor = std::abs(mean[dimension]) / length;
       if (factor > plays_no_part) {
         parts.push_back({.factor = factor, .is_student = spread.law == campaign::Law::normal});
+        is_cut = is_cut || spread.outside == campaign::Outside::truncate;
       }
     }
   }
-  return std::ranges::any_of(parts, &Part::is_student) ? std::optional{tail_of_sum(parts, reach)} : std::nullopt;
+  return !is_cut && std::ranges::any_of(parts, &Part::is_student) ? std::optional{tail_of_sum(parts, reach)}
+                                                                  : std::nullopt;
 }
 
 }  // namespace fantail::rare

@@ -9,10 +9,17 @@
 #include "campaign/criteria.hpp"
 #include "campaign/results.hpp"
 #include "distributions/shares.hpp"
+#include "rare/margin.hpp"
 #include "text/number.hpp"
 
 namespace fantail::rare {
 namespace {
+
+/// What the plain flights that failed without a figure show at least.
+double events_low(const Study& study) {
+  const auto& plain = study.estimate.plain_margins;
+  return study.events == 0 ? 0.0 : distributions::wilson(study.events, plain.size()).low;
+}
 
 using result::Answer;
 using text::fixed;
@@ -67,11 +74,6 @@ std::string modes_text(const Study& study) {
   return all.empty() ? "" : fmt::format("{}. In brackets:{}.", all, in_sigmas);
 }
 
-/// The most frequent that failures can be which no figure announces: nothing leads to them.
-double unseen(const Study& study) {
-  return study.options.question.relation == campaign::Relation::is ? study.events_unseen.value_or(0.0) : 0.0;
-}
-
 /// So many plain flights without a failure bound failures to this.
 std::uint64_t flights_for(double probability) {
   std::uint64_t flights = 1;
@@ -96,25 +98,33 @@ std::string required_text(const Study& study) {
   if (found.end == End::found && found.high > required) {
     return asked + "Not decided: it lies within the interval.";
   }
-  const std::string why =
-      found.end == End::found
-          ? fmt::format("the interval meets it, but failures without a figure are only known to be rarer than {}",
-                        chance(unseen(study)))
-          : std::string{"no plain flight failed, but too few were flown to say that"};
+  const std::string why = found.end != End::found
+                              ? fmt::format("the plain flights bound failures to {} only", chance(plain_bound(study)))
+                              : fmt::format(
+                                    "the interval meets it, but flights that fail without a figure are only "
+                                    "known to be rarer than {}",
+                                    chance(events_bound(study)));
   constexpr std::uint64_t most_flights = 1'000'000;
-  const std::uint64_t needed = required > 1e-7 ? flights_for(required) : most_flights + 1;
+  const double left = found.end == End::found ? required - found.high : required;
+  const std::uint64_t needed = left > 1e-7 ? flights_for(left) : most_flights + 1;
   return fmt::format("{}Not decided: {}.{}", asked, why,
-                     needed > most_flights || found.end == End::does_not_advance
+                     needed > most_flights || found.end == End::does_not_advance || study.events > 0
                          ? ""
                          : fmt::format(" With --flights {} that can be decided.", needed));
 }
 
 }  // namespace
 
-double plain_bound(const Estimate& found) {
-  return distributions::upper_bound_95(static_cast<std::uint64_t>(std::ranges::count_if(
-                                           found.plain_margins, [](double margin) { return margin < 0.0; })),
-                                       found.plain_margins.size());
+double plain_bound(const Study& study) {
+  const auto is_failed = [](double margin) { return margin < 0.0 || margin == failed_by_an_event; };
+  const auto& plain = study.estimate.plain_margins;
+  return distributions::upper_bound_95(static_cast<std::uint64_t>(std::ranges::count_if(plain, is_failed)),
+                                       plain.size());
+}
+
+double events_bound(const Study& study) {
+  const auto& plain = study.estimate.plain_margins;
+  return plain.empty() ? 1.0 : distributions::upper_bound_95(study.events, plain.size());
 }
 
 std::string words_of(const std::string& criterion) {
@@ -130,10 +140,10 @@ Answer answer_of(const Study& study) {
   const double required = *study.options.at_most;
   switch (found.end) {
     case End::found:
-      return found.low > required                                  ? Answer::no
-             : found.high <= required && unseen(study) <= required ? Answer::yes
-                                                                   : Answer::undecided;
-    case End::never_fails: return plain_bound(found) <= required ? Answer::yes : Answer::undecided;
+      return found.low > required || events_low(study) > required ? Answer::no
+             : found.high + events_bound(study) <= required       ? Answer::yes
+                                                                  : Answer::undecided;
+    case End::never_fails: return plain_bound(study) <= required ? Answer::yes : Answer::undecided;
     case End::always_fails: return required < 1.0 ? Answer::no : Answer::yes;
     case End::does_not_advance: break;
   }
@@ -159,31 +169,42 @@ std::string sentence(const Study& study) {
       std::string all =
           fmt::format("\"{}\" fails in {} (probability {:.2g}, 95 % interval {:.2g} to {:.2g}), by {}.", question,
                       of_flights(found.probability), found.probability, found.low, found.high, flights);
-      if (unseen(study) > found.low) {
+      if (events_bound(study) > found.low) {
         all += fmt::format(
-            " Failures that no figure announces are {} in it: none of {} plain flights had one, so they can be as "
+            " Flights that fail without a figure {} are not in it: {} of {} plain flights did, so they can be as "
             "frequent as {}.",
-            study.events_share > 0.0 ? "only partly" : "not", found.plain_margins.size(), chance(unseen(study)));
+            study.options.question.relation == campaign::Relation::is ? "that announces it" : "of the question",
+            study.events == 0 ? std::string{"none"} : std::to_string(study.events), found.plain_margins.size(),
+            chance(events_bound(study)));
       }
       return all + modes_text(study) + required_text(study);
     }
     case End::never_fails:
       return fmt::format(
-          "In {} no failure of \"{}\" was found. None of the first {} failed, which were drawn plainly: failures are "
-          "rarer than {} (95 %). The others were led towards {}, without reaching one. How rare a failure of another "
-          "kind is they do not tell.{}",
-          flights, question, found.plain_margins.size(), chance(plain_bound(found)),
+          "In {} no failure of \"{}\" was found by a figure. Of the first {}, which were drawn plainly, {} failed "
+          "without one: failures are rarer than {} (95 %). The others were led towards {}, without reaching one. How "
+          "rare a failure of another kind is they do not tell.{}",
+          flights, question, found.plain_margins.size(),
+          study.events == 0 ? std::string{"none"} : std::to_string(study.events), chance(plain_bound(study)),
           study.led_to ? "the limit of " + *study.led_to : "the bound", required_text(study));
     case End::always_fails:
       return fmt::format("All of {} fail \"{}\": this is not rare.{}", flights, question, required_text(study));
     case End::does_not_advance: break;
   }
+  const std::string required =
+      study.options.at_most ? fmt::format(" Required: at most {:.4g}. Not decided.", *study.options.at_most) : "";
+  if (found.stuck_at == failed_by_an_event) {
+    return fmt::format("{} of {} plain flights failed \"{}\" by something that no figure measures: this is not rare.{}",
+                       study.events, found.plain_margins.size(), question, required);
+  }
   return fmt::format(
       "The search for failures of \"{}\" stopped after {}. More than half of the flights of a level have the same "
-      "margin, {:.4g}, so no flight leads to the next. {} fall below the last level that was reached{}.{}",
-      question, flights, found.stuck_at, of_flights(found.probability),
-      found.failing.empty() ? "" : fmt::format("; {} of its flights failed", found.failing.size()),
-      study.options.at_most ? fmt::format(" Required: at most {:.4g}. Not decided.", *study.options.at_most) : "");
+      "margin, {:.4g}, so no flight leads to the next.{}{}{}",
+      question, flights, std::abs(found.stuck_at) < 1e-300 ? 0.0 : found.stuck_at,
+      found.levels.empty() ? "" : fmt::format(" {} came so far.", of_flights(found.probability)),
+      found.failing.empty() ? " None of its flights failed by a figure."
+                            : fmt::format(" {} of its flights failed.", found.failing.size()),
+      required);
 }
 
 std::vector<std::string> limits(const Study& study) {
@@ -203,20 +224,12 @@ std::vector<std::string> limits(const Study& study) {
   } else if (found.end == End::found && found.levels.size() > 1) {
     all.emplace_back(
         "Heavier tails than these can make failures more frequent. By how much is not estimated here: failures do not "
-        "lie in one direction, or no law is normal.");
+        "lie in one direction, or no law has tails.");
   }
   if (study.options.question.relation == campaign::Relation::is) {
     all.emplace_back(
         "The search follows hold error, rest error, fin offset, phase margin, tilt, Mach number, angle of attack and "
         "gyro bias. Failures by something else, or that come at once, are found by chance only.");
-  }
-  if (study.events_share > 0.0) {
-    const std::string share = fixed(100.0 * study.events_share, 0);
-    if (study.options.question.relation == campaign::Relation::is) {
-      all.back() += fmt::format(" {} % of the failed flights failed so.", share);
-    } else {
-      all.push_back(share + " % of the failed flights do not have the figure of the question.");
-    }
   }
   if (!study.discrete.empty()) {
     all.push_back(
@@ -225,7 +238,7 @@ std::vector<std::string> limits(const Study& study) {
                     fmt::join(study.discrete, ", "), study.discrete.size() == 1 ? "is" : "are"));
   }
   if (found.end == End::found && found.levels.size() == 1) {
-    all.emplace_back("This is not rare: `fantail campaign` answers it with the same flights, and shows more.");
+    all.emplace_back("This is not rare: `fantail campaign` answers it with as many flights, and shows more.");
   }
   return all;
 }

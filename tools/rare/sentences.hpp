@@ -11,8 +11,9 @@ namespace fantail::rare {
 // What a study says, in words.
 
 [[nodiscard]] result::Answer answer_of(const Study& study);
-/// The first level alone, without a failure, bounds them to this (95 %).
-[[nodiscard]] double plain_bound(const Estimate& found);
+/// What the first level alone shows, 95 % upper bounds: of all failures, and of those without a figure.
+[[nodiscard]] double plain_bound(const Study& study);
+[[nodiscard]] double events_bound(const Study& study);
 [[nodiscard]] std::string heading(const Study& study);
 [[nodiscard]] std::string sentence(const Study& study);
 /// What the answer does not count, a sentence or two each.

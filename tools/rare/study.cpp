@@ -10,7 +10,6 @@
 
 #include <fmt/core.h>
 
-#include "distributions/shares.hpp"
 #include "rare/margin.hpp"
 #include "rare/modes.hpp"
 #include "rare/task.hpp"
@@ -92,9 +91,7 @@ Study search(const Options& options, const std::function<void(std::uint64_t)>& l
                              [](const input::NumberField& field) { return field.name(); });
     }
   }
-  if (std::ranges::count(study.estimate.plain_margins, failed_by_an_event) == 0) {
-    study.events_unseen = distributions::upper_bound_95(0, study.estimate.plain_margins.size());
-  }
+  study.events = static_cast<std::uint64_t>(std::ranges::count(study.estimate.plain_margins, failed_by_an_event));
   if (study.estimate.nearest) {
     const auto nearest = task.fly(study.estimate.nearest->point);
     const auto which = yardstick.nearest(nearest->left);
@@ -113,8 +110,6 @@ Study search(const Options& options, const std::function<void(std::uint64_t)>& l
     }
   }
   study.modes = modes_of(task, failing, [&] { look(flown); });
-  study.events_share = static_cast<double>(std::ranges::count(failing, failed_by_an_event, &Sample::margin)) /
-                       static_cast<double>(failing.size());
   if (study.estimate.end == End::found && study.estimate.levels.size() > 1) {
     study.with_heavier_tails = heavier_tails(task, study.estimate);
   }

@@ -69,10 +69,7 @@ struct Study {
   std::vector<Found> worst{};           ///< the most negative margins
   std::vector<std::string> discrete{};  ///< fields that are drawn from rows of a table
   std::optional<std::string> led_to{};  ///< of `followed`: to what the search came nearest; of outcome=held
-  double events_share = 0.0;            ///< of the failed flights: by something that no figure measures
-  /// No flight of the first level failed by such a thing, so that up to so many can (95 %); empty: some did, and the
-  /// levels behind them count them.
-  std::optional<double> events_unseen{};
+  std::uint64_t events = 0;             ///< plain flights that failed by something that no figure measures
   /// What the probability would be if each normal law had the tails of Student's t distribution with five degrees of
   /// freedom and the same standard deviation: of the half space of this probability where the failures are.
   std::optional<double> with_heavier_tails{};

@@ -137,8 +137,10 @@ std::vector<Sample> all_of(const std::vector<Chain>& chains) {
 void add_to_curve(Estimate& found, const std::vector<Sample>& all, std::size_t from) {
   const std::size_t step = std::max<std::size_t>(1, (all.size() - from) / 100);
   for (std::size_t i = all.size(); i > from; i -= std::min(step, i)) {
-    found.curve.emplace_back(all[i - 1].margin,
-                             found.probability * static_cast<double>(i) / static_cast<double>(all.size()));
+    if (std::isfinite(all[i - 1].margin)) {
+      found.curve.emplace_back(all[i - 1].margin,
+                               found.probability * static_cast<double>(i) / static_cast<double>(all.size()));
+    }
   }
 }
 

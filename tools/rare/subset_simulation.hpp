@@ -48,8 +48,9 @@ struct Settings {
 };
 inline constexpr double share_kept = 0.1;
 
-/// The margin of a point, never exactly zero; empty for one that the laws of its numbers exclude. From any thread. One
-/// margin is another flight: what it costs is counted by whoever flies.
+/// The margin of a point, never exactly zero; infinite where nothing leads from it to a failure; empty for one that the
+/// laws of its numbers exclude. From any thread. One margin is another flight: what it costs is counted by whoever
+/// flies.
 using Margin = std::function<std::optional<double>(const Point& point)>;
 
 /// Makes `chains` items by calling `make` for each number below, in any order and on any thread: each depends on
