@@ -15,8 +15,8 @@ import subprocess
 import sys
 
 PREFIX = "arm-none-eabi-"
-FLASH_LIMIT = 112 * 1024
-RAM_LIMIT = 56 * 1024
+FLASH_LIMIT = 128 * 1024  # sectors 0 to 4: with one more each flashing has 128 kB more to erase
+RAM_LIMIT = 64 * 1024  # half of SRAM1 and SRAM2
 
 # Names of the C library, of libgcc and of libstdc++ that stand for something a flight image does without.
 FORBIDDEN = {

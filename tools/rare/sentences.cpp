@@ -181,7 +181,7 @@ std::string sentence(const Study& study) {
     }
     case End::never_fails:
       return fmt::format(
-          "In {} no failure of \"{}\" was found by a figure. Of the first {}, which were drawn plainly, {} failed "
+          "In {} no failure of \"{}\" was found by a figure. The first {} were drawn plainly, and {} of them failed "
           "without one: failures are rarer than {} (95 %). The others were led towards {}, without reaching one. How "
           "rare a failure of another kind is they do not tell.{}",
           flights, question, found.plain_margins.size(),
