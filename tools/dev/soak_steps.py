@@ -49,6 +49,8 @@ STEPS = [
          "board_faults build/arm/fantail-stm32f405.elf test/board/device_faults.txt", []),
         ("board_timing", "Ticks of the flashed image, and its answers to a motion", "flight of each pace", 1,
          "board_timing build/arm/fantail-stm32f405.elf", [])]],
+    ("bench_zero", "The real bench finds a horn that is off, and its plan corrects it", "rocket", 1,
+     "tools/with_vcan --timeout 800 {host}/test/can/test_can --gtest_filter=CanSystem.ZeroFinds*", {}, []),
     ("board_bench", "The real bench and the flashed image on a bus", "sheet", 1,
      "tools/with_vcan --timeout 800 {host}/test/board/test_board_can --gtest_filter=VirtualBoard.PassesTheSheetOfTheBench", {}, []),
     ("proofs", "Every proof, with its seeded bugs", "run", 1,
