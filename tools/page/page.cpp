@@ -113,9 +113,9 @@ std::string html(const Page& page) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}{}{}</title>\n<style>{}{}{}</style>\n</head>\n"
       "<body>\n<main>\n{}{}</main>\n{}{}</body>\n</html>\n",
-      title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live.charts.empty() ? "" : uplot_css,
-      chart_css, page_css, content, footer(page, content), page.stamped ? "" : chart_scripts(content),
-      live_scripts(page.live));
+      title, title.empty() || kind.empty() ? "" : " \u00b7 ", kind, page.live ? uplot_css : "", chart_css, page_css,
+      content, footer(page, content), page.stamped ? "" : chart_scripts(content),
+      page.live ? live_scripts(*page.live) : "");
 }
 
 void set_made_by(std::string command, std::string version) {

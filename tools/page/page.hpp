@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,8 +37,8 @@ struct Page {
   std::string body_html{};
   std::string footer{};
   std::string
-      command{};      ///< that makes this page again, as it is typed; empty: that of set_made_by(), with its version
-  LiveCharts live{};  ///< of a live_figure() in the body
+      command{};  ///< that makes this page again, as it is typed; empty: that of set_made_by(), with its version
+  std::shared_ptr<const LiveCharts> live{};  ///< of a live_figure() in the body; null: there is none
 };
 
 [[nodiscard]] std::string html(const Page& page);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,9 @@ result::Document answer(const flight::Flight& flight, const Figures& figures, co
   std::vector<result::Section>& all = document.sections;
   if (page::LiveCharts live = charts(flight); !live.charts.empty()) {
     all.insert(all.begin(),
-               {"The flight", {result::Live{std::move(live), "Roll angle over time"}}, result::Readers::files});
+               {"The flight",
+                {result::Live{std::make_shared<page::LiveCharts>(std::move(live)), "Roll angle over time"}},
+                result::Readers::files});
   }
   const auto behind_figures = std::ranges::find(all, "Figures", &result::Section::heading) + 1;
   all.insert(behind_figures, {path_section(flight), turning_section(flight)});

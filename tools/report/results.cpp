@@ -27,9 +27,12 @@ constexpr const char* own_turning = "turning.csv";
 constexpr const char* own_free_roll = "without_control.csv";
 
 std::vector<text::NamedFile> result_files(const flight::Flight& flight, const Results& results) {
-  return {{"flight.csv", csv(flight)},
-          {"summary.json", result::json(results.document)},
-          {"report.html", result::html(answer(flight, results.figures, results.verdict, results.document.made))}};
+  std::vector<text::NamedFile> files(3);
+  // First, because its charts have as many numbers as the rows, and are gone when the largest file is made.
+  files[2] = {"report.html", result::html(answer(flight, results.figures, results.verdict, results.document.made))};
+  files[1] = {"summary.json", result::json(results.document)};
+  files[0] = {"flight.csv", csv(flight)};
+  return files;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,7 +52,7 @@ struct Picture {
 };
 /// Over one clock, with a cursor and a zoom where scripts run; without them the first chart. One in a document.
 struct Live {
-  page::LiveCharts charts{};
+  std::shared_ptr<const page::LiveCharts> charts{};  ///< shared, because a long run has a hundred megabytes of them
   std::string caption{};
 };
 /// What no chart can draw, as an SVG for a whole page and one for half of it.

@@ -42,7 +42,7 @@ Picture lined_up(Picture picture, const SharedX& room) {
   picture.chart.least_left = room.at(shared_x(picture.chart));
   return picture;
 }
-std::string html(const Live& live) { return page::live_figure(live.charts, live.caption); }
+std::string html(const Live& live) { return page::live_figure(*live.charts, live.caption); }
 std::string html(const Drawing& drawing) { return page::figure(drawing.wide, drawing.narrow, drawing.caption); }
 std::string html(const Links& links) { return links.all.empty() ? "" : page::list(links.all); }
 std::string html(const Data&) { return {}; }
