@@ -56,7 +56,7 @@ std::string how_it_is_lost(const Mode& mode) {
   return all;
 }
 
-/// " Of the failed flights: control never began, 62 % (imu: rate bias 3.3 either way); ...".
+/// " It fails by: control never began, 62 % (imu: rate bias 3.3 either way); ...".
 std::string modes_text(const Study& study) {
   constexpr std::size_t most = 3;
   constexpr const char* in_sigmas = " standard deviations from the mean of all flights";
